@@ -1,0 +1,16 @@
+// Projects on disk: open a folder, or loose ST files; atomic save (temporary file, fsync, rename). Loading and saving our own file
+// changes no byte. Functions, any thread.
+#pragma once
+#include "projects/model/project.h"
+#include "runtime/base/result.h"
+
+namespace plc::projects {
+
+/// `paths`: one folder with project.json, or any number of ST files (libraries then come from the command line).
+[[nodiscard]] Result<Project> openProject(const std::vector<std::string>& paths);
+[[nodiscard]] Result<std::string> readFile(const std::string& path);
+/// All or nothing: the old file or the new one, never a mixture, whatever happens in between. A file with equal content is not written.
+Result<void> writeFileAtomically(const std::string& path, std::string_view content);
+Result<void> saveProjectFile(const Project& project);
+
+} // namespace plc::projects

@@ -1,0 +1,45 @@
+// Sources → checked, compiled program: the one door to the compiler for command line, studio and tests. Owned by nobody: functions
+// and immutable results. Any thread; one build at a time per call.
+#pragma once
+#include "runtime/compiler/sema/sema.h"
+#include "runtime/expression/expression.h"
+#include "runtime/image/program.h"
+
+#include <string>
+#include <vector>
+
+namespace plc::driver {
+
+struct SourceFile {
+    std::string path; // as shown in messages
+    std::string text;
+};
+struct BuildInput {
+    std::vector<SourceFile> files;
+    std::vector<std::string> libraries; // "toolbox", …; the standard is always there
+    bool strict = false;
+};
+
+/// Everything known after checking; `analysis->hasErrors` says whether it can run.
+struct Checked {
+    std::shared_ptr<const SourceSet> sources;
+    std::shared_ptr<const sema::Analysis> analysis;
+};
+[[nodiscard]] Checked check(const BuildInput& input);
+
+struct Built {
+    Checked checked;
+    std::shared_ptr<image::CompiledProgram> program; // null when there are errors
+    std::string failure;                             // the compiler's own failure (never the user's), else empty
+    double checkMs = 0, codeMs = 0;
+};
+/// Checks and compiles with the quick tier.
+[[nodiscard]] Built build(const BuildInput& input);
+/// Compiles the optimised tier and publishes it in `program`; call from a worker thread.
+[[nodiscard]] Result<void> optimise(const Built& built);
+
+/// Compiles an expression (D7) for images of `checked`'s layout, as seen from instance path `scope` ("" = top).
+/// The error text is the first diagnostic's message.
+[[nodiscard]] Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text, std::string_view scope = {});
+
+} // namespace plc::driver

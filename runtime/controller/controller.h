@@ -1,0 +1,146 @@
+// The controller: runs compiled programs scan by scan on one image (D1, D6, D8). A Controller belongs to one thread, the scan
+// thread, which calls its functions; other threads talk to it through controller/scan_thread.h. Time comes from a Clock handed in.
+#pragma once
+#include "runtime/expression/expression.h"
+#include "runtime/image/program.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace plc::controller {
+
+using Nanoseconds = std::chrono::nanoseconds;
+
+enum class State : uint8_t { Stopped, Running, Paused, Halted /* at a breakpoint */, Fault };
+enum class ResetKind : uint8_t { Warm /* retain kept */, Cold /* retain initialised, persistent kept */, Origin /* everything, plant too */ };
+
+/// Where a fault happened, in the user's terms.
+struct FaultFrame {
+    std::string function;  // "Main.Fill"
+    std::string instance;  // path of THIS, "" for functions
+    SourceRange range;
+    uint32_t instanceOffset = 0, frameOffset = 0, functionIndex = 0;
+};
+struct Fault {
+    image::FaultCode code = image::FaultCode::None;
+    std::string message;   // "index 7 lies outside 1..5"
+    std::string task;
+    SourceRange range;
+    std::vector<FaultFrame> calls; // innermost first
+    uint64_t scan = 0;
+    Nanoseconds time{};
+    bool isSimulation = false;     // the plant's, not the PLC's
+};
+[[nodiscard]] std::string_view name(image::FaultCode code); // "division by zero"
+
+struct TaskStatistics {
+    std::string name;
+    uint64_t count = 0, overruns = 0;
+    int64_t lastNs = 0, minNs = 0, maxNs = 0;
+    double meanNs = 0;
+    int64_t jitterNs = 0;                 // greatest deviation of start from its due time
+    std::vector<uint32_t> histogram;      // execution time: powers of two from 1 µs
+};
+
+struct Forced {
+    std::string path;
+    image::Place place;
+    types::Value value;
+};
+
+/// Events for the log and the chart's markers.
+enum class EventKind : uint8_t { Started, Stopped, Paused, Fault, Reset, Write, Force, Release, OnlineChange, Breakpoint, RetainSaved, RetainRestored, SkippedScans, WentBack };
+struct Event {
+    EventKind kind{};
+    uint64_t scan = 0;
+    Nanoseconds time{};
+    std::string text;
+};
+
+/// Observer of each finished scan (history, alarms). Called on the scan thread: no locks, no allocation in the steady state.
+class ScanObserver {
+public:
+    virtual ~ScanObserver() = default;
+    virtual void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) = 0;
+    virtual void programChanged(std::shared_ptr<const image::CompiledProgram> program) = 0;
+    virtual void eventHappened(const Event& event) = 0;
+};
+
+struct OnlineChangeReport {
+    std::vector<std::string> kept, initialised, lost, nulled; // paths (roots and members, arrays summed up)
+};
+
+struct Settings {
+    Nanoseconds freewheelingInterval{1'000'000};
+    Nanoseconds defaultWatchdog{1'000'000'000};
+    int64_t loopBudgetPerScan = 200'000'000; // virtual time: loop passes and calls of one task run
+    int64_t calendarStartNs = 946'684'800'000'000'000; // DT#2000-01-01-00:00:00
+};
+
+class Controller {
+public:
+    explicit Controller(std::shared_ptr<const image::CompiledProgram> program, Settings settings = {});
+    ~Controller();
+
+    void addObserver(ScanObserver& observer);   // must outlive the controller
+    [[nodiscard]] const image::CompiledProgram& program() const;
+    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> sharedProgram() const;
+    [[nodiscard]] State state() const;
+    [[nodiscard]] const std::optional<Fault>& fault() const;
+    [[nodiscard]] const std::optional<Fault>& simulationFault() const;
+    [[nodiscard]] std::span<const std::byte> image() const;
+    [[nodiscard]] uint64_t nextScan() const;      // number of the scan to come
+    [[nodiscard]] Nanoseconds nextDue() const;    // PLC time at which at least one task is due
+    [[nodiscard]] Nanoseconds lastTime() const;   // time of the last scan
+
+    void start();   // Stopped → Running (initial values were applied at construction or reset)
+    void stop();    // outputs go to their initial values (safe state)
+    void reset(ResetKind kind);
+    /// One scan at nextDue() (or at `at`, real time; tasks overdue by more than a period skip, and are counted). In Stopped and Fault only
+    /// the simulation programs and forces act. Returns false when the scan faulted.
+    bool scan(std::optional<Nanoseconds> at = std::nullopt);
+
+    // Variables, between scans or while halted. Writes are applied at once when called on the scan thread.
+    [[nodiscard]] Result<types::Value> read(std::string_view path) const;
+    Result<void> write(std::string_view path, const types::Value& value);
+    Result<void> write(image::Place place, const types::Value& value);
+    Result<void> force(std::string_view path, const types::Value& value);
+    Result<void> release(std::string_view path);
+    void releaseAll();
+    [[nodiscard]] const std::vector<Forced>& forces() const;
+
+    /// Exchanges the program at the scan boundary; values move by path and type, references by what they pointed to.
+    OnlineChangeReport changeProgram(std::shared_ptr<const image::CompiledProgram> program);
+    /// Puts a recorded image of `program` back (time travel): the next scan continues from it.
+    void resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
+
+    // Retain (controller/retain.h reads and writes the file).
+    [[nodiscard]] std::vector<std::pair<std::string, types::Value>> retained(bool persistentOnly = false) const;
+    size_t restoreRetained(std::span<const std::pair<std::string, types::Value>> values); // returns how many fitted
+
+    [[nodiscard]] std::vector<TaskStatistics> statistics() const;
+    void resetStatistics();
+
+    // Debugging (runtime/debug drives these).
+    /// Quick code from the next scan boundary on, as long as it is wanted (breakpoints, coverage).
+    void useQuickCode(bool wanted);
+    [[nodiscard]] std::span<uint8_t> siteFlags();
+    using SiteHook = std::function<void(uint32_t site, uint32_t instance, uint32_t frame)>;
+    void setSiteHook(SiteHook hook); // runs on the scan thread, inside the scan; may block (halted) and may call abandonScan
+    [[nodiscard]] image::RuntimeContext& context();
+    /// From inside the site hook: leaves the scan (reset, stop, going back, closing).
+    [[noreturn]] void abandonScan();
+    void report(EventKind kind, std::string text);
+
+private:
+    struct State_;
+    std::unique_ptr<State_> m;
+};
+
+/// The three functions generated code calls; hand them to jit::setRuntimeSymbols once at start-up.
+[[nodiscard]] image::RuntimeSymbols runtimeSymbols();
+
+} // namespace plc::controller

@@ -1,0 +1,130 @@
+#include "runtime/diagnostics/diagnostic.h"
+
+#include "runtime/base/text.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace plc::diagnostics {
+
+namespace {
+struct Entry {
+    std::string_view name;
+    Severity severity;
+    std::string_view code;
+    std::string_view text;
+};
+constexpr Entry kEntries[] = {
+#define PLC_DIAGNOSTIC(Name, SeverityName, Code, Text) {#Name, Severity::SeverityName, Code, Text},
+#include "runtime/diagnostics/diagnostics.def"
+};
+const Entry& entry(Kind kind) { return kEntries[static_cast<size_t>(kind)]; }
+
+std::string jsonString(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') (out += '\\') += c;
+        else if (c == '\n') out += "\\n";
+        else if (c == '\t') out += "\\t";
+        else if (c == '\r') out += "\\r";
+        else if (static_cast<unsigned char>(c) < 0x20) { out += "\\u00"; out += "0123456789abcdef"[c >> 4]; out += "0123456789abcdef"[c & 15]; }
+        else out += c;
+    }
+    return out + '"';
+}
+std::string_view severityName(Severity severity) {
+    switch (severity) {
+    case Severity::Error: return "error";
+    case Severity::Warning: return "warning";
+    case Severity::Info: return "info";
+    }
+    return {};
+}
+std::string rangeJson(const SourceSet& sources, SourceRange range) {
+    const SourceText& file = sources[range.file];
+    const LineColumn begin = file.lineColumn(range.begin), end = file.lineColumn(range.end);
+    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) + ",\"endLine\":" + std::to_string(end.line) +
+           ",\"endColumn\":" + std::to_string(end.column) + "}";
+}
+} // namespace
+
+std::string_view codeOf(Kind kind) { return entry(kind).code; }
+std::string_view templateOf(Kind kind) { return entry(kind).text; }
+std::string_view nameOf(Kind kind) { return entry(kind).name; }
+Severity severityOf(Kind kind) { return entry(kind).severity; }
+
+std::string Diagnostic::message() const {
+    std::string out;
+    const std::string_view text = templateOf(kind);
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '{' && i + 2 < text.size() && text[i + 2] == '}' && text[i + 1] >= '0' && text[i + 1] <= '9') {
+            const size_t index = static_cast<size_t>(text[i + 1] - '0');
+            if (index < arguments.size()) out += arguments[index];
+            i += 2;
+        } else {
+            out += text[i];
+        }
+    }
+    return out;
+}
+
+Diagnostic& Sink::emit(SourceRange range, Kind kind, std::vector<std::string> arguments) {
+    Diagnostic& d = m_all.emplace_back();
+    d.kind = kind;
+    d.severity = severityOf(kind);
+    d.range = range;
+    d.arguments = std::move(arguments);
+    if (d.severity == Severity::Error) ++m_errors;
+    return d;
+}
+
+void Sink::sort() {
+    const auto key = [](const Diagnostic& d) { return std::tuple(d.range.file, d.range.begin, d.range.end, d.kind); };
+    std::stable_sort(m_all.begin(), m_all.end(), [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+    m_all.erase(std::unique(m_all.begin(), m_all.end(),
+                            [&](const Diagnostic& a, const Diagnostic& b) { return key(a) == key(b) && a.arguments == b.arguments; }),
+                m_all.end());
+}
+
+std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colours) {
+    const auto colour = [&](std::string_view code) { return colours ? std::string(code) : std::string(); };
+    const std::string_view tint = d.severity == Severity::Error ? "\033[1;31m" : d.severity == Severity::Warning ? "\033[1;33m" : "\033[1;36m";
+    const std::string head = colour(tint) + std::string(severityName(d.severity)) + " " + std::string(codeOf(d.kind)) + colour("\033[0m") + ": " + d.message() + "\n";
+    if (!d.range.file.isValid()) return head;
+    const SourceText& file = sources[d.range.file];
+    const LineColumn at = file.lineColumn(d.range.begin);
+    std::string out = file.path() + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": " + head;
+    const std::string line(file.line(at.line));
+    const std::string number = std::to_string(at.line);
+    out += "  " + number + " | " + line + "\n  " + std::string(number.size(), ' ') + " | ";
+    const uint32_t lineBegin = file.lineBegin(at.line);
+    for (uint32_t i = lineBegin; i < d.range.begin && i < lineBegin + line.size(); ++i) {
+        if (line[i - lineBegin] == '\t') out += '\t';
+        else if ((static_cast<unsigned char>(line[i - lineBegin]) & 0xC0) != 0x80) out += ' ';
+    }
+    size_t marks = 0;
+    for (uint32_t i = d.range.begin; i < d.range.end && i < lineBegin + line.size(); ++i)
+        if ((static_cast<unsigned char>(line[i - lineBegin]) & 0xC0) != 0x80) ++marks;
+    out += colour(tint) + "^" + std::string(marks > 1 ? marks - 1 : 0, '~') + colour("\033[0m") + "\n";
+    for (const Fix& fix : d.fixes) out += "  " + std::string(number.size(), ' ') + " = " + fix.title + "\n";
+    return out;
+}
+
+std::string renderJson(const SourceSet& sources, const Diagnostic& d) {
+    std::string out = "{\"file\":";
+    out += d.range.file.isValid() ? jsonString(sources[d.range.file].path()) : "null";
+    if (d.range.file.isValid()) out += ",\"range\":" + rangeJson(sources, d.range);
+    out += ",\"code\":" + jsonString(codeOf(d.kind)) + ",\"severity\":" + jsonString(severityName(d.severity)) + ",\"message\":" + jsonString(d.message());
+    out += ",\"fixes\":[";
+    for (size_t i = 0; i < d.fixes.size(); ++i) {
+        out += (i ? ",{" : "{") + std::string("\"title\":") + jsonString(d.fixes[i].title) + ",\"edits\":[";
+        for (size_t k = 0; k < d.fixes[i].edits.size(); ++k) {
+            const TextEdit& edit = d.fixes[i].edits[k];
+            out += (k ? ",{" : "{") + std::string("\"range\":") + rangeJson(sources, edit.range) + ",\"text\":" + jsonString(edit.text) + "}";
+        }
+        out += "]}";
+    }
+    return out + "]}";
+}
+
+} // namespace plc::diagnostics

@@ -1,0 +1,101 @@
+// Records the image of every scan as changes of 64-byte blocks (D2), under a memory budget, and answers from it. Written by the
+// scan thread (as ScanObserver's work, through `append`), read by any thread: readers see all scans finished before they asked.
+#pragma once
+#include "runtime/expression/expression.h"
+#include "runtime/image/program.h"
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+namespace plc::history {
+
+using Nanoseconds = std::chrono::nanoseconds;
+
+/// Position in the recording: counts appended scans over all branches; never reused. The PLC's own scan number and time can
+/// repeat after going back, the position does not.
+using Position = uint64_t;
+
+struct ScanStamp {
+    Position position = 0;
+    uint64_t scan = 0;
+    Nanoseconds time{};
+};
+
+/// After going back, recording continues on a new branch: [first, …) follows `parent` (the scan it was resumed from).
+struct Branch {
+    Position first = 0;
+    Position parent = 0;
+};
+struct Mark { // event on the time axis
+    Position position = 0;
+    Nanoseconds time{};
+    int kind = 0; // controller::EventKind
+    std::string text;
+};
+
+/// Samples of one bucket of a series. `count` 0 = gap (evicted, or the path did not exist).
+struct Bucket {
+    double first = 0, minimum = 0, maximum = 0, last = 0;
+    uint64_t count = 0;
+    Position begin = 0; // first position of the bucket
+};
+struct Sample {
+    ScanStamp at;
+    double value = 0;
+    bool hasValue = false;
+};
+
+struct Statistics {
+    uint64_t scans = 0;         // recorded and still there
+    Position first = 0, end = 0; // oldest still there; one past the newest
+    size_t bytes = 0, budget = 0, segments = 0;
+};
+
+/// Makes the expression for another program version (a series crosses an online change by path and type); invalid = gap.
+using Recompile = std::function<expression::Expression(const image::CompiledProgram&)>;
+
+class History {
+public:
+    explicit History(size_t budgetBytes = size_t(256) << 20);
+    ~History();
+
+    // --- the scan thread
+    void beginProgram(std::shared_ptr<const image::CompiledProgram> program); // a new segment under this version
+    void beginBranch(Position parent);                                        // after going back
+    void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
+    void mark(int kind, std::string text, Nanoseconds time);
+
+    // --- any thread
+    void setBudget(size_t bytes);
+    [[nodiscard]] Statistics statistics() const;
+    [[nodiscard]] std::vector<Branch> branches() const;
+    [[nodiscard]] std::vector<Mark> marks() const;
+    /// The whole image after that scan (data part, frame area zero); empty when evicted. `program` receives its version.
+    [[nodiscard]] std::vector<std::byte> seek(Position position, std::shared_ptr<const image::CompiledProgram>* program = nullptr) const;
+    [[nodiscard]] std::optional<ScanStamp> stamp(Position position) const;
+    /// The last position at or before that PLC time on the newest branch.
+    [[nodiscard]] std::optional<Position> positionAt(Nanoseconds time) const;
+    /// Position of PLC scan number on the newest branch.
+    [[nodiscard]] std::optional<Position> positionOfScan(uint64_t scan) const;
+    /// Buckets over [from, to); a bucket of one scan is exact. Uses the place's block log when the expression is one variable.
+    [[nodiscard]] std::vector<Bucket> series(const expression::Expression& expression, const Recompile& recompile, Position from, Position to, size_t buckets) const;
+    [[nodiscard]] std::vector<Sample> samples(const expression::Expression& expression, const Recompile& recompile, Position from, Position to) const;
+    enum class Direction { Forward, Backward };
+    /// Next position (strictly after/before `from`) at which the expression becomes true (was not true at the scan before it).
+    [[nodiscard]] std::optional<Position> find(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const;
+    /// Next position at which the value differs from the scan before.
+    [[nodiscard]] std::optional<Position> findChange(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const;
+
+    /// A recording on disk: sources and libraries to rebuild the program, then the segments. Atomic write.
+    Result<void> save(const std::string& path) const;
+    /// `rebuild` compiles the sources the file holds (the history does not know the compiler).
+    using Rebuild = std::function<std::shared_ptr<const image::CompiledProgram>(const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries)>;
+    [[nodiscard]] static Result<std::unique_ptr<History>> load(const std::string& path, const Rebuild& rebuild);
+
+private:
+    struct State;
+    std::unique_ptr<State> m;
+};
+
+} // namespace plc::history

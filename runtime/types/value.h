@@ -1,0 +1,48 @@
+// A value of any type outside the image: constants of the compiler, what a watch or CSV shows, what a write brings.
+// Plain data, any thread.
+#pragma once
+#include "runtime/base/result.h"
+#include "runtime/types/type_table.h"
+
+#include <span>
+#include <variant>
+
+namespace plc::types {
+
+struct Value {
+    TypeId type; // none: no value
+    /// Integers, BOOL, enums, durations and dates: int64 (the bit pattern for ULINT/LWORD); REAL/LREAL: double (a REAL
+    /// holds a value exact in single precision); STRING: Latin-1 bytes; WSTRING: UTF-16; aggregates: elements or fields in order;
+    /// references, pointers: int64 image offset.
+    std::variant<std::monostate, int64_t, double, std::string, std::u16string, std::vector<Value>> data;
+
+    [[nodiscard]] bool hasValue() const { return data.index() != 0; }
+    [[nodiscard]] int64_t integer() const { return std::get<int64_t>(data); }
+    [[nodiscard]] bool isTrue() const { return std::holds_alternative<int64_t>(data) && integer() != 0; }
+    [[nodiscard]] double real() const { return std::get<double>(data); }
+    bool operator==(const Value&) const = default;
+};
+
+/// Reads `type` at the begin of `bytes` (which must hold its size). `bit` ≥ 0 reads that bit as BOOL.
+[[nodiscard]] Value readValue(const TypeTable& types, TypeId type, std::span<const std::byte> bytes, int bit = -1);
+/// Writes `value` (of `type`, or an aggregate's shape) at the begin of `bytes`; text is cut to the capacity.
+void writeValue(const TypeTable& types, TypeId type, const Value& value, std::span<std::byte> bytes, int bit = -1);
+
+/// How numbers are shown.
+enum class NumberFormat { Decimal, Hex, Binary };
+/// As the command line and CSV show it: TRUE, 5, 1.5, T#1s500ms, Red, 'text', [1, 2], (a := 1, b := 2), NULL.
+[[nodiscard]] std::string toText(const TypeTable& types, const Value& value, NumberFormat format = NumberFormat::Decimal);
+/// As in the JSON of `run`: JSON's own booleans, numbers, strings; times and enums as strings; NaN, ±INF, integers beyond ±2^53 as strings.
+[[nodiscard]] std::string toJson(const TypeTable& types, const Value& value);
+/// T#1d2h3m4s5ms6us7ns without zero units; T#0ms → "T#0s".
+[[nodiscard]] std::string durationText(int64_t nanoseconds, bool isLong = false);
+[[nodiscard]] std::string dateText(int64_t nanoseconds, bool isLong = false);     // D#1996-03-15
+[[nodiscard]] std::string timeOfDayText(int64_t nanoseconds, bool isLong = false); // TOD#01:10:03.300
+[[nodiscard]] std::string dateTimeText(int64_t nanoseconds, bool isLong = false);  // DT#…-01:10:03
+/// Civil date ⇄ days since 1970-01-01 (proleptic Gregorian).
+struct CivilDate { int year; int month; int day; };
+[[nodiscard]] int64_t daysFromCivil(CivilDate date);
+[[nodiscard]] CivilDate civilFromDays(int64_t days);
+[[nodiscard]] bool isValidDate(CivilDate date);
+
+} // namespace plc::types
