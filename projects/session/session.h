@@ -1,0 +1,123 @@
+// A project that is built and can run: controller, history and debugger together, on a scan thread of their own or stepped by the
+// caller. Command line, `stepwise test`, panel player and studio all use this (D9). The functions may be called from any thread
+// unless they say otherwise; they post to the scan thread and read published snapshots (D8).
+#pragma once
+#include "runtime/compiler/driver/driver.h"
+#include "runtime/controller/controller.h"
+#include "runtime/history/history.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace plc::session {
+
+using controller::Nanoseconds;
+
+enum class Pace : uint8_t { Real, Factor, Fastest };
+struct RunMode {
+    Pace pace = Pace::Fastest; // Fastest: virtual time
+    double factor = 1.0;       // Factor: PLC seconds per second
+};
+
+struct Status {
+    controller::State state = controller::State::Stopped;
+    uint64_t scans = 0;           // finished scans
+    Nanoseconds time{};           // of the last scan
+    double load = 0;              // share of wall time spent in scans, 0..1
+    int64_t lastScanNs = 0;
+    std::optional<controller::Fault> fault, simulationFault;
+    history::Position position = 0; // newest recorded
+    uint64_t skippedScans = 0;
+    std::string retainProblem;
+};
+
+/// What the debugger shows while halted.
+struct HaltFrame {
+    std::string function, instance;
+    SourceRange range;
+    uint32_t functionIndex = 0, instanceOffset = 0, frameOffset = 0;
+};
+
+struct Breakpoint {
+    FileId file;
+    uint32_t line = 1;
+    std::string condition;   // ST expression, seen from the POU; empty = always
+    uint32_t hitCount = 0;   // stop at the n-th hit; 0 = every
+    std::string instance;    // only this instance path; empty = any
+    bool isEnabled = true;
+};
+
+enum class StepKind : uint8_t { In, Over, Out };
+
+struct Settings {
+    controller::Settings controller;
+    size_t historyBudget = size_t(256) << 20;
+    std::string retainFile;                   // empty: no retain on disk
+    Nanoseconds retainInterval{60'000'000'000};
+    bool record = true;
+};
+
+class Session {
+public:
+    explicit Session(driver::Built built, Settings settings = {});
+    ~Session(); // stops the scan thread
+
+    [[nodiscard]] const driver::Built& built() const;
+    [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const;
+    [[nodiscard]] history::History& history();
+    [[nodiscard]] const history::History& history() const;
+    [[nodiscard]] Status status() const;
+
+    // --- caller-stepped (command line, tests): no scan thread
+    [[nodiscard]] controller::Controller& controller();     // only while no scan thread runs
+    /// Runs scans in the calling thread until `stop` returns true (asked after each scan) or the state leaves Running.
+    void runHere(const std::function<bool(const controller::Controller&)>& stop);
+
+    // --- scan thread (studio, panel)
+    void startThread(RunMode mode);  // start() included
+    void setMode(RunMode mode);
+    void start();
+    void pause();
+    void singleScan();
+    void stop();
+    void reset(controller::ResetKind kind);
+    void write(std::string path, types::Value value);
+    /// Momentary button: released no earlier than after every cyclic task ran once with the press.
+    void press(std::string path, types::Value pressed, types::Value released);
+    void release(std::string path);
+    void force(std::string path, types::Value value);
+    void unforce(std::string path);
+    void unforceAll();
+    [[nodiscard]] std::vector<controller::Forced> forces() const;
+    [[nodiscard]] std::vector<controller::TaskStatistics> taskStatistics() const;
+    [[nodiscard]] std::vector<controller::Event> eventsSince(size_t index) const;
+    /// Refusals of posted commands (unknown path, wrong type, forced): text per command, oldest first, taken once.
+    [[nodiscard]] std::vector<std::string> takeRefusals();
+    /// Newest finished image (a copy of the published snapshot); at a breakpoint the image as it is now.
+    [[nodiscard]] std::vector<std::byte> snapshot(uint64_t* scan = nullptr) const;
+    /// Takes effect at the next scan boundary; `done` runs on the scan thread.
+    void changeProgram(driver::Built built, std::function<void(const controller::OnlineChangeReport&)> done);
+    /// Continue from a recorded scan on a new branch (state Paused until start()).
+    Result<void> resumeFrom(history::Position position);
+
+    // --- debugging
+    void setBreakpoints(std::vector<Breakpoint> breakpoints);
+    void resume();
+    void step(StepKind kind);
+    void runTo(FileId file, uint32_t line);
+    [[nodiscard]] std::vector<HaltFrame> haltFrames() const;
+    /// Name and value of the locals of a frame of haltFrames().
+    [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
+
+    /// Cached by text, scope and program version; any thread.
+    [[nodiscard]] Result<expression::Expression> expression(const std::string& text, const std::string& scope = {}) const;
+    /// For History::series over online changes.
+    [[nodiscard]] history::Recompile recompile(const std::string& text, const std::string& scope = {}) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m;
+};
+
+} // namespace plc::session
