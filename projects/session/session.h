@@ -71,6 +71,8 @@ public:
 
     // --- caller-stepped (command line, tests): no scan thread
     [[nodiscard]] controller::Controller& controller();     // only while no scan thread runs
+    /// Writes the retain file named in the settings (also done by the scan thread at stop and at the interval).
+    Result<void> saveRetained() const;
     /// Runs scans in the calling thread until `stop` returns true (asked after each scan) or the state leaves Running.
     void runHere(const std::function<bool(const controller::Controller&)>& stop);
 

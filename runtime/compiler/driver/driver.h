@@ -1,6 +1,7 @@
 // Sources → checked, compiled program: the one door to the compiler for command line, studio and tests. Owned by nobody: functions
 // and immutable results. Any thread; one build at a time per call.
 #pragma once
+#include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/sema/sema.h"
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
@@ -18,6 +19,7 @@ struct BuildInput {
     std::vector<SourceFile> files;
     std::vector<std::string> libraries; // "toolbox", …; the standard is always there
     bool strict = false;
+    bool threadSanitizer = false;       // instruments the generated code (tests of the thread contract)
 };
 
 /// Everything known after checking; `analysis->hasErrors` says whether it can run.
@@ -25,6 +27,8 @@ struct Checked {
     std::shared_ptr<const SourceSet> sources;
     std::shared_ptr<const sema::Analysis> analysis;
 };
+/// The libraries a project can name, lower case, sorted ("analog", "plant", …); the standard is always there and not listed.
+[[nodiscard]] std::vector<std::string> libraryNames();
 [[nodiscard]] Checked check(const BuildInput& input);
 
 struct Built {
@@ -32,6 +36,8 @@ struct Built {
     std::shared_ptr<image::CompiledProgram> program; // null when there are errors
     std::string failure;                             // the compiler's own failure (never the user's), else empty
     double checkMs = 0, codeMs = 0;
+    std::shared_ptr<const codegen::DebugMap> debug;  // both tiers share it
+    std::shared_ptr<const BuildInput> input;         // what it was built from (recordings keep it)
 };
 /// Checks and compiles with the quick tier.
 [[nodiscard]] Built build(const BuildInput& input);

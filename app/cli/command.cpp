@@ -1,0 +1,130 @@
+#include "app/cli/command.h"
+
+#include "projects/storage/project_file.h"
+#include "runtime/base/text.h"
+#include "runtime/controller/controller.h"
+#include "runtime/compiler/jit/jit.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace plc::cli {
+
+namespace {
+volatile std::sig_atomic_t g_interrupts = 0;
+
+extern "C" void onInterrupt(int) {
+    if (++g_interrupts > 1) std::_Exit(130);
+}
+
+std::string overview() {
+    std::string out = "Stepwise: write, run and watch IEC 61131-3 programs.\n\n"
+                      "Usage: stepwise [PROJECT]            opens the studio\n"
+                      "       stepwise COMMAND …            works without a display\n\nCommands:\n";
+    for (const Command& command : commands()) {
+        std::string name(command.spec.name);
+        name.resize(10, ' ');
+        out += "  " + name + std::string(command.spec.summary) + "\n";
+    }
+    return out + "\n`stepwise COMMAND --help` shows the options and an example.\n";
+}
+} // namespace
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> all = {checkCommand(), runCommand(),    formatCommand(), testCommand(),
+                                             traceCommand(), replayCommand(), panelCommand(),  docCommand()};
+    return all;
+}
+
+int wrongUse(const Error& error) {
+    std::cerr << "stepwise: " << error.text() << "\n";
+    return kWrongUse;
+}
+
+int runCommandLine(const std::vector<std::string>& words) {
+    if (words.empty() || words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+        std::cout << overview();
+        return kGood;
+    }
+    if (words[0] == "--version") {
+        std::cout << "Stepwise 0.1.0\n";
+        return kGood;
+    }
+    const auto& all = commands();
+    const auto it = std::find_if(all.begin(), all.end(), [&](const Command& command) { return command.spec.name == words[0]; });
+    if (it == all.end()) {
+        std::vector<std::string> names;
+        for (const Command& command : all) names.emplace_back(command.spec.name);
+        const auto near = nearestName(words[0], names);
+        return wrongUse({"There is no command " + words[0] + (near ? "; did you mean " + *near + "?" : "") + " (stepwise --help lists them)", ""});
+    }
+    const auto arguments = Arguments::parse(it->spec, {words.begin() + 1, words.end()});
+    if (!arguments) return wrongUse(arguments.error());
+    if (arguments->wantsHelp()) {
+        std::cout << helpText(it->spec);
+        return kGood;
+    }
+    if (const auto format = arguments->value("--format"); format && *format != "text" && *format != "json" && *format != "junit")
+        return wrongUse({"--format is text or json, not " + *format, ""});
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
+    return it->run(*arguments);
+}
+
+Result<projects::Project> openNamedProject(const Arguments& arguments) {
+    auto project = projects::openProject(arguments.paths());
+    if (!project) return project;
+    const auto known = driver::libraryNames();
+    for (const std::string& value : arguments.values("--library")) {
+        const std::string name = foldCase(value);
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            const auto near = nearestName(name, known);
+            return Error{"There is no library " + value + (near ? "; did you mean " + *near + "?" : ""), ""};
+        }
+        project->libraries.push_back(name);
+    }
+    return project;
+}
+
+bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos) {
+    const bool colours = wantsColours(STDERR_FILENO);
+    std::string out;
+    size_t shown = 0;
+    for (const diagnostics::Diagnostic& diagnostic : checked.analysis->diagnostics) {
+        if (!withInfos && diagnostic.severity == diagnostics::Severity::Info) continue;
+        out += asJson ? (shown ? ",\n " : "[") + diagnostics::renderJson(*checked.sources, diagnostic)
+                      : diagnostics::renderText(*checked.sources, diagnostic, colours);
+        ++shown;
+    }
+    if (asJson) std::cout << (shown ? out + "]" : "[]") << "\n";
+    else std::cerr << out;
+    return checked.analysis->hasErrors;
+}
+
+bool wantsColours(int fileDescriptor) { return ::isatty(fileDescriptor) && !std::getenv("NO_COLOR"); }
+bool isInterrupted() { return g_interrupts != 0; }
+void catchInterrupt() {
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
+}
+
+std::string jsonString(std::string_view text) { return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+
+void ProgressLine::show(const std::string& text) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - m_begin < std::chrono::seconds(1) || now - m_last < std::chrono::milliseconds(100) || !::isatty(STDERR_FILENO)) return;
+    m_last = now;
+    m_isShown = true;
+    std::fprintf(stderr, "\r\033[K%s", text.c_str());
+    std::fflush(stderr);
+}
+
+ProgressLine::~ProgressLine() {
+    if (m_isShown) std::fprintf(stderr, "\r\033[K");
+}
+
+} // namespace plc::cli

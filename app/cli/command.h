@@ -1,0 +1,56 @@
+// What the window does, the command line does (D9): one file per command, all on the same libraries, none needs a display.
+// Exit codes: 0 good, 1 the program has errors or faulted, 2 wrong use.
+#pragma once
+#include "app/cli/arguments.h"
+#include "projects/model/project.h"
+
+#include <iosfwd>
+
+namespace plc::cli {
+
+enum ExitCode : int { kGood = 0, kProgramWrong = 1, kWrongUse = 2 };
+
+struct Command {
+    CommandSpec spec;
+    int (*run)(const Arguments& arguments);
+};
+[[nodiscard]] const std::vector<Command>& commands();
+
+/// Runs `stepwise WORDS…`; the words do not hold the program's name.
+int runCommandLine(const std::vector<std::string>& words);
+
+// One file each.
+[[nodiscard]] Command checkCommand();
+[[nodiscard]] Command runCommand();
+[[nodiscard]] Command formatCommand();
+[[nodiscard]] Command testCommand();
+[[nodiscard]] Command traceCommand();
+[[nodiscard]] Command replayCommand();
+[[nodiscard]] Command panelCommand();
+[[nodiscard]] Command docCommand();
+
+// --- shared by the commands
+int wrongUse(const Error& error);
+/// Opens PATH… with the libraries of --library added.
+[[nodiscard]] Result<projects::Project> openNamedProject(const Arguments& arguments);
+/// Prints diagnostics to stderr (text) or stdout (json list); true when there are errors.
+bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos);
+/// Colours only on a terminal and without NO_COLOR.
+[[nodiscard]] bool wantsColours(int fileDescriptor);
+/// Set by Ctrl+C (once; a second one ends the program).
+[[nodiscard]] bool isInterrupted();
+void catchInterrupt();
+[[nodiscard]] std::string jsonString(std::string_view text);
+
+/// A progress line on the terminal once something takes over a second; erased at the end.
+class ProgressLine {
+public:
+    ~ProgressLine();
+    void show(const std::string& text); // at most ten times a second
+private:
+    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point m_last{};
+    bool m_isShown = false;
+};
+
+} // namespace plc::cli

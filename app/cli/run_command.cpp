@@ -1,0 +1,211 @@
+#include "app/cli/command.h"
+#include "app/cli/run_output.h"
+
+#include "projects/session/session.h"
+#include "projects/storage/project_file.h"
+#include "runtime/base/text.h"
+#include "runtime/types/conversion.h"
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+namespace plc::cli {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+/// "Main.start=TRUE@1.5s": written (or forced) before the first scan at or after the time.
+struct TimedWrite {
+    std::string path;
+    std::string text;
+    nanoseconds at{0};
+    bool isForce = false;
+    bool isRelease = false;
+};
+
+Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
+    const size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return Error{"\"" + word + "\" is not a write; give PATH=VALUE or PATH=VALUE@TIME, for example Main.start=TRUE@1.5s", ""};
+    TimedWrite write;
+    write.isForce = isForce;
+    write.path = word.substr(0, equals);
+    write.text = word.substr(equals + 1);
+    // The last @ is the time, unless it stands inside a text literal.
+    const size_t at = write.text.rfind('@');
+    if (at != std::string::npos && std::count(write.text.begin() + static_cast<std::ptrdiff_t>(at), write.text.end(), '\'') % 2 == 0) {
+        const auto time = parseDuration(write.text.substr(at + 1));
+        if (!time) return time.error();
+        write.at = *time;
+        write.text.erase(at);
+    }
+    if (write.text.empty()) return Error{"\"" + word + "\" has no value", ""};
+    write.isRelease = isForce && equalsIgnoringCase(write.text, "release");
+    return write;
+}
+
+struct RunPlan {
+    std::optional<nanoseconds> length;
+    std::optional<uint64_t> scans;
+    expression::Expression until;
+    std::vector<TimedWrite> writes; // by time
+    std::vector<Watch> watches;
+    bool isReal = false;
+    double speed = 1.0;
+};
+
+Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write) {
+    const auto place = controller.program().layout.find(write.path);
+    if (!place) return place.error();
+    return parseValue(checked, place->type, write.text, write.path);
+}
+
+Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write) {
+    if (write.isRelease) return controller.release(write.path);
+    const auto value = valueFor(checked, controller, write);
+    if (!value) return value.error();
+    return write.isForce ? controller.force(write.path, *value) : controller.write(write.path, *value);
+}
+
+Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built, const controller::Controller& controller) {
+    RunPlan plan;
+    if (const auto text = arguments.value("--for")) {
+        const auto length = parseDuration(*text);
+        if (!length) return length.error();
+        plan.length = *length;
+    }
+    if (const auto text = arguments.value("--scans")) {
+        const auto count = parseCount(*text);
+        if (!count) return count.error();
+        plan.scans = *count;
+    }
+    if (const auto text = arguments.value("--until")) {
+        auto until = driver::compileExpression(built.checked, *text);
+        if (!until) return Error{"--until: " + until.error().message, *text};
+        if (until->types().storageKind(until->type()) != types::TypeKind::Bool) return Error{"--until needs a BOOL expression", *text};
+        plan.until = *until;
+    }
+    if (!plan.length && !plan.scans && !plan.until.isValid()) plan.length = std::chrono::seconds(10);
+    if (const auto text = arguments.value("--speed")) {
+        char* end = nullptr;
+        plan.speed = std::strtod(text->c_str(), &end);
+        if (end == text->c_str() || *end || !(plan.speed > 0)) return Error{"--speed needs a number above 0, for example 10", *text};
+        plan.isReal = true;
+    }
+    plan.isReal = plan.isReal || arguments.has("--real");
+    for (const bool isForce : {true, false})
+        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
+            const auto write = parseWrite(word, isForce);
+            if (!write) return write.error();
+            if (!write->isRelease)
+                if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
+            plan.writes.push_back(*write);
+        }
+    std::stable_sort(plan.writes.begin(), plan.writes.end(), [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    for (const std::string& text : arguments.values("--watch")) {
+        auto expression = driver::compileExpression(built.checked, text);
+        if (!expression) return Error{"--watch: " + expression.error().message, text};
+        plan.watches.push_back({text, *expression});
+    }
+    if (plan.watches.empty()) plan.watches = allVariables(built);
+    return plan;
+}
+
+/// Drives the controller scan by scan and hands each finished scan to the CSV.
+Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::Session& session, CsvWriter& csv) {
+    controller::Controller& controller = session.controller();
+    controller.start();
+    ProgressLine progress;
+    size_t nextWrite = 0;
+    uint64_t done = 0;
+    const auto wallBegin = std::chrono::steady_clock::now();
+    while (!isInterrupted() && controller.state() == controller::State::Running) {
+        const nanoseconds due = controller.nextDue();
+        if (plan.length && due >= *plan.length) break;
+        if (plan.scans && done >= *plan.scans) break;
+        if (plan.isReal)
+            std::this_thread::sleep_until(wallBegin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double, std::nano>(static_cast<double>(due.count()) / plan.speed)));
+        for (; nextWrite < plan.writes.size() && plan.writes[nextWrite].at <= due; ++nextWrite)
+            if (auto written = apply(built.checked, controller, plan.writes[nextWrite]); !written) return written;
+        controller.scan();
+        ++done;
+        csv.scanFinished(controller);
+        if (plan.until.isValid() && plan.until.isTrue(controller.image())) break;
+        if ((done & 0xfff) == 0) progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
+    }
+    return {};
+}
+
+int run(const Arguments& arguments) {
+    if (arguments.paths().empty()) return wrongUse({"run needs a project folder or ST files (stepwise run --help)", ""});
+    const auto project = openNamedProject(arguments);
+    if (!project) return wrongUse(project.error());
+    const driver::Built built = driver::build(project->buildInput());
+    const bool json = arguments.wantsJson();
+    if (built.checked.analysis->hasErrors) {
+        printDiagnostics(built.checked, json, false);
+        return kProgramWrong;
+    }
+    if (!json) printDiagnostics(built.checked, false, false);
+    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+    if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
+
+    session::Settings settings;
+    settings.record = arguments.has("--record");
+    settings.retainFile = arguments.value("--retain").value_or("");
+    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start) return wrongUse(start.error());
+    else if (*start) settings.controller.calendarStartNs = **start;
+    catchInterrupt();
+    session::Session session(built, settings);
+    const auto plan = planRun(arguments, built, session.controller());
+    if (!plan) return wrongUse(plan.error());
+    CsvWriter csv(plan->watches);
+    if (const auto every = arguments.value("--every"); every && *every != "scan") {
+        const auto interval = parseDuration(*every);
+        if (!interval || interval->count() <= 0) return wrongUse(interval ? Error{"--every needs scan or a time above 0", *every} : interval.error());
+        csv.setInterval(*interval);
+    }
+    if (const auto file = arguments.value("--csv"))
+        if (auto opened = csv.open(*file); !opened) return wrongUse(opened.error());
+    if (auto ran = runScans(*plan, built, session, csv); !ran) return wrongUse(ran.error());
+
+    RunReport report{session.controller(), built, plan->watches, arguments.has("--stats")};
+    const std::string text = json ? report.toJson() : report.toText(wantsColours(1));
+    const bool faulted = session.controller().state() == controller::State::Fault;
+    session.controller().stop();
+    if (auto closed = csv.close(); !closed) return wrongUse(closed.error());
+    if (const auto file = arguments.value("--record"))
+        if (auto saved = session.history().save(*file); !saved) return wrongUse(saved.error());
+    if (!settings.retainFile.empty())
+        if (auto saved = session.saveRetained(); !saved) return wrongUse(saved.error());
+    std::cout << text;
+    return faulted ? kProgramWrong : kGood;
+}
+
+} // namespace
+
+Command runCommand() {
+    return {{"run", "PATH… [OPTIONS]", "Runs a project, or ST files, in virtual time and prints the values.",
+             {{"--for", "10s", "PLC time to run (default 10s)"},
+              {"--scans", "N", "number of scans to run"},
+              {"--until", "EXPR", "run until the ST expression is true"},
+              {"--real", "", "in real time instead of as fast as possible"},
+              {"--speed", "10", "that many times faster than real time"},
+              {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
+              {"--force", "PATH=VALUE[@TIME]", "force likewise; VALUE RELEASE ends it (repeatable)"},
+              {"--watch", "EXPR", "a value to show and record (repeatable; default: all variables)"},
+              {"--csv", "FILE", "write a row per scan: time_s, scan, the watches"},
+              {"--every", "scan|100ms", "a row each scan (default) or each interval"},
+              {"--record", "FILE", "save the recording of every scan, for replay and the studio"},
+              {"--retain", "FILE", "restore retained variables from FILE, save them there at the end"},
+              {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
+              {"--stats", "", "also task statistics"},
+              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+              {"--format", "text|json", "text (default) or one JSON object"}},
+             "stepwise run projects/examples/motor --for 5s --set 'Main.S1=TRUE@1s' --watch Main.K1 --csv motor.csv"},
+            run};
+}
+
+} // namespace plc::cli

@@ -1,0 +1,228 @@
+#include "app/cli/run_output.h"
+
+#include "app/cli/command.h"
+#include "runtime/types/conversion.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace plc::cli {
+
+using types::Value;
+
+std::vector<Watch> allVariables(const driver::Built& built) {
+    std::vector<Watch> out;
+    const image::Layout& layout = built.program->layout;
+    const auto add = [&](const std::string& path) {
+        if (auto expression = driver::compileExpression(built.checked, path)) out.push_back({path, *expression});
+    };
+    for (const image::Root& root : layout.roots) {
+        if (root.isHidden || root.constant || !root.space.empty()) continue;
+        if (root.area != image::Area::Program) {
+            add(root.list.empty() ? root.name : root.list + "." + root.name);
+            continue;
+        }
+        for (const types::Field& field : (*layout.types)[root.type].fields)
+            if (!field.isPrivate && !field.constant && field.section != types::FieldSection::InOut && field.section != types::FieldSection::External)
+                add(root.name + "." + field.name);
+    }
+    return out;
+}
+
+Result<Value> parseValue(const driver::Checked& checked, types::TypeId type, const std::string& text, const std::string& path) {
+    const types::TypeTable& types = *checked.analysis->program->types;
+    const std::string typeName = types[type].name;
+    auto expression = driver::compileExpression(checked, text);
+    if (!expression && types.kind(type) == types::TypeKind::Enum) { // the bare name of one of its values
+        expression = driver::compileExpression(checked, typeName + "." + text);
+    }
+    const Error wrong{text + " is not a value for " + path + ", which is " + typeName, ""};
+    if (!expression) return wrong;
+    const expression::Outcome outcome = expression->evaluate(std::span<const std::byte>());
+    if (!outcome.hasValue()) return wrong;
+    if (expression->type() == type || types.isAggregate(type)) return expression->type() == type ? Result<Value>(outcome.value) : Result<Value>(wrong);
+    const bool fromText = types.isText(expression->type()), toText = types.isText(type);
+    const bool toBool = types.storageKind(type) == types::TypeKind::Bool, fromBool = types.storageKind(expression->type()) == types::TypeKind::Bool;
+    if (fromText != toText || (fromBool && !toBool)) return wrong;
+    bool ok = true;
+    Value value = types::convert(types, outcome.value, type, &ok);
+    if (!ok) return wrong;
+    const auto family = types.family(type);
+    if (types::isInteger(family) && std::holds_alternative<int64_t>(outcome.value.data) && std::holds_alternative<int64_t>(value.data) &&
+        value.integer() != outcome.value.integer())
+        return Error{text + " does not fit into " + path + ", which is " + typeName, ""};
+    return value;
+}
+
+Result<std::optional<int64_t>> calendarStart(const std::string& text) {
+    if (text.empty()) return std::optional<int64_t>();
+    int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
+    const char* begin = text.c_str();
+    if (const char* hash = std::strchr(begin, '#')) begin = hash + 1;
+    const int fields = std::sscanf(begin, "%d-%d-%d%*[-T ]%d:%d:%d", &year, &month, &day, &hour, &minute, &second);
+    if ((fields != 3 && fields != 5 && fields != 6) || !types::isValidDate({year, month, day}) || hour < 0 || hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
+        return Error{"\"" + text + "\" is not a date and time; write for example DT#2026-01-31-06:00:00", ""};
+    return std::optional<int64_t>(((types::daysFromCivil({year, month, day}) * 24 + hour) * 60 + minute) * 60'000'000'000 + second * 1'000'000'000ll);
+}
+
+std::string csvValue(const types::TypeTable& types, const Value& value) {
+    if (!value.hasValue()) return {};
+    if (std::holds_alternative<std::string>(value.data) || std::holds_alternative<std::u16string>(value.data)) {
+        std::string json = types::toJson(types, value);
+        return json.size() >= 2 && json.front() == '"' ? nlohmann::json::parse(json, nullptr, false).get<std::string>() : json;
+    }
+    return types::toText(types, value);
+}
+
+std::string csvCell(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"') out += '"';
+        out += c;
+    }
+    return out + '"';
+}
+
+std::string secondsText(std::chrono::nanoseconds time) {
+    const int64_t ns = time.count();
+    std::string out = std::to_string(ns / 1'000'000'000);
+    std::string fraction = std::to_string(ns % 1'000'000'000);
+    fraction.insert(0, 9 - fraction.size(), '0');
+    while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();
+    return fraction.empty() ? out : out + "." + fraction;
+}
+
+CsvWriter::~CsvWriter() {
+    if (m_file) (void)close();
+}
+
+Result<void> CsvWriter::open(const std::string& path) {
+    m_path = path;
+    m_file = std::fopen((path + ".part").c_str(), "wb");
+    if (!m_file) return Error{std::string("The CSV file can not be written: ") + std::strerror(errno), path};
+    std::string head = "time_s,scan";
+    for (const Watch& watch : m_watches) head += "," + csvCell(watch.text);
+    head += "\r\n";
+    std::fwrite(head.data(), 1, head.size(), m_file);
+    return {};
+}
+
+void CsvWriter::row(std::span<const std::byte> image, uint64_t scan, std::chrono::nanoseconds time) {
+    if (!m_file) return;
+    std::string line = secondsText(time) + "," + std::to_string(scan);
+    for (const Watch& watch : m_watches) {
+        const expression::Outcome outcome = watch.expression.evaluate(image);
+        line += "," + (outcome.hasValue() ? csvCell(csvValue(watch.expression.types(), outcome.value)) : std::string());
+    }
+    line += "\r\n";
+    std::fwrite(line.data(), 1, line.size(), m_file);
+}
+
+void CsvWriter::scanFinished(const controller::Controller& controller) {
+    if (!m_file) return;
+    const auto time = controller.lastTime();
+    if (m_interval.count() > 0) {
+        if (m_next && time < *m_next) return;
+        m_next = m_interval * (time / m_interval + 1);
+    }
+    row(controller.image(), controller.nextScan() - 1, time);
+}
+
+Result<void> CsvWriter::close() {
+    if (!m_file) return {};
+    const bool bad = std::fflush(m_file) != 0 || std::ferror(m_file);
+    const int code = errno;
+    std::fclose(m_file);
+    m_file = nullptr;
+    const std::string part = m_path + ".part";
+    if (bad) {
+        std::remove(part.c_str());
+        return Error{std::string("The CSV file can not be written: ") + std::strerror(code) + "; free some space", m_path};
+    }
+    if (std::rename(part.c_str(), m_path.c_str()) != 0) return Error{std::string("The CSV file can not be put in place: ") + std::strerror(errno), m_path};
+    return {};
+}
+
+namespace {
+std::string placeText(const driver::Built& built, SourceRange range) {
+    if (!range.file.isValid()) return {};
+    const SourceText& file = built.program->sources[range.file];
+    return file.path() + ":" + std::to_string(file.lineColumn(range.begin).line);
+}
+std::string valueText(const types::TypeTable& types, const expression::Outcome& outcome) {
+    return outcome.hasValue() ? types::toText(types, outcome.value) : "(" + outcome.reason + ")";
+}
+} // namespace
+
+std::string RunReport::toText(bool colours) const {
+    std::string out;
+    size_t width = 0;
+    for (const Watch& watch : watches) width = std::max(width, watch.text.size());
+    for (const Watch& watch : watches) {
+        std::string name = watch.text;
+        name.resize(width + 2, ' ');
+        out += name + valueText(watch.expression.types(), watch.expression.evaluate(controller.image())) + "\n";
+    }
+    const auto& fault = controller.fault();
+    if (fault) {
+        out += (colours ? std::string("\033[1;31m") : std::string()) + "fault" + (colours ? "\033[0m" : "") + ": " + fault->message + "\n";
+        out += "  in task " + fault->task + " at " + placeText(built, fault->range) + ", scan " + std::to_string(fault->scan) + ", " + types::durationText(fault->time.count()) + "\n";
+        for (const controller::FaultFrame& frame : fault->calls)
+            out += "  " + frame.function + (frame.instance.empty() ? "" : " (" + frame.instance + ")") + " at " + placeText(built, frame.range) + "\n";
+    }
+    if (controller.simulationFault()) out += "simulation stopped: " + controller.simulationFault()->message + " at " + placeText(built, controller.simulationFault()->range) + "\n";
+    out += std::to_string(controller.nextScan()) + " scans, last at " + types::durationText(controller.lastTime().count()) + "\n";
+    if (!withStatistics) return out;
+    char line[200];
+    std::snprintf(line, sizeof line, "build: %.1f ms (check %.1f ms, code %.1f ms)\n", built.checkMs + built.codeMs, built.checkMs, built.codeMs);
+    out += line;
+    for (const controller::TaskStatistics& task : controller.statistics()) {
+        std::snprintf(line, sizeof line, "task %-16s %10llu runs   mean %.0f ns   min %lld ns   max %lld ns   overruns %llu\n", task.name.c_str(), static_cast<unsigned long long>(task.count),
+                      task.meanNs, static_cast<long long>(task.minNs), static_cast<long long>(task.maxNs), static_cast<unsigned long long>(task.overruns));
+        out += line;
+    }
+    return out;
+}
+
+std::string RunReport::toJson() const {
+    const auto& fault = controller.fault();
+    std::string out = "{\"state\":" + jsonString(fault ? "fault" : "stopped") + ",\"scans\":" + std::to_string(controller.nextScan()) +
+                      ",\"time_s\":" + secondsText(controller.lastTime()) + ",\"values\":{";
+    bool isFirst = true;
+    for (const Watch& watch : watches) {
+        const expression::Outcome outcome = watch.expression.evaluate(controller.image());
+        out += (isFirst ? "" : ",") + jsonString(watch.text) + ":" + (outcome.hasValue() ? types::toJson(watch.expression.types(), outcome.value) : "null");
+        isFirst = false;
+    }
+    out += "},\"fault\":";
+    if (fault) {
+        const bool known = fault->range.file.isValid();
+        const auto lineOf = [&](SourceRange range) { return range.file.isValid() ? std::to_string(built.program->sources[range.file].lineColumn(range.begin).line) : "null"; };
+        const auto fileOf = [&](SourceRange range) { return range.file.isValid() ? jsonString(built.program->sources[range.file].path()) : "null"; };
+        out += "{\"code\":" + jsonString(controller::name(fault->code)) + ",\"message\":" + jsonString(fault->message) + ",\"file\":" + (known ? fileOf(fault->range) : "null") +
+               ",\"line\":" + lineOf(fault->range) + ",\"calls\":[";
+        for (size_t i = 0; i < fault->calls.size(); ++i) {
+            const controller::FaultFrame& frame = fault->calls[i];
+            out += (i ? "," : "") + std::string("{\"function\":") + jsonString(frame.function) + ",\"instance\":" + jsonString(frame.instance) + ",\"file\":" + fileOf(frame.range) +
+                   ",\"line\":" + lineOf(frame.range) + "}";
+        }
+        out += "]}";
+    } else {
+        out += "null";
+    }
+    char number[64];
+    std::snprintf(number, sizeof number, "%.3f", built.checkMs + built.codeMs);
+    out += ",\"stats\":{\"build_ms\":" + std::string(number) + ",\"tasks\":[";
+    isFirst = true;
+    for (const controller::TaskStatistics& task : controller.statistics()) {
+        std::snprintf(number, sizeof number, "%.1f", task.meanNs);
+        out += (isFirst ? "{" : ",{") + std::string("\"name\":") + jsonString(task.name) + ",\"count\":" + std::to_string(task.count) + ",\"mean_ns\":" + number +
+               ",\"max_ns\":" + std::to_string(task.maxNs) + "}";
+        isFirst = false;
+    }
+    return out + "]}}\n";
+}
+
+} // namespace plc::cli

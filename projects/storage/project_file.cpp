@@ -1,0 +1,199 @@
+#include "projects/storage/project_file.h"
+
+#include "runtime/base/text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace plc::projects {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Result<std::string> readFile(const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) return Error{"This is a folder, a file is needed", path};
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return Error{std::string("The file can not be read: ") + std::strerror(errno), path};
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (in.bad()) return Error{std::string("The file can not be read: ") + std::strerror(errno), path};
+    return text.str();
+}
+
+Result<void> writeFileAtomically(const std::string& path, std::string_view content) {
+    if (std::error_code ignored; fs::is_regular_file(path, ignored)) {
+        if (const auto old = readFile(path); old && *old == content) return {};
+    }
+    // A link is followed, so that the file it names is exchanged and the link stays.
+    std::error_code ignored;
+    const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
+    const std::string temporary = target.string() + ".saving-" + std::to_string(::getpid());
+    const auto fail = [&](const char* what) -> Error {
+        const int code = errno;
+        ::unlink(temporary.c_str());
+        const std::string remedy = code == ENOSPC ? "; free some space and save again" : code == EACCES ? "; check the permissions of the folder" : "";
+        return {std::string(what) + ": " + std::strerror(code) + remedy, path};
+    };
+    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0) return fail("The file can not be written");
+    if (std::error_code none; fs::exists(target, none)) fs::permissions(temporary, fs::status(target, none).permissions(), none);
+    for (size_t done = 0; done < content.size();) {
+        const ssize_t n = ::write(file, content.data() + done, content.size() - done);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) {
+            const int code = errno;
+            ::close(file);
+            errno = code;
+            return fail("The file can not be written");
+        }
+        done += static_cast<size_t>(n);
+    }
+    if (::fsync(file) != 0) {
+        const int code = errno;
+        ::close(file);
+        errno = code;
+        return fail("The file can not be written");
+    }
+    ::close(file);
+    if (::rename(temporary.c_str(), target.c_str()) != 0) return fail("The file can not be exchanged");
+    const std::string folder = target.parent_path().empty() ? "." : target.parent_path().string();
+    if (const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); directory >= 0) {
+        ::fsync(directory);
+        ::close(directory);
+    }
+    return {};
+}
+
+namespace {
+
+std::string stringField(const Json& json, const char* key, std::string fallback = {}) {
+    return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : std::move(fallback);
+}
+
+std::vector<std::string> listField(const Json& json, const char* key) {
+    std::vector<std::string> out;
+    if (json.contains(key) && json[key].is_array())
+        for (const Json& item : json[key])
+            if (item.is_string()) out.push_back(item.get<std::string>());
+    return out;
+}
+
+std::vector<std::string> filesIn(const fs::path& folder, std::string_view ending) {
+    std::vector<std::string> out;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_regular_file(ignored) && name.size() > ending.size() && name.ends_with(ending) && name[0] != '.') out.push_back(name);
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+Result<driver::SourceFile> readSource(const std::string& path, const std::string& shown) {
+    auto text = readFile(path);
+    if (!text) return text.error();
+    if (text->starts_with("\xEF\xBB\xBF")) text->erase(0, 3);
+    return driver::SourceFile{shown, std::move(*text)};
+}
+
+Result<void> readSources(const fs::path& folder, const char* part, std::vector<driver::SourceFile>& out) {
+    for (const std::string& name : filesIn(folder / part, ".st")) {
+        auto file = readSource((folder / part / name).string(), (fs::path(part) / name).generic_string());
+        if (!file) return file.error();
+        out.push_back(std::move(*file));
+    }
+    return {};
+}
+
+Result<Project> openFolder(const fs::path& folder) {
+    Project project;
+    project.folder = fs::absolute(folder).lexically_normal().string();
+    if (project.folder.size() > 1 && project.folder.ends_with('/')) project.folder.pop_back();
+    project.name = fs::path(project.folder).filename().string();
+    const fs::path file = folder / "project.json";
+    if (std::error_code ignored; fs::exists(file, ignored)) {
+        const auto text = readFile(file.string());
+        if (!text) return text.error();
+        try {
+            project.json = Json::parse(*text);
+        } catch (const Json::parse_error& problem) {
+            const size_t at = std::min<size_t>(problem.byte, text->size());
+            const auto line = 1 + std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            return Error{"project.json is not valid JSON; look for a missing comma, quote or bracket", file.string() + ":" + std::to_string(line)};
+        }
+        if (!project.json.is_object()) return Error{"project.json must hold one JSON object", file.string()};
+    } else {
+        std::error_code none;
+        if (!fs::is_directory(folder / "src", none) && filesIn(folder, ".st").empty())
+            return Error{"This folder holds neither a project.json nor ST files", folder.string()};
+        project.json = Json::object();
+    }
+    const Json& json = project.json;
+    project.name = stringField(json, "name", project.name);
+    project.libraries = listField(json, "libraries");
+    for (std::string& library : project.libraries) {
+        library = foldCase(library);
+        const auto known = driver::libraryNames();
+        if (library != "standard" && std::find(known.begin(), known.end(), library) == known.end()) {
+            std::string all;
+            for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+            return Error{"There is no library \"" + library + "\"; known are " + all, file.string()};
+        }
+    }
+    if (json.contains("hmi") && json["hmi"].is_object()) {
+        const Json& hmi = json["hmi"];
+        project.startPanel = stringField(hmi, "startPanel");
+        project.languages = listField(hmi, "languages");
+        project.fallback = listField(hmi, "fallback");
+        project.font = stringField(hmi, "font", project.font);
+        project.languageVariable = stringField(hmi, "languageVariable");
+    }
+    if (json.contains("settings") && json["settings"].is_object()) project.calendarStart = stringField(json["settings"], "calendarStart");
+    if (project.languages.empty()) project.languages = {"en"};
+    if (auto done = readSources(folder, "src", project.sources); !done) return done.error();
+    if (project.sources.empty())
+        for (const std::string& name : filesIn(folder, ".st")) {
+            auto source = readSource((folder / name).string(), name);
+            if (!source) return source.error();
+            project.sources.push_back(std::move(*source));
+        }
+    if (auto done = readSources(folder, "tests", project.tests); !done) return done.error();
+    project.panels = filesIn(folder / "hmi", ".panel.json");
+    project.traces = filesIn(folder / "traces", ".trace.json");
+    return project;
+}
+
+} // namespace
+
+Result<Project> openProject(const std::vector<std::string>& paths) {
+    if (paths.empty()) return Error{"Name a project folder or ST files", ""};
+    std::error_code ignored;
+    fs::path first = paths.front();
+    if (paths.size() == 1 && first.filename() == "project.json") first = first.parent_path().empty() ? "." : first.parent_path();
+    if (paths.size() == 1 && fs::is_directory(first, ignored)) return openFolder(first);
+    Project project;
+    project.name = fs::path(paths.front()).stem().string();
+    project.languages = {"en"};
+    project.json = Json::object();
+    for (const std::string& path : paths) {
+        if (!fs::exists(path, ignored)) return Error{"There is no such file or folder", path};
+        if (fs::is_directory(path, ignored)) return Error{"Name one project folder, or ST files, not both", path};
+        auto file = readSource(path, path);
+        if (!file) return file.error();
+        project.sources.push_back(std::move(*file));
+    }
+    return project;
+}
+
+Result<void> saveProjectFile(const Project& project) {
+    return writeFileAtomically(project.folder + "/project.json", project.json.dump(2) + "\n");
+}
+
+} // namespace plc::projects

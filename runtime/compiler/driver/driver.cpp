@@ -1,0 +1,146 @@
+#include "runtime/compiler/driver/driver.h"
+
+#include "runtime/base/text.h"
+#include "runtime/compiler/codegen/codegen.h"
+#include "runtime/compiler/driver/expression_compiler.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/compiler/lower/lower.h"
+#include "runtime/compiler/parse/parser.h"
+#include "runtime/library/sources.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace plc::driver {
+
+namespace {
+
+double millisecondsSince(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+bool isWanted(std::string_view library, const std::vector<std::string>& wanted) {
+    if (equalsIgnoringCase(library, "standard")) return true;
+    return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return equalsIgnoringCase(name, library); });
+}
+
+uint64_t mix(uint64_t hash, std::string_view bytes) {
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+    return (hash ^ bytes.size()) * 1099511628211ull;
+}
+
+/// Names code and layout: the same sources give the same version.
+uint64_t versionOf(const BuildInput& input) {
+    uint64_t hash = 14695981039346656037ull;
+    for (const SourceFile& file : input.files) hash = mix(mix(hash, file.path), file.text);
+    for (const std::string& library : input.libraries) hash = mix(hash, library);
+    return hash;
+}
+
+std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, codegen::DebugMap&& debug, uint64_t version) {
+    const tree::Program& tree = *checked.analysis->program;
+    auto program = std::make_shared<image::CompiledProgram>();
+    program->layout = tree.layout;
+    program->initialImage = tree.initialImage;
+    program->initialImage.resize(program->layout.imageSize);
+    program->initializer = tree.initializer.isValid() ? tree.initializer.value : 0;
+    program->tasks = tree.tasks;
+    program->functions = std::move(debug.functions);
+    program->sites = std::move(debug.sites);
+    program->sources = *checked.sources;
+    program->version = version;
+    program->facts = checked.analysis;
+    return program;
+}
+
+} // namespace
+
+std::vector<std::string> libraryNames() {
+    std::vector<std::string> names;
+    for (const library::Source& source : library::sources()) {
+        const std::string name(source.library);
+        if (name != "standard" && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Checked check(const BuildInput& input) {
+    auto sources = std::make_shared<SourceSet>();
+    std::vector<std::string> libraryOf;
+    sources->files.reserve(input.files.size() + library::sources().size()); // texts must not move: the trees view them
+    for (const SourceFile& file : input.files) {
+        sources->add(file.path, file.text);
+        libraryOf.emplace_back();
+    }
+    for (const library::Source& source : library::sources()) {
+        if (!isWanted(source.library, input.libraries)) continue;
+        sources->add("library/" + std::string(source.library) + "/" + std::string(source.fileName), std::string(source.text));
+        libraryOf.push_back(library::namespaceOf(source.library));
+    }
+    diagnostics::Sink sink;
+    std::vector<std::unique_ptr<syntax::SyntaxFile>> files;
+    for (size_t i = 0; i < sources->files.size(); ++i) {
+        const FileId id(i);
+        const std::string_view text = (*sources)[id].text();
+        auto file = parse::parseFile(id, text, sink);
+        file->library = libraryOf[i];
+        lower::lowerFile(*file, sink);
+        files.push_back(std::move(file));
+    }
+    Checked checked;
+    checked.sources = sources;
+    sema::Options options;
+    options.strict = input.strict;
+    checked.analysis = sema::analyze(*sources, std::move(files), sink.take(), options);
+    return checked;
+}
+
+Built build(const BuildInput& input) {
+    Built built;
+    const auto begin = std::chrono::steady_clock::now();
+    built.checked = check(input);
+    built.checkMs = millisecondsSince(begin);
+    if (built.checked.analysis->hasErrors || !built.checked.analysis->program) return built;
+    const auto codeBegin = std::chrono::steady_clock::now();
+    const tree::Program& tree = *built.checked.analysis->program;
+    auto debug = std::make_shared<codegen::DebugMap>(codegen::makeDebugMap(tree));
+    codegen::Options options;
+    options.threadSanitizer = input.threadSanitizer;
+    auto code = jit::compile(tree, *debug, options);
+    if (!code) {
+        built.failure = code.error().text();
+        return built;
+    }
+    codegen::DebugMap copy = *debug;
+    built.program = assemble(built.checked, std::move(copy), versionOf(input));
+    built.program->quick = std::move(code.value());
+    built.debug = debug;
+    built.input = std::make_shared<const BuildInput>(input);
+    built.codeMs = millisecondsSince(codeBegin);
+    return built;
+}
+
+Result<void> optimise(const Built& built) {
+    if (!built.program) return Error{"There is no program to optimise", ""};
+    codegen::Options options;
+    options.tier = codegen::Tier::Optimised;
+    options.threadSanitizer = built.input->threadSanitizer;
+    auto code = jit::compile(*built.checked.analysis->program, *built.debug, options);
+    if (!code) return code.error();
+    built.program->optimisedOwner = std::move(code.value());
+    built.program->optimised.store(built.program->optimisedOwner.get(), std::memory_order_release);
+    return {};
+}
+
+Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text, std::string_view scope) {
+    Arena arena;
+    const sema::CheckedExpression result = sema::checkExpression(*checked.analysis, *checked.sources, text, scope, arena);
+    if (!result.root) {
+        const std::string message = result.diagnostics.empty() ? "this is not an expression" : result.diagnostics.front().message();
+        return Error{message, std::string(text)};
+    }
+    return compile(*result.root, checked.analysis->program->types, std::string(text));
+}
+
+} // namespace plc::driver
