@@ -1,0 +1,30 @@
+// Paints the value cells of a property grid and makes their editors. Owned by the grid; GUI thread.
+#pragma once
+
+#include <QStyledItemDelegate>
+#include <QVariant>
+
+namespace plc::kit {
+
+class PropertyGrid;
+
+class PropertyDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    explicit PropertyDelegate(PropertyGrid& grid);
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    bool eventFilter(QObject* editor, QEvent* event) override;
+
+private:
+    QWidget* makeTextEditor(QWidget* parent, const QString& id) const;
+    void finish(QWidget* editor) const;
+
+    PropertyGrid& m_grid;
+};
+
+} // namespace plc::kit

@@ -1,0 +1,344 @@
+// What a user does to the small widgets of the kit: typing, choosing, spinning, undoing.
+#include "editor/kit/canvas.h"
+#include "editor/kit/command_palette.h"
+#include "editor/kit/edit_history.h"
+#include "editor/kit/expression_edit.h"
+#include "editor/kit/fuzzy.h"
+#include "editor/kit/icons.h"
+#include "editor/kit/property_grid.h"
+#include "editor/kit/theme.h"
+#include "editor/kit/variable_picker.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QGraphicsRectItem>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+using namespace plc::kit;
+
+TEST(FuzzyMatch, PrefersWordBeginningsAndTouchingLetters) {
+    struct Row {
+        const char* pattern;
+        const char* better;
+        const char* worse;
+    };
+    for (const Row& row : {Row{"sa", "Save all", "Reset task"}, Row{"so", "Step over", "Also this one"}, Row{"run", "Run", "Prune entry"},
+                           Row{"mpid", "Main.pid", "ManPowerInside.d"}}) {
+        const auto better = fuzzyMatch(QString(row.pattern), QString(row.better));
+        const auto worse = fuzzyMatch(QString(row.pattern), QString(row.worse));
+        ASSERT_TRUE(better && worse) << row.pattern;
+        EXPECT_GT(better->score, worse->score) << row.pattern;
+    }
+    EXPECT_FALSE(fuzzyMatch(u"xyz", u"Step over"));
+    EXPECT_FALSE(fuzzyMatch(u"revo", u"over"));
+    EXPECT_EQ(fuzzyMatch(u"so", u"Step over")->positions, (std::vector<int>{0, 5}));
+}
+
+TEST(Icons, EveryDrawingIsGoodSvgAndLeavesInk) {
+    for (const ThemeColors* theme : {&lightColors(), &darkColors()})
+        for (Icon which : allIcons()) {
+            const QByteArray svg = iconSvg(which, *theme);
+            EXPECT_FALSE(svg.contains('$')) << iconWord(which).toString().toStdString();
+            QSvgRenderer renderer(svg);
+            ASSERT_TRUE(renderer.isValid()) << iconWord(which).toString().toStdString();
+            QImage image(32, 32, QImage::Format_ARGB32);
+            image.fill(Qt::transparent);
+            QPainter painter(&image);
+            renderer.render(&painter);
+            painter.end();
+            int inked = 0;
+            for (int y = 0; y < 32; ++y)
+                for (int x = 0; x < 32; ++x) inked += qAlpha(image.pixel(x, y)) > 40;
+            EXPECT_GT(inked, 20) << iconWord(which).toString().toStdString();
+        }
+    EXPECT_EQ(iconByWord(u"step-over"), Icon::StepOver);
+    EXPECT_FALSE(iconByWord(u"no-such-icon"));
+}
+
+TEST(Icons, FollowTheTheme) {
+    const QIcon run = icon(Icon::Project);
+    const QImage light = run.pixmap(32, 32).toImage();
+    Theme::current().setChoice(ThemeChoice::Dark);
+    const QImage dark = run.pixmap(32, 32).toImage();
+    Theme::current().setChoice(ThemeChoice::Light);
+    EXPECT_NE(light, dark);
+    EXPECT_EQ(light, run.pixmap(32, 32).toImage());
+}
+
+TEST(Theme, TextCanBeReadOnItsGroundInBothThemes) {
+    auto luminance = [](const QColor& c) {
+        auto part = [](double v) { return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+        return 0.2126 * part(c.redF()) + 0.7152 * part(c.greenF()) + 0.0722 * part(c.blueF());
+    };
+    auto contrast = [&](const QColor& a, const QColor& b) {
+        const double la = luminance(a), lb = luminance(b);
+        return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+    };
+    for (const ThemeColors* c : {&lightColors(), &darkColors()}) {
+        for (const QColor& ground : {c->base, c->window, c->raised, c->alternate, c->selection}) EXPECT_GE(contrast(c->text, ground), 7);
+        for (const QColor& ink : {c->muted, c->good, c->warning, c->bad, c->online, c->forced}) EXPECT_GE(contrast(ink, c->base), 4.5) << ink.name().toStdString();
+        for (const QColor& curve : c->curves) EXPECT_GE(contrast(curve, c->plotGround), 3) << curve.name().toStdString();
+        EXPECT_GE(contrast(c->onAccent, c->accent), 4.5);
+    }
+}
+
+TEST(CommandPalette, TypedLettersFindAndReturnRunsTheAction) {
+    QMainWindow window;
+    QMenu* file = window.menuBar()->addMenu("&File");
+    QMenu* debug = window.menuBar()->addMenu("&Debug");
+    QAction* save = file->addAction("&Save all");
+    QAction* over = debug->addAction("Step &over");
+    QAction* dead = debug->addAction("Step out");
+    dead->setEnabled(false);
+    CommandPalette palette(&window);
+    QSignalSpy ranOver(over, &QAction::triggered), ranSave(save, &QAction::triggered), ranDead(dead, &QAction::triggered);
+    window.resize(800, 600);
+    window.show();
+    palette.open();
+    auto* input = palette.findChild<QLineEdit*>();
+    EXPECT_EQ(palette.shownTexts().size(), 3);
+    QTest::keyClicks(input, "stov");
+    ASSERT_FALSE(palette.shownTexts().isEmpty());
+    EXPECT_EQ(palette.shownTexts().first(), "Debug: Step over");
+    QTest::keyClick(input, Qt::Key_Return);
+    EXPECT_EQ(ranOver.count(), 1);
+    EXPECT_EQ(ranSave.count(), 0);
+    EXPECT_FALSE(palette.isVisible());
+
+    palette.open(); // what was run last comes first
+    EXPECT_EQ(palette.shownTexts().first(), "Debug: Step over");
+    QTest::keyClicks(input, "step out");
+    QTest::keyClick(input, Qt::Key_Return);
+    EXPECT_EQ(ranDead.count(), 0) << "a disabled action must not run";
+    QTest::keyClick(input, Qt::Key_Escape);
+    EXPECT_FALSE(palette.isVisible());
+}
+
+TEST(EditHistory, UndoAppliesTheInverseAndMergesOneGesture) {
+    int value = 0;
+    auto apply = [&](const int& next) { return std::exchange(value, next); };
+    QUndoStack stack;
+    stack.push(new EditCommand<int>("Set", 1, apply));
+    stack.push(new EditCommand<int>("Drag", 2, apply, 7));
+    stack.push(new EditCommand<int>("Drag", 3, apply, 7));
+    EXPECT_EQ(stack.count(), 2);
+    EXPECT_EQ(value, 3);
+    stack.undo();
+    EXPECT_EQ(value, 1);
+    stack.undo();
+    EXPECT_EQ(value, 0);
+    stack.redo();
+    stack.redo();
+    EXPECT_EQ(value, 3);
+}
+
+namespace {
+
+std::vector<PropertyDescriptor> someDescriptors() {
+    std::vector<PropertyDescriptor> d(6);
+    d[0] = {.id = "x", .group = "Geometry", .label = "X", .kind = PropertyKind::Integer, .minimum = 0, .maximum = 500};
+    d[1] = {.id = "name", .group = "General", .label = "Name", .kind = PropertyKind::Text};
+    d[2] = {.id = "on", .group = "General", .label = "Visible", .kind = PropertyKind::Bool};
+    d[3] = {.id = "style", .group = "General", .label = "Style", .kind = PropertyKind::Enumeration};
+    d[3].choices = {{"flat", "Flat", {}}, {"round", "Round", {}}};
+    d[4] = {.id = "fill", .group = "General", .label = "Fill", .kind = PropertyKind::Color};
+    d[5] = {.id = "var", .group = "General", .label = "Variable", .kind = PropertyKind::Expression};
+    return d;
+}
+
+QRect cellOf(const PropertyGrid& grid, const QString& id) {
+    const QRect row = grid.visualItemRect(grid.row(id));
+    return {grid.columnViewportPosition(1), row.top(), grid.columnWidth(1), row.height()};
+}
+
+} // namespace
+
+TEST(PropertyGrid, SpinningPreviewsAndLeavingCommitsOnce) {
+    PropertyGrid grid;
+    grid.setDescriptors(someDescriptors());
+    grid.setValue("x", 10);
+    grid.resize(320, 400);
+    grid.show();
+    QSignalSpy previews(&grid, &PropertyGrid::previewed), commits(&grid, &PropertyGrid::committed);
+    QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cellOf(grid, "x").center());
+    auto* spin = grid.viewport()->findChild<QSpinBox*>();
+    ASSERT_TRUE(spin);
+    EXPECT_EQ(spin->value(), 10);
+    QTest::keyClick(spin, Qt::Key_Up);
+    QTest::keyClick(spin, Qt::Key_Up);
+    EXPECT_EQ(previews.count(), 2);
+    EXPECT_EQ(commits.count(), 0);
+    QTest::keyClick(spin, Qt::Key_Return);
+    ASSERT_EQ(commits.count(), 1);
+    EXPECT_EQ(commits[0][0].toString(), "x");
+    EXPECT_EQ(commits[0][1].toInt(), 12);
+    EXPECT_EQ(grid.value("x").toInt(), 12);
+}
+
+TEST(PropertyGrid, EscapeTakesThePreviewBackAndCommitsNothing) {
+    PropertyGrid grid;
+    grid.setDescriptors(someDescriptors());
+    grid.setValue("x", 10);
+    grid.resize(320, 400);
+    grid.show();
+    QSignalSpy previews(&grid, &PropertyGrid::previewed), commits(&grid, &PropertyGrid::committed);
+    grid.editProperty("x");
+    auto* spin = grid.viewport()->findChild<QSpinBox*>();
+    ASSERT_TRUE(spin);
+    QTest::keyClick(spin, Qt::Key_Up);
+    QTest::keyClick(spin, Qt::Key_Escape);
+    EXPECT_EQ(commits.count(), 0);
+    EXPECT_EQ(previews.last()[1].toInt(), 10);
+}
+
+TEST(PropertyGrid, CheckBoxTogglesAndVariousBecomesOneValue) {
+    PropertyGrid grid;
+    grid.setDescriptors(someDescriptors());
+    grid.setValue("on", false);
+    grid.setVarious("name");
+    grid.resize(320, 400);
+    grid.show();
+    QSignalSpy commits(&grid, &PropertyGrid::committed);
+    QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cellOf(grid, "on").center());
+    ASSERT_EQ(commits.count(), 1);
+    EXPECT_TRUE(commits[0][1].toBool());
+    EXPECT_EQ(grid.row("name")->text(1), "various");
+    QTest::mouseClick(grid.viewport(), Qt::LeftButton, {}, cellOf(grid, "name").center());
+    auto* line = grid.viewport()->findChild<QLineEdit*>();
+    ASSERT_TRUE(line);
+    QTest::keyClicks(line, "Pump");
+    QTest::keyClick(line, Qt::Key_Return);
+    ASSERT_EQ(commits.count(), 2);
+    EXPECT_EQ(commits[1][1].toString(), "Pump");
+    EXPECT_FALSE(grid.isVarious("name"));
+}
+
+TEST(PropertyGrid, FilterKeepsTheGroupsThatHaveRows) {
+    PropertyGrid grid;
+    grid.setDescriptors(someDescriptors());
+    grid.setFilter("fill");
+    EXPECT_FALSE(grid.row("fill")->isHidden());
+    EXPECT_TRUE(grid.row("x")->isHidden());
+    EXPECT_TRUE(grid.row("x")->parent()->isHidden());
+    grid.setFilter("");
+    EXPECT_FALSE(grid.row("x")->isHidden());
+}
+
+TEST(ExpressionEdit, CompletesTheWordAtTheCursorAndKeepsTheRest) {
+    ExpressionEdit edit;
+    edit.setCompletionSource([](const QString& text, int cursor) {
+        std::vector<Completion> result;
+        const QString before = text.left(cursor);
+        if (before.endsWith("pid.r")) result.push_back({"rIput", "REAL"});
+        return result;
+    });
+    edit.setCheck([](const QString& text) { return text.contains("??") ? QString("unexpected ?") : QString(); });
+    edit.resize(300, 28);
+    edit.show();
+    edit.setFocus();
+    QTest::keyClicks(&edit, "2 * Main.pid.r");
+    ASSERT_TRUE(edit.isCompletionShown());
+    EXPECT_EQ(edit.shownCompletions(), QStringList{"rIput"});
+    QTest::keyClick(&edit, Qt::Key_Return);
+    EXPECT_EQ(edit.text(), "2 * Main.pid.rIput");
+    EXPECT_TRUE(edit.complaint().isEmpty());
+    QTest::keyClicks(&edit, " ??");
+    EXPECT_EQ(edit.complaint(), "unexpected ?");
+}
+
+namespace {
+
+class FewVariables : public VariableProvider {
+public:
+    std::vector<VariableNode> children(const QString& path) const override {
+        if (path.isEmpty()) return {{"Main", "Main", "Main", "", Icon::Program, true}, {"GVL", "GVL", "", "", Icon::Globals, true, false}};
+        if (path == "Main") return {{"pid", "Main.pid", "FB_PID", "the loop", Icon::Block, true}, {"run", "Main.run", "BOOL", ""}};
+        if (path == "Main.pid") return {{"q", "Main.pid.q", "REAL", ""}};
+        if (path == "GVL") return {{"limit", "GVL.limit", "REAL", ""}};
+        return {};
+    }
+    std::vector<VariableNode> search(const QString& text, int) const override {
+        std::vector<VariableNode> result;
+        for (const char* path : {"Main.pid", "Main.run", "Main.pid.q", "GVL.limit"})
+            if (QString(path).contains(text, Qt::CaseInsensitive)) result.push_back({path, path, "REAL", ""});
+        return result;
+    }
+};
+
+} // namespace
+
+TEST(VariablePicker, UnfoldsLazilySearchesAndPicks) {
+    FewVariables provider;
+    VariablePicker picker(provider);
+    picker.resize(420, 300);
+    picker.show();
+    QSignalSpy picked(&picker, &VariablePicker::picked);
+    ASSERT_TRUE(picker.selectPath("main.PID.q"));
+    EXPECT_EQ(picker.selectedPaths(), QStringList{"Main.pid.q"});
+    EXPECT_FALSE(picker.selectPath("Main.nothing"));
+    auto* search = picker.findChild<QLineEdit*>();
+    QTest::keyClicks(search, "lim");
+    EXPECT_EQ(picker.selectedPaths(), QStringList{"GVL.limit"});
+    QTest::keyClick(search, Qt::Key_Return);
+    ASSERT_EQ(picked.count(), 1);
+    EXPECT_EQ(picked[0][0].toString(), "GVL.limit");
+}
+
+TEST(VariablePicker, MimeCarriesSeveralPaths) {
+    std::unique_ptr<QMimeData> mime(makeVariableMime({"Main.a", "Main.b"}));
+    EXPECT_EQ(variablesOf(mime.get()), (QStringList{"Main.a", "Main.b"}));
+    QMimeData text;
+    text.setText("x > 5\n");
+    EXPECT_EQ(variablesOf(&text), QStringList{"x > 5"});
+}
+
+TEST(Canvas, ZoomKeepsThePointUnderThePointerAndExports) {
+    QGraphicsScene scene(0, 0, 4000, 3000);
+    scene.addRect(100, 100, 600, 400, QPen(Qt::black), QBrush(Qt::red));
+    Canvas canvas;
+    canvas.setScene(&scene);
+    canvas.resize(500, 400);
+    canvas.show();
+    canvas.centerOn(400, 300);
+    const QPoint pointer(120, 90);
+    const QPointF before = canvas.mapToScene(pointer);
+    QWheelEvent wheel(pointer, canvas.viewport()->mapToGlobal(pointer), {}, QPoint(0, 120), Qt::NoButton, Qt::ControlModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(canvas.viewport(), &wheel);
+    EXPECT_NEAR(canvas.zoom(), 1.2, 1e-9);
+    const QPointF after = canvas.mapToScene(pointer);
+    EXPECT_NEAR(before.x(), after.x(), 1.5);
+    EXPECT_NEAR(before.y(), after.y(), 1.5);
+
+    const QImage image = canvas.picture(1);
+    EXPECT_NEAR(image.width(), 617, 2);
+    EXPECT_EQ(image.pixelColor(300, 200), QColor(Qt::red));
+    QTemporaryDir folder;
+    ASSERT_TRUE(canvas.exportSvg(folder.filePath("a.svg")));
+    ASSERT_TRUE(canvas.exportPdf(folder.filePath("a.pdf")));
+    QFile svg(folder.filePath("a.svg"));
+    ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(svg.readAll().contains("#ff0000"));
+    QFile pdf(folder.filePath("a.pdf"));
+    ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
+}
+
+TEST(Canvas, SnapsToTheGridOnlyWhenThereIsOne) {
+    Canvas canvas;
+    EXPECT_EQ(canvas.snapped({13, 17}), QPointF(13, 17));
+    canvas.setGridStep(10);
+    EXPECT_EQ(canvas.snapped({13, 17}), QPointF(10, 20));
+}
