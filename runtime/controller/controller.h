@@ -117,6 +117,10 @@ public:
     /// Puts a recorded image of `program` back (time travel): the next scan continues from it.
     void resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
 
+    /// Runs one function without parameters on an instance, outside a scan, under the same guards (statements of tests). False with
+    /// fault() set when it faulted. `function` indexes CompiledProgram::functions.
+    bool runFunction(uint32_t function, uint32_t instance);
+
     // Retain (controller/retain.h reads and writes the file).
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> retained(bool persistentOnly = false) const;
     size_t restoreRetained(std::span<const std::pair<std::string, types::Value>> values); // returns how many fitted

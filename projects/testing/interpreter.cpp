@@ -1,0 +1,330 @@
+#include "projects/testing/interpreter.h"
+
+#include "runtime/base/text.h"
+#include "runtime/types/conversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plc::testing {
+
+using syntax::Expr;
+using syntax::Stmt;
+using syntax::StmtKind;
+using types::Value;
+
+Interpreter::Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test, const driver::Built& built, session::Session& session)
+    : m_project(project), m_program(program), m_test(test), m_built(built), m_session(session) {}
+
+void Interpreter::run(TestResult& result) {
+    m_result = &result;
+    m_session.controller().start();
+    block(m_test.test->body);
+}
+
+std::string_view Interpreter::textOf(const Expr* expression) const {
+    return expression ? m_program.testSources()[FileId(m_test.fileIndex)].slice(expression->range) : std::string_view();
+}
+
+Interpreter::Flow Interpreter::fail(const Stmt& at, std::string message, std::string detail) {
+    const SourceText& file = m_program.testSources()[FileId(m_test.fileIndex)];
+    Failure failure;
+    failure.message = std::move(message);
+    failure.detail = std::move(detail);
+    failure.file = file.path();
+    failure.line = file.lineColumn(at.range.begin).line;
+    failure.scan = m_session.controller().nextScan();
+    failure.time = m_session.controller().lastTime();
+    m_result->failures.push_back(std::move(failure));
+    return Flow::Stop;
+}
+
+Result<expression::Expression> Interpreter::compile(std::string_view text) { return m_session.expression(std::string(text), m_test.instance); }
+
+std::optional<Value> Interpreter::evaluate(const Expr* expression, const Stmt& at) {
+    const auto compiled = compile(textOf(expression));
+    if (!compiled) {
+        fail(at, std::string(textOf(expression)) + ": " + compiled.error().message);
+        return std::nullopt;
+    }
+    const expression::Outcome outcome = compiled->evaluate(m_session.controller().image());
+    if (!outcome.hasValue()) {
+        fail(at, std::string(textOf(expression)) + " has no value: " + outcome.reason);
+        return std::nullopt;
+    }
+    return outcome.value;
+}
+
+std::optional<bool> Interpreter::condition(const Expr* expression, const Stmt& at) {
+    const auto value = evaluate(expression, at);
+    if (!value) return std::nullopt;
+    return value->isTrue();
+}
+
+std::string Interpreter::pathOf(std::string_view target) const {
+    const std::string first = foldCase(target.substr(0, target.find_first_of(".[ ")));
+    for (const syntax::VarSection* section : m_test.test->sections)
+        for (const syntax::VarDecl* declaration : section->declarations)
+            for (const syntax::Name& name : declaration->names)
+                if (foldCase(name.text) == first) return m_test.instance + "." + std::string(target);
+    return std::string(target);
+}
+
+Interpreter::Flow Interpreter::block(const syntax::Block& statements) {
+    for (const Stmt* each : statements) {
+        const Flow flow = statement(*each);
+        if (flow != Flow::Next) return flow;
+    }
+    return Flow::Next;
+}
+
+Interpreter::Flow Interpreter::statement(const Stmt& at) {
+    if (const std::string name = m_program.actionOf(at); !name.empty()) return action(at, name);
+    switch (at.kind) {
+    case StmtKind::Empty:
+    case StmtKind::Label: return Flow::Next;
+    case StmtKind::Assign: return assign(at, false);
+    case StmtKind::Force: return assign(at, true);
+    case StmtKind::Release: return releaseForce(at);
+    case StmtKind::Assert: return assertion(at);
+    case StmtKind::Run: return runScans(at);
+    case StmtKind::Compare: return compare(at);
+    case StmtKind::If: return branches(at);
+    case StmtKind::Case: return caseOf(at);
+    case StmtKind::For: return countedLoop(at);
+    case StmtKind::While:
+    case StmtKind::Repeat: return loop(at);
+    case StmtKind::Exit: return Flow::Exit;
+    case StmtKind::Continue: return Flow::Continue;
+    case StmtKind::Return: return Flow::Stop;
+    case StmtKind::Block: return block(at.body);
+    case StmtKind::Call:
+    case StmtKind::Jump:
+    case StmtKind::Il: break;
+    }
+    return fail(at, "This statement is not possible in a TEST together with RUN or ASSERT around it");
+}
+
+Interpreter::Flow Interpreter::action(const Stmt& at, const std::string& name) {
+    controller::Controller& controller = m_session.controller();
+    const image::CompiledProgram& program = controller.program();
+    const auto place = program.layout.find(m_test.instance);
+    const auto it = std::find_if(program.functions.begin(), program.functions.end(), [&](const image::FunctionInfo& f) { return f.name == name; });
+    if (!place || it == program.functions.end()) return fail(at, "The code of this statement is missing");
+    if (controller.runFunction(static_cast<uint32_t>(it - program.functions.begin()), place->offset)) return Flow::Next;
+    return fail(at, "Fault in the test: " + (controller.fault() ? controller.fault()->message : std::string()));
+}
+
+Interpreter::Flow Interpreter::assign(const Stmt& at, bool isForce) {
+    controller::Controller& controller = m_session.controller();
+    const std::string path = pathOf(textOf(at.target));
+    const auto place = controller.program().layout.find(path);
+    if (!place) return fail(at, place.error().message);
+    auto value = evaluate(at.value, at);
+    std::string text(textOf(at.value));
+    const types::TypeTable& types = *controller.program().layout.types;
+    if (!value) return Flow::Stop;
+    bool ok = true;
+    if (!types.isAggregate(place->type)) *value = types::convert(types, *value, place->type, &ok);
+    if (!ok) return fail(at, text + " is not a value for " + path);
+    const auto done = isForce ? controller.force(path, *value) : controller.write(path, *value);
+    return done ? Flow::Next : fail(at, done.error().message);
+}
+
+Interpreter::Flow Interpreter::releaseForce(const Stmt& at) {
+    if (!at.target) {
+        m_session.controller().releaseAll();
+        return Flow::Next;
+    }
+    const auto done = m_session.controller().release(pathOf(textOf(at.target)));
+    return done ? Flow::Next : fail(at, done.error().message);
+}
+
+Interpreter::Flow Interpreter::branches(const Stmt& at) {
+    for (const syntax::IfBranch& branch : at.branches) {
+        if (branch.condition) {
+            const auto isTrue = condition(branch.condition, at);
+            if (!isTrue) return Flow::Stop;
+            if (!*isTrue) continue;
+        }
+        return block(branch.body);
+    }
+    return Flow::Next;
+}
+
+Interpreter::Flow Interpreter::caseOf(const Stmt& at) {
+    for (const syntax::CaseArm& arm : at.arms)
+        for (const syntax::CaseLabel& label : arm.labels) {
+            const std::string selector = "(" + std::string(textOf(at.value)) + ")";
+            const std::string text = label.high ? selector + " >= " + std::string(textOf(label.low)) + " AND " + selector + " <= " + std::string(textOf(label.high))
+                                                : selector + " = " + std::string(textOf(label.low));
+            const auto compiled = compile(text);
+            if (!compiled) return fail(at, text + ": " + compiled.error().message);
+            if (compiled->isTrue(m_session.controller().image())) return block(arm.body);
+        }
+    return at.hasElse ? block(at.elseBody) : Flow::Next;
+}
+
+Interpreter::Flow Interpreter::loop(const Stmt& at) {
+    const bool isWhile = at.kind == StmtKind::While;
+    for (;;) {
+        if (++m_loopPasses > 10'000'000) return fail(at, "This loop of the test does not end");
+        if (isWhile) {
+            const auto isTrue = condition(at.value, at);
+            if (!isTrue) return Flow::Stop;
+            if (!*isTrue) return Flow::Next;
+        }
+        const Flow flow = block(at.body);
+        if (flow == Flow::Exit) return Flow::Next;
+        if (flow == Flow::Stop) return flow;
+        if (isWhile) continue;
+        const auto isTrue = condition(at.value, at);
+        if (!isTrue) return Flow::Stop;
+        if (*isTrue) return Flow::Next;
+    }
+}
+
+Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
+    controller::Controller& controller = m_session.controller();
+    const std::string path = pathOf(textOf(at.target));
+    const auto from = evaluate(at.from, at), to = evaluate(at.to, at);
+    if (!from || !to) return Flow::Stop;
+    int64_t step = 1;
+    if (at.by) {
+        const auto by = evaluate(at.by, at);
+        if (!by) return Flow::Stop;
+        step = by->integer();
+    }
+    if (step == 0) return fail(at, "The step of this loop is 0");
+    const auto place = controller.program().layout.find(path);
+    if (!place) return fail(at, place.error().message);
+    for (int64_t i = from->integer(); step > 0 ? i <= to->integer() : i >= to->integer(); i += step) {
+        if (auto written = controller.write(path, Value{place->type, i}); !written) return fail(at, written.error().message);
+        const Flow flow = block(at.body);
+        if (flow == Flow::Exit) break;
+        if (flow == Flow::Stop) return flow;
+    }
+    return Flow::Next;
+}
+
+bool Interpreter::oneScan(const Stmt& at) {
+    controller::Controller& controller = m_session.controller();
+    controller.scan();
+    const bool wasFault = controller.state() == controller::State::Fault;
+    const auto& fault = wasFault ? controller.fault() : controller.simulationFault();
+    if (!fault) return true;
+    std::string where;
+    if (fault->range.file.isValid()) {
+        const SourceText& file = controller.program().sources[fault->range.file];
+        where = "at " + file.path() + ":" + std::to_string(file.lineColumn(fault->range.begin).line);
+    }
+    // A test may look at a fault (ASSERT after RUN), but the fault of the plant or an unnoticed one ends it.
+    fail(at, (fault->isSimulation ? "The simulation stopped: " : "The controller stopped: ") + fault->message, where);
+    return false;
+}
+
+Interpreter::Flow Interpreter::runScans(const Stmt& at) {
+    controller::Controller& controller = m_session.controller();
+    if (at.countsScans) {
+        const auto count = evaluate(at.to, at);
+        if (!count) return Flow::Stop;
+        for (int64_t i = 0; i < count->integer(); ++i)
+            if (!oneScan(at)) return Flow::Stop;
+        return Flow::Next;
+    }
+    const auto length = evaluate(at.to, at);
+    if (!length) return Flow::Stop;
+    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(length->integer());
+    if (!at.value) {
+        while (controller.nextDue() < end)
+            if (!oneScan(at)) return Flow::Stop;
+        return Flow::Next;
+    }
+    const auto until = compile(textOf(at.value));
+    if (!until) return fail(at, std::string(textOf(at.value)) + ": " + until.error().message);
+    while (controller.nextDue() < end) {
+        if (!oneScan(at)) return Flow::Stop;
+        if (until->isTrue(controller.image())) return Flow::Next;
+    }
+    return fail(at, std::string(textOf(at.value)) + " did not become true within " + types::durationText(length->integer()), explain(*at.value));
+}
+
+/// "Main.n is 3, expected 5" for a comparison, the operands' values for anything else.
+std::string Interpreter::explain(const Expr& expression) {
+    const auto show = [&](const Expr* part) {
+        const auto compiled = compile(textOf(part));
+        if (!compiled) return std::string("?");
+        const auto outcome = compiled->evaluate(m_session.controller().image());
+        return outcome.hasValue() ? types::toText(compiled->types(), outcome.value) : outcome.reason;
+    };
+    const auto isComparison = [](lex::TokenKind op) { return op >= lex::TokenKind::Equal && op <= lex::TokenKind::GreaterEqual; };
+    if (expression.kind == syntax::ExprKind::Binary && expression.base && expression.right) {
+        if (isComparison(expression.op))
+            return std::string(textOf(expression.base)) + " is " + show(expression.base) + ", expected " + std::string(lex::spelling(expression.op)) + " " + show(expression.right);
+        const std::string left = explain(*expression.base), right = explain(*expression.right);
+        return left.empty() ? right : right.empty() ? left : left + "; " + right;
+    }
+    if (expression.kind == syntax::ExprKind::Unary && expression.base) return explain(*expression.base);
+    if (expression.kind == syntax::ExprKind::Literal) return {};
+    return std::string(textOf(&expression)) + " is " + show(&expression);
+}
+
+Interpreter::Flow Interpreter::assertion(const Stmt& at) {
+    const auto isTrue = condition(at.value, at);
+    if (!isTrue) return Flow::Stop;
+    if (*isTrue) return Flow::Next;
+    std::string message(textOf(at.value));
+    if (at.to) {
+        const auto said = evaluate(at.to, at);
+        if (said && std::holds_alternative<std::string>(said->data)) message = latin1ToUtf8(std::get<std::string>(said->data)) + " (" + message + ")";
+    }
+    return fail(at, "ASSERT failed: " + message, explain(*at.value));
+}
+
+Interpreter::Flow Interpreter::compare(const Stmt& at) {
+    std::string name(textOf(at.value));
+    if (name.size() >= 2 && name.front() == '\'') name = name.substr(1, name.size() - 2);
+    double tolerance = 0;
+    if (at.to) {
+        const auto value = evaluate(at.to, at);
+        if (!value) return Flow::Stop;
+        tolerance = std::holds_alternative<double>(value->data) ? value->real() : static_cast<double>(value->integer());
+    }
+    std::string file = m_project.folder + "/tests/" + name;
+    if (!file.ends_with(".rec")) file += ".rec";
+    const auto rebuild = [](const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries) -> std::shared_ptr<const image::CompiledProgram> {
+        driver::BuildInput input;
+        for (const auto& [path, text] : sources) input.files.push_back({path, text});
+        input.libraries = libraries;
+        return driver::build(input).program;
+    };
+    const auto loaded = history::History::load(file, rebuild);
+    if (!loaded) return fail(at, loaded.error().text());
+    const history::History& then = **loaded;
+    const history::History& now = m_session.history();
+    const auto was = then.statistics(), is = now.statistics();
+    const history::Position common = std::min(was.end - was.first, is.end - is.first);
+    if (was.scans != is.scans) return fail(at, "The recording " + name + " has " + std::to_string(was.scans) + " scans, this run " + std::to_string(is.scans));
+    for (history::Position i = 0; i < common; ++i) {
+        std::shared_ptr<const image::CompiledProgram> oldProgram, newProgram;
+        const auto oldImage = then.seek(was.first + i, &oldProgram), newImage = now.seek(is.first + i, &newProgram);
+        if (oldImage.empty() || newImage.empty() || !oldProgram || !newProgram) continue;
+        for (const image::Root& root : oldProgram->layout.roots) {
+            if (root.isHidden || root.constant || root.name.starts_with("Test__")) continue;
+            std::string difference;
+            oldProgram->layout.forEachLeaf(root.list.empty() ? root.name : root.list + "." + root.name, {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
+                const auto other = newProgram->layout.find(path);
+                if (!other) return true;
+                const Value before = types::readValue(*oldProgram->layout.types, place.type, std::span(oldImage).subspan(place.offset), place.bit);
+                const Value after = types::readValue(*newProgram->layout.types, other->type, std::span(newImage).subspan(other->offset), other->bit);
+                const bool close = std::holds_alternative<double>(before.data) && std::holds_alternative<double>(after.data) ? std::abs(before.real() - after.real()) <= tolerance : before.data == after.data;
+                if (!close) difference = path + " is " + types::toText(*newProgram->layout.types, after) + ", recorded " + types::toText(*oldProgram->layout.types, before) + " in scan " + std::to_string(i);
+                return close;
+            });
+            if (!difference.empty()) return fail(at, "The run differs from the recording " + name, difference);
+        }
+    }
+    return Flow::Next;
+}
+
+} // namespace plc::testing

@@ -1,0 +1,50 @@
+// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE and RELEASE act, everything else runs as compiled code.
+// One thread; one object per test.
+#pragma once
+#include "projects/session/session.h"
+#include "projects/testing/test_program.h"
+#include "projects/testing/test_run.h"
+
+namespace plc::testing {
+
+class Interpreter {
+public:
+    Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test, const driver::Built& built, session::Session& session);
+    void run(TestResult& result);
+
+private:
+    enum class Flow : uint8_t { Next, Exit, Continue, Stop };
+    Flow block(const syntax::Block& statements);
+    Flow statement(const syntax::Stmt& statement);
+    Flow branches(const syntax::Stmt& statement);
+    Flow caseOf(const syntax::Stmt& statement);
+    Flow loop(const syntax::Stmt& statement);
+    Flow countedLoop(const syntax::Stmt& statement);
+    Flow action(const syntax::Stmt& statement, const std::string& name);
+    Flow runScans(const syntax::Stmt& statement);
+    Flow assertion(const syntax::Stmt& statement);
+    Flow assign(const syntax::Stmt& statement, bool isForce);
+    Flow releaseForce(const syntax::Stmt& statement);
+    Flow compare(const syntax::Stmt& statement);
+
+    [[nodiscard]] std::string_view textOf(const syntax::Expr* expression) const;
+    /// Compiles and evaluates; a failure of the test when there is no value.
+    [[nodiscard]] std::optional<types::Value> evaluate(const syntax::Expr* expression, const syntax::Stmt& at);
+    [[nodiscard]] Result<expression::Expression> compile(std::string_view text);
+    [[nodiscard]] std::optional<bool> condition(const syntax::Expr* expression, const syntax::Stmt& at);
+    [[nodiscard]] std::string pathOf(std::string_view target) const; // a variable of the test gets its instance in front
+    [[nodiscard]] bool oneScan(const syntax::Stmt& at);
+    [[nodiscard]] std::string explain(const syntax::Expr& expression);
+    Flow fail(const syntax::Stmt& at, std::string message, std::string detail = {});
+
+    const projects::Project& m_project;
+    const TestProgram& m_program;
+    const PlannedTest& m_test;
+    const driver::Built& m_built;
+    session::Session& m_session;
+    TestResult* m_result = nullptr;
+    std::vector<std::vector<std::byte>> m_images; // of this test's scans, only while a COMPARE needs them
+    uint64_t m_loopPasses = 0;
+};
+
+} // namespace plc::testing
