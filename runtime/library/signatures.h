@@ -17,6 +17,7 @@ enum class Intrinsic : uint8_t {
 };
 
 /// What a parameter accepts (edition 3, figure 5: hierarchy of generic types).
+/// AnyBit takes integers too (CODESYS shifts and masks them); AnyText takes CHAR and WCHAR as texts of one character.
 enum class Generic : uint8_t { Fixed, Any, AnyElementary, AnyMagnitude, AnyNum, AnyInt, AnyReal, AnyBit, AnyText, AnyDate, AnyDuration, AnyNumOrDuration };
 
 struct Parameter {
@@ -38,7 +39,10 @@ enum class Rule : uint8_t {
     Special,     // `special` of sema: SIZEOF, ADR, REF, LOWER_BOUND, EXPT, conversions, INDEXOF…
 };
 
-/// A function form of an operator (ADD, AND, GT …) has `operatorName` instead of an intrinsic.
+/// A function form of an operator (ADD, AND, GT …) has `operatorName` instead of an intrinsic: the call means the operator written
+/// between its operands, with the operator's own rules for their types, then converted to `result` where that is set (SUB_DATE_DATE).
+/// One parameter: "NOT", "-" (NEG) are unary; with `selector` ≥ 0 the right operand is that constant (INC: + 1).
+/// TRUNC and its like give the type that is wanted where they stand; `result` where none is.
 struct Signature {
     std::string_view name;       // upper case
     std::vector<Parameter> parameters;

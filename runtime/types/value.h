@@ -45,4 +45,16 @@ struct CivilDate { int year; int month; int day; };
 [[nodiscard]] CivilDate civilFromDays(int64_t days);
 [[nodiscard]] bool isValidDate(CivilDate date);
 
+// Reading what the functions above write, and every spelling of IEC 61131-3 tables 8 and 9. The prefix (T#, TIME#, LT#, D#, TOD#, …)
+// may be missing or be any of its forms, in either case; `_` may stand between digits. None: not of that form or too large.
+[[nodiscard]] std::optional<int64_t> parseDuration(std::string_view text);  // T#1d2h3m4.5s, -T#5s, T#-5s; nanoseconds
+[[nodiscard]] std::optional<int64_t> parseDate(std::string_view text);      // D#1996-3-15
+[[nodiscard]] std::optional<int64_t> parseTimeOfDay(std::string_view text); // TOD#1:10:3.3
+[[nodiscard]] std::optional<int64_t> parseDateTime(std::string_view text);  // DT#1996-3-15-1:10:3.3
+/// A value of `type` from what `toText` shows or a person types: TRUE, 1, 16#FF, INT#5, 1.5, T#5s, Red, Color.Red, Color#Red, 'text',
+/// [1, 2, 3(0)], (a := 1, b := 2), NULL. UTF-8. None when it does not read as that type or does not fit.
+[[nodiscard]] std::optional<Value> parseValue(const TypeTable& types, TypeId type, std::string_view text);
+/// The value of a variable that nobody set: the type's own initial value.
+[[nodiscard]] Value initialValue(const TypeTable& types, TypeId type);
+
 } // namespace plc::types
