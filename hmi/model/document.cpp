@@ -1,0 +1,48 @@
+#include "hmi/model/document.h"
+
+namespace plc::hmi {
+
+/// Holds an edit and, once done, its inverse; undo and redo swap the two.
+class EditCommand final : public QUndoCommand {
+public:
+    EditCommand(PanelDocument& document, const QString& title, Edit edit, int gesture)
+        : QUndoCommand(title), m_document(document), m_next(std::move(edit)), m_gesture(gesture) {}
+
+    void redo() override { m_next = m_document.apply(m_next); }
+    void undo() override { m_next = m_document.apply(m_next); }
+    int id() const override { return m_gesture > 0 ? 1 : -1; }
+
+    bool mergeWith(const QUndoCommand* other) override {
+        const auto* later = static_cast<const EditCommand*>(other);
+        if (later->m_gesture != m_gesture) return false;
+        m_next = Edit{EditList{{later->m_next, m_next}}}; // both hold inverses: the later one is undone first
+        return true;
+    }
+
+private:
+    PanelDocument& m_document;
+    Edit m_next;
+    int m_gesture;
+};
+
+PanelDocument::PanelDocument(Panel panel, QObject* parent) : QObject(parent), m_panel(std::move(panel)) {}
+
+void PanelDocument::perform(const QString& title, const Edit& edit, int gesture) {
+    if (edit.isEmpty()) return;
+    m_undo.push(new EditCommand(*this, title, edit, gesture));
+}
+
+void PanelDocument::reset(Panel panel) {
+    m_panel = std::move(panel);
+    m_undo.clear();
+    emit changed(Touched{{}, true, true});
+}
+
+Edit PanelDocument::apply(const Edit& edit) {
+    Touched touched;
+    Edit inverse = applyTo(m_panel, edit, &touched);
+    emit changed(touched);
+    return inverse;
+}
+
+} // namespace plc::hmi

@@ -1,0 +1,38 @@
+// A panel that is being edited: the panel, its undo history and the signal that views follow. Owned by the designer's
+// window (or a test); main thread.
+#pragma once
+#include "hmi/model/edit.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace plc::hmi {
+
+class PanelDocument final : public QObject {
+    Q_OBJECT
+public:
+    explicit PanelDocument(Panel panel, QObject* parent = nullptr);
+
+    const Panel& panel() const { return m_panel; }
+    QUndoStack& undoStack() { return m_undo; }
+    /// Performs an edit as one undo step. Steps in a row with the same gesture (above 0) become one.
+    void perform(const QString& title, const Edit& edit, int gesture = 0);
+    int newGesture() { return ++m_lastGesture; }
+    /// Replaces everything, for a file that changed on disk; the undo history is dropped.
+    void reset(Panel panel);
+    bool isClean() const { return m_undo.isClean(); }
+    void setClean() { m_undo.setClean(); }
+
+signals:
+    void changed(const plc::hmi::Touched& touched);
+
+private:
+    friend class EditCommand;
+    Edit apply(const Edit& edit);
+
+    Panel m_panel;
+    QUndoStack m_undo;
+    int m_lastGesture = 0;
+};
+
+} // namespace plc::hmi

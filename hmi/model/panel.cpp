@@ -1,0 +1,242 @@
+#include "hmi/model/panel.h"
+
+#include <QSet>
+#include <cmath>
+
+namespace plc::hmi {
+
+const Json& Properties::at(std::string_view key) const {
+    static const Json null;
+    const auto found = m_fields.find(std::string(key));
+    if (found != m_fields.end()) return *found;
+    const PropertyDescriptor* property = m_descriptor->property(key);
+    return property ? property->fallback : null;
+}
+
+double Properties::number(std::string_view key) const {
+    const Json& value = at(key);
+    return value.is_number() ? value.get<double>() : 0.0;
+}
+
+std::optional<double> Properties::optionalNumber(std::string_view key) const {
+    const Json& value = at(key);
+    if (!value.is_number()) return {};
+    return value.get<double>();
+}
+
+bool Properties::isSet(std::string_view key) const {
+    const Json& value = at(key);
+    return value.is_boolean() && value.get<bool>();
+}
+
+QRectF Properties::rect(std::string_view key) const {
+    const Json& value = at(key);
+    double part[4] = {0, 0, 0, 0};
+    if (value.is_array())
+        for (size_t i = 0; i < 4 && i < value.size(); ++i)
+            if (value[i].is_number()) part[i] = value[i].get<double>();
+    return {part[0], part[1], std::max(0.0, part[2]), std::max(0.0, part[3])};
+}
+
+QSize Properties::size(std::string_view key) const {
+    const Json& value = at(key);
+    if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) return {1024, 600};
+    return {std::clamp(value[0].get<int>(), 16, 16384), std::clamp(value[1].get<int>(), 16, 16384)};
+}
+
+QList<QPointF> Properties::points(std::string_view key) const {
+    QList<QPointF> out;
+    const Json& value = at(key);
+    if (!value.is_array()) return out;
+    for (const Json& point : value)
+        if (point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number())
+            out += QPointF(point[0].get<double>(), point[1].get<double>());
+    return out;
+}
+
+size_t Properties::place(std::string_view key) const {
+    const std::optional<size_t> own = m_descriptor->rank(key);
+    size_t index = 0, best = 0;
+    for (const auto& [field, value] : m_fields.items()) {
+        if (field == key) return index;
+        ++index;
+        const std::optional<size_t> rank = m_descriptor->rank(field);
+        if (own && rank && *rank < *own) best = index;
+    }
+    return own ? best : index;
+}
+
+void Properties::write(std::string_view key, const std::optional<Json>& value, size_t place) {
+    const std::string name(key);
+    auto& fields = m_fields.get_ref<Json::object_t&>();
+    const auto found = fields.find(name);
+    if (!value) {
+        if (found != fields.end()) fields.erase(found);
+        return;
+    }
+    if (found != fields.end()) {
+        found->second = canonicalNumbers(*value);
+        return;
+    }
+    // The ordered map's pairs have a constant key, so a field is put between others by building the map anew.
+    Json::object_t rebuilt;
+    size_t index = 0;
+    bool put = false;
+    for (auto& [field, old] : fields) {
+        if (index++ == place) {
+            rebuilt.emplace(name, canonicalNumbers(*value));
+            put = true;
+        }
+        rebuilt.emplace(field, std::move(old));
+    }
+    if (!put) rebuilt.emplace(name, canonicalNumbers(*value));
+    fields = std::move(rebuilt);
+}
+
+Element::Element(Json fields)
+    : Properties(descriptorOf(kindOf(fields.value("kind", std::string()))), std::move(fields)) {}
+
+Element Element::make(ElementKind kind, const ElementId& id, const QRectF& rect) {
+    Json fields = Json::object();
+    fields["id"] = toUtf8(id);
+    fields["kind"] = std::string(descriptorOf(kind).key);
+    fields["rect"] = rectToJson(rect);
+    return Element(std::move(fields));
+}
+
+QString Element::caption() const {
+    const QString name = text("name");
+    return name.isEmpty() ? id() : name;
+}
+
+namespace {
+
+/// Known fields in the descriptor's order; an unknown field stays behind the known one that it followed.
+Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, std::string_view alsoKnown = {}) {
+    struct Entry {
+        size_t rank;
+        std::string key;
+        Json value;
+    };
+    std::vector<Entry> entries;
+    size_t last = 0;
+    for (const auto& [key, value] : fields.items()) {
+        const std::optional<size_t> rank = descriptor.rank(key);
+        if (rank) last = *rank + 1;
+        else if (key == alsoKnown) last = descriptor.properties.size() + 1;
+        entries.push_back({last, key, canonicalNumbers(value)});
+    }
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank < b.rank; });
+    Json out = Json::object();
+    for (Entry& entry : entries) out[entry.key] = std::move(entry.value);
+    return out;
+}
+
+Error errorAt(const QString& place, const QString& message) { return Error{message.toStdString(), place.toStdString()}; }
+
+} // namespace
+
+Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
+    const std::string_view text = utf8.starts_with("\xEF\xBB\xBF") ? std::string_view(utf8).substr(3) : utf8;
+    Json root;
+    try {
+        root = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto line = std::count(text.begin(), text.begin() + static_cast<long>(std::min(error.byte, text.size())), '\n') + 1;
+        return errorAt(place + u':' + QString::number(line), QStringLiteral("The panel is not valid JSON."));
+    }
+    if (!root.is_object()) return errorAt(place, QStringLiteral("A panel is a JSON object."));
+    if (root.contains("version") && root["version"].is_number() && root["version"].get<double>() > 1)
+        return errorAt(place, QStringLiteral("The panel was written by a newer version of the studio."));
+    Panel panel;
+    if (!root.contains("elements")) root["elements"] = Json::array();
+    if (!root["elements"].is_array()) return errorAt(place, QStringLiteral("`elements` must be a list."));
+    QSet<QString> ids;
+    for (const Json& item : root["elements"]) {
+        const int number = static_cast<int>(panel.m_elements.size()) + 1;
+        if (!item.is_object()) return errorAt(place, QStringLiteral("Element %1 is not an object.").arg(number));
+        if (item.contains("kind") && !item["kind"].is_string())
+            return errorAt(place, QStringLiteral("The kind of element %1 is not a text.").arg(number));
+        const Element raw{item};
+        Element element{inCanonicalOrder(item, raw.descriptor())};
+        if (element.id().isEmpty()) element.write("id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
+        if (ids.contains(element.id()))
+            return errorAt(place, QStringLiteral("Two elements have the id \"%1\"; give one of them another.").arg(element.id()));
+        ids += element.id();
+        panel.m_elements.push_back(std::move(element));
+    }
+    panel.m_fields = inCanonicalOrder(root, panelDescriptor(), "elements");
+    panel.m_fields["elements"] = nullptr;
+    return panel;
+}
+
+std::string Panel::write() const {
+    std::string out = "{";
+    for (const auto& [key, value] : m_fields.items()) {
+        out += (out.size() > 1 ? ",\n  " : "\n  ") + Json(key).dump() + ": ";
+        if (key != "elements") {
+            out += writeCompact(value);
+            continue;
+        }
+        std::vector<Json> list;
+        for (const Element& element : m_elements) list.push_back(element.fields());
+        out += writeList(list, 2);
+    }
+    return out + "\n}\n";
+}
+
+const Element* Panel::find(const ElementId& id) const {
+    const int index = indexOf(id);
+    return index < 0 ? nullptr : &m_elements[static_cast<size_t>(index)];
+}
+
+Element* Panel::find(const ElementId& id) {
+    const int index = indexOf(id);
+    return index < 0 ? nullptr : &m_elements[static_cast<size_t>(index)];
+}
+
+int Panel::indexOf(const ElementId& id) const {
+    const std::string key = toUtf8(id);
+    for (size_t i = 0; i < m_elements.size(); ++i) {
+        const Json& other = m_elements[i].at("id");
+        if (other.is_string() && other.get_ref<const std::string&>() == key) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+std::vector<ElementId> Panel::childrenOf(const ElementId& id) const {
+    std::vector<ElementId> out;
+    for (const Element& element : m_elements)
+        if (!id.isEmpty() && element.parent() == id && element.id() != id) out.push_back(element.id());
+    return out;
+}
+
+std::vector<ElementId> Panel::withDescendants(const ElementId& id) const {
+    QSet<ElementId> inside{id};
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (const Element& element : m_elements)
+            if (!inside.contains(element.id()) && inside.contains(element.parent())) {
+                inside += element.id();
+                grew = true;
+            }
+    }
+    std::vector<ElementId> out;
+    for (const Element& element : m_elements)
+        if (inside.contains(element.id())) out.push_back(element.id());
+    return out;
+}
+
+ElementId Panel::freeId(std::string_view stem) const {
+    for (int number = 1;; ++number) {
+        const ElementId id = QString::fromUtf8(stem.data(), static_cast<qsizetype>(stem.size())) + QString::number(number);
+        if (!find(id)) return id;
+    }
+}
+
+Json rectToJson(const QRectF& rect) {
+    const auto tidy = [](double value) { return Json(std::round(value * 1000) / 1000); };
+    return canonicalNumbers(Json::array({tidy(rect.x()), tidy(rect.y()), tidy(rect.width()), tidy(rect.height())}));
+}
+
+} // namespace plc::hmi
