@@ -40,6 +40,8 @@ struct Tables {
     std::vector<ElementDescriptor> elements;
     ElementDescriptor unknown{ElementKind::Unknown, "", ElementCategory::Basics, QT_TRANSLATE_NOOP("Hmi", "Unknown element"), {100, 60}, "", {}};
     ElementDescriptor panel{ElementKind::Unknown, "panel", ElementCategory::Basics, QT_TRANSLATE_NOOP("Hmi", "Panel"), {1024, 600}, "", {}};
+    ElementDescriptor alarm{ElementKind::Unknown, "alarm", ElementCategory::Alarms, QT_TRANSLATE_NOOP("Hmi", "Alarm"), {0, 0}, "", {}};
+    ElementDescriptor alarmClass{ElementKind::Unknown, "class", ElementCategory::Alarms, QT_TRANSLATE_NOOP("Hmi", "Alarm class"), {0, 0}, "", {}};
     std::map<std::string_view, std::vector<PropertyDescriptor>> records;
 };
 
@@ -67,6 +69,8 @@ Tables makeTables() {
     const std::vector<PropertyRow> rows = propertyRows();
     for (const PropertyRow& row : rows) {
         if (row.kind == "Panel") tables.panel.properties.push_back(row.property);
+        if (row.kind == "Alarm") tables.alarm.properties.push_back(row.property);
+        if (row.kind == "AlarmClass") tables.alarmClass.properties.push_back(row.property);
         if (row.kind == "Common") tables.unknown.properties.push_back(row.property);
     }
     for (const auto& [name, descriptor] : kinds) {
@@ -100,6 +104,8 @@ const ElementDescriptor& descriptorOf(ElementKind kind) {
 }
 
 const ElementDescriptor& panelDescriptor() { return tables().panel; }
+const ElementDescriptor& alarmDescriptor() { return tables().alarm; }
+const ElementDescriptor& alarmClassDescriptor() { return tables().alarmClass; }
 
 ElementKind kindOf(std::string_view key) {
     for (const ElementDescriptor& one : tables().elements)

@@ -76,6 +76,8 @@ const std::vector<ElementDescriptor>& elementDescriptors();
 /// The descriptor of an element kind; for an unknown one that with the common properties only.
 const ElementDescriptor& descriptorOf(ElementKind kind);
 const ElementDescriptor& panelDescriptor();
+const ElementDescriptor& alarmDescriptor();
+const ElementDescriptor& alarmClassDescriptor();
 ElementKind kindOf(std::string_view key);
 const std::vector<PropertyDescriptor>& recordFields(std::string_view record);
 QString titleOf(ElementCategory category);

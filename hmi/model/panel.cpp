@@ -109,10 +109,7 @@ QString Element::caption() const {
     return name.isEmpty() ? id() : name;
 }
 
-namespace {
-
-/// Known fields in the descriptor's order; an unknown field stays behind the known one that it followed.
-Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, std::string_view alsoKnown = {}) {
+Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, std::string_view alsoKnown) {
     struct Entry {
         size_t rank;
         std::string key;
@@ -131,6 +128,8 @@ Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, s
     for (Entry& entry : entries) out[entry.key] = std::move(entry.value);
     return out;
 }
+
+namespace {
 
 Error errorAt(const QString& place, const QString& message) { return Error{message.toStdString(), place.toStdString()}; }
 

@@ -80,6 +80,8 @@ private:
     std::vector<Element> m_elements;
 };
 
+/// Known fields in the descriptor's order; an unknown field stays behind the known one that it followed.
+Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, std::string_view alsoKnown = {});
 Json rectToJson(const QRectF& rect);
 
 } // namespace plc::hmi

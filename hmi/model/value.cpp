@@ -1,5 +1,6 @@
 #include "hmi/model/value.h"
 
+#include <QDateTime>
 #include <QLocale>
 #include <cmath>
 

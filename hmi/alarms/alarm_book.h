@@ -1,0 +1,76 @@
+// The alarms of a running panel: definitions, life cycle and history together, as alarm lists show them. The evaluator
+// brings conditions scan by scan; lists read entries. Owned by the player; main thread.
+#pragma once
+#include "hmi/alarms/alarm_store.h"
+#include "hmi/texts/catalog.h"
+
+#include <QObject>
+
+namespace plc::hmi {
+
+/// A line of an alarm list.
+struct AlarmEntry {
+    size_t alarm = 0; // index of the definition; of no use in the history of an alarm that is gone
+    QString id, className, text;
+    int priority = 2;
+    AlarmState state = AlarmState::Normal;
+    AlarmInstant raised;
+    std::optional<AlarmInstant> returned, acknowledged;
+    qint64 wallTime = 0;
+    std::vector<std::pair<QString, Value>> values;
+};
+
+enum class AlarmOrder { Priority, Time };
+
+class AlarmBook final : public QObject {
+    Q_OBJECT
+public:
+    explicit AlarmBook(QObject* parent = nullptr);
+
+    /// New definitions; states of alarms that stay (same id) are kept.
+    void setFile(const AlarmFile& file);
+    Result<void> openStore(const QString& path);
+    const std::vector<AlarmDefinition>& definitions() const { return m_definitions; }
+    const std::vector<AlarmClass>& classes() const { return m_classes; }
+
+    /// Values of an alarm's text at the scan of an event.
+    using ValuesOf = std::function<std::vector<std::pair<QString, Value>>(size_t alarm, const AlarmInstant& at)>;
+    /// One recorded scan. `values` is asked for alarms that are raised.
+    void step(const AlarmInstant& at, std::span<const Condition> conditions, const ValuesOf& values);
+    /// The same for events that were found elsewhere (the evaluator's thread).
+    void take(std::span<const AlarmRecord> records);
+    void acknowledge(size_t alarm, const AlarmInstant& at, const QString& user = {});
+    void acknowledgeAll(const AlarmInstant& at, const QStringList& classes = {}, const QString& user = {});
+    /// After going back in time: what happened later is no longer of this branch.
+    void rewind(quint64 position);
+    void clear();
+    const AlarmLifeCycle& lifeCycle() const { return m_lifeCycle; }
+
+    /// Present alarms (also returned ones that wait for acknowledgement); `classes` empty: all.
+    std::vector<AlarmEntry> present(const QStringList& classes, AlarmOrder order) const;
+    /// As they were at a past scan.
+    std::vector<AlarmEntry> presentAt(quint64 position, const QStringList& classes, AlarmOrder order) const;
+    /// Past occurrences, newest first, with their return and acknowledgement.
+    std::vector<AlarmEntry> history(const QStringList& classes, int limit) const;
+    int unacknowledgedCount() const;
+    int indexOf(const QString& id) const;
+    /// The entry's text in the language, with the values it had.
+    static QString render(const AlarmEntry& entry, const TextCatalog& texts, const QString& tag);
+
+signals:
+    void changed();
+
+private:
+    void record(std::span<const AlarmEvent> events, const ValuesOf& values, const QString& user);
+    std::vector<AlarmEntry> entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes, AlarmOrder order) const;
+    AlarmEntry entryOf(size_t alarm) const;
+
+    std::vector<AlarmDefinition> m_definitions;
+    std::vector<AlarmClass> m_classes;
+    AlarmLifeCycle m_lifeCycle;
+    AlarmStore m_store;
+    std::vector<AlarmEvent> m_events;    // of this run, oldest first
+    std::vector<AlarmRecord> m_records;  // beside each event, for values at a past scan
+};
+
+} // namespace plc::hmi

@@ -1,0 +1,89 @@
+#include "hmi/alarms/alarm_file.h"
+
+#include <QSet>
+
+namespace plc::hmi {
+
+Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place) {
+    const auto fail = [&](const QString& message) { return Error{message.toStdString(), place.toStdString()}; };
+    const Json root = Json::parse(utf8, nullptr, false);
+    if (root.is_discarded() || !root.is_object()) return fail(QStringLiteral("The alarms are not valid JSON."));
+    AlarmFile file;
+    file.m_fields = root;
+    for (const char* key : {"classes", "alarms"}) {
+        if (!root.contains(key)) file.m_fields[key] = nullptr;
+        else if (!root[key].is_array()) return fail(QStringLiteral("`%1` must be a list.").arg(QLatin1String(key)));
+    }
+    QSet<QString> ids;
+    const auto read = [&](const char* key, const ElementDescriptor& descriptor, std::vector<Properties>& out) {
+        if (!root.contains(key)) return true;
+        for (const Json& row : root[key]) {
+            if (!row.is_object()) return false;
+            out.emplace_back(descriptor, inCanonicalOrder(row, descriptor));
+        }
+        file.m_fields[key] = nullptr;
+        return true;
+    };
+    if (!read("classes", alarmClassDescriptor(), file.m_classes) || !read("alarms", alarmDescriptor(), file.m_alarms))
+        return fail(QStringLiteral("Every alarm and every class is a JSON object."));
+    for (const Properties& row : file.m_alarms) {
+        const QString id = row.text("id");
+        if (id.isEmpty()) return fail(QStringLiteral("An alarm has no id."));
+        if (ids.contains(id)) return fail(QStringLiteral("Two alarms have the id \"%1\".").arg(id));
+        ids += id;
+    }
+    return file;
+}
+
+std::string AlarmFile::write() const {
+    std::string out = "{";
+    for (const auto& [key, value] : m_fields.items()) {
+        out += (out.size() > 1 ? ",\n  " : "\n  ") + Json(key).dump() + ": ";
+        const std::vector<Properties>* rows = key == "classes" ? &m_classes : key == "alarms" ? &m_alarms : nullptr;
+        if (!rows) {
+            out += writeCompact(value);
+            continue;
+        }
+        std::vector<Json> list;
+        for (const Properties& row : *rows) list.push_back(row.fields());
+        out += writeList(list, 2);
+    }
+    return out + "\n}\n";
+}
+
+std::vector<AlarmDefinition> AlarmFile::definitions() const {
+    std::vector<AlarmDefinition> out;
+    for (const Properties& row : m_alarms) {
+        AlarmDefinition one;
+        one.id = row.text("id");
+        one.condition = row.text("condition");
+        one.className = row.text("class");
+        one.text = row.text("text");
+        one.inhibit = row.text("inhibit");
+        one.priority = std::clamp(row.integer("priority"), 1, 4);
+        one.onDelay = std::max(0.0, row.number("onDelay"));
+        one.offDelay = std::max(0.0, row.number("offDelay"));
+        one.mustAcknowledge = row.isSet("acknowledge");
+        const Json& values = row.at("values");
+        if (values.is_object())
+            for (const auto& [name, expression] : values.items()) one.values.emplace_back(QString::fromStdString(name), toQString(expression));
+        out.push_back(std::move(one));
+    }
+    return out;
+}
+
+std::vector<AlarmClass> AlarmFile::classes() const {
+    std::vector<AlarmClass> out;
+    for (const Properties& row : m_classes) out.push_back({row.text("name"), row.text("title"), row.text("color")});
+    return out;
+}
+
+Properties AlarmFile::newRow() const {
+    QSet<QString> ids;
+    for (const Properties& row : m_alarms) ids += row.text("id");
+    int number = 1;
+    while (ids.contains(QStringLiteral("alarm%1").arg(number))) ++number;
+    return Properties(alarmDescriptor(), Json{{"id", "alarm" + std::to_string(number)}});
+}
+
+} // namespace plc::hmi

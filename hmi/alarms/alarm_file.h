@@ -1,0 +1,40 @@
+// hmi/alarms.json: which conditions are alarms, of which class and priority, with which text. A value, any thread.
+#pragma once
+#include "hmi/model/panel.h"
+
+namespace plc::hmi {
+
+struct AlarmClass {
+    QString name;  // as alarms refer to it
+    QString title; // shown: "@key" or text
+    QString color; // role of the theme or "#rrggbb"; empty: by priority
+};
+
+struct AlarmDefinition {
+    QString id, condition, className, text, inhibit;
+    int priority = 2; // 1 is the most urgent
+    double onDelay = 0, offDelay = 0; // seconds
+    bool mustAcknowledge = true;
+    std::vector<std::pair<QString, QString>> values; // placeholder name → expression
+};
+
+class AlarmFile {
+public:
+    AlarmFile() = default;
+    static Result<AlarmFile> parse(const std::string& utf8, const QString& place);
+    std::string write() const;
+
+    const std::vector<Properties>& rows() const { return m_alarms; }
+    std::vector<Properties>& rows() { return m_alarms; }
+    const std::vector<Properties>& classRows() const { return m_classes; }
+    std::vector<Properties>& classRows() { return m_classes; }
+    std::vector<AlarmDefinition> definitions() const;
+    std::vector<AlarmClass> classes() const;
+    Properties newRow() const;
+
+private:
+    Json m_fields = Json{{"version", 1}, {"classes", nullptr}, {"alarms", nullptr}};
+    std::vector<Properties> m_classes, m_alarms;
+};
+
+} // namespace plc::hmi

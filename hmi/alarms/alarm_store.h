@@ -1,0 +1,57 @@
+// The alarm history in SQLite: time, alarm and the values of its text, never the rendered text, so that past entries
+// follow the operator's language. Owned by the player; used on the thread that opened it.
+#pragma once
+#include "hmi/alarms/life_cycle.h"
+#include "hmi/model/value.h"
+
+#include <QSqlDatabase>
+#include <QStringList>
+
+namespace plc::hmi {
+
+struct AlarmRecord {
+    qint64 number = 0; // given by the store
+    QString alarm;     // id of the definition
+    AlarmEventKind kind{};
+    AlarmInstant at;
+    qint64 wallTime = 0; // ms since 1970 when it was recorded, 0 in virtual time
+    std::vector<std::pair<QString, Value>> values;
+    QString user;
+};
+
+struct AlarmQuery {
+    QStringList alarms; // ids; empty: all
+    std::optional<AlarmEventKind> kind;
+    qint64 before = 0;  // numbers below this one; 0: from the newest
+    int limit = 200;
+};
+
+class AlarmStore {
+public:
+    AlarmStore() = default;
+    ~AlarmStore();
+    AlarmStore(const AlarmStore&) = delete;
+    AlarmStore& operator=(const AlarmStore&) = delete;
+
+    /// ":memory:" keeps it in memory.
+    Result<void> open(const QString& path);
+    bool isOpen() const { return m_database.isOpen(); }
+    /// One transaction.
+    Result<void> append(std::span<const AlarmRecord> records);
+    /// Newest first.
+    std::vector<AlarmRecord> query(const AlarmQuery& query) const;
+    qint64 count() const;
+    /// Keeps the newest `keep` entries.
+    void trim(qint64 keep);
+    void clear();
+
+private:
+    QSqlDatabase m_database;
+    QString m_connection;
+};
+
+/// Values of alarm texts as JSON and back, kind and bits kept.
+Json toJson(const Value& value);
+Value valueFromJson(const Json& json);
+
+} // namespace plc::hmi
