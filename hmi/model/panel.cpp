@@ -93,8 +93,9 @@ void Properties::write(std::string_view key, const std::optional<Json>& value, s
     fields = std::move(rebuilt);
 }
 
-Element::Element(Json fields)
-    : Properties(descriptorOf(kindOf(fields.value("kind", std::string()))), std::move(fields)) {}
+Element::Element(Json fields) : Properties(descriptorOf(ElementKind::Unknown), std::move(fields)) {
+    m_descriptor = &descriptorOf(kindOf(toUtf8(text("kind"))));
+}
 
 Element Element::make(ElementKind kind, const ElementId& id, const QRectF& rect) {
     Json fields = Json::object();

@@ -1,6 +1,9 @@
 // The life of alarms, their history, and texts of past entries in the operator's language.
 #include "hmi/alarms/alarm_book.h"
 
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
 #include <gtest/gtest.h>
 
 namespace plc::hmi {
@@ -20,9 +23,9 @@ AlarmFile file() {
 
 AlarmInstant at(int seconds) { return {static_cast<quint64>(seconds), static_cast<quint64>(seconds), Nanoseconds(seconds * 1s)}; }
 
-struct Run {
+struct AlarmRun {
     AlarmBook book;
-    Run() { book.setFile(file()); }
+    AlarmRun() { book.setFile(file()); }
     void step(int second, Condition overload, Condition door = Condition::False) {
         const Condition conditions[] = {overload, door};
         book.step(at(second), conditions, [&](size_t, const AlarmInstant& when) {
@@ -33,7 +36,7 @@ struct Run {
 };
 
 TEST(AlarmLife, GoesThroughDelaysReturnAndAcknowledgement) {
-    Run run;
+    AlarmRun run;
     constexpr Condition on = Condition::True, off = Condition::False;
     const struct {
         int second;
@@ -57,7 +60,7 @@ TEST(AlarmLife, GoesThroughDelaysReturnAndAcknowledgement) {
 }
 
 TEST(AlarmLife, WithoutAcknowledgementItIsGoneWhenItReturns) {
-    Run run;
+    AlarmRun run;
     run.step(0, Condition::False, Condition::True);
     ASSERT_EQ(run.book.present({}, AlarmOrder::Time).size(), 1u);
     EXPECT_EQ(run.book.present({}, AlarmOrder::Time)[0].state, AlarmState::Acknowledged);
@@ -67,7 +70,7 @@ TEST(AlarmLife, WithoutAcknowledgementItIsGoneWhenItReturns) {
 }
 
 TEST(AlarmBook, SortsFiltersAndShowsAPastScan) {
-    Run run;
+    AlarmRun run;
     run.step(0, Condition::True, Condition::False);
     run.step(2, Condition::True, Condition::False);
     run.step(3, Condition::True, Condition::True);
@@ -83,7 +86,7 @@ TEST(AlarmBook, SortsFiltersAndShowsAPastScan) {
 }
 
 TEST(AlarmBook, PastEntriesFollowTheLanguageBecauseOnlyValuesAreStored) {
-    Run run;
+    AlarmRun run;
     ASSERT_TRUE(run.book.openStore(QStringLiteral(":memory:")));
     run.step(0, Condition::True);
     run.step(2, Condition::True);
