@@ -25,5 +25,7 @@ enum class Implicit : uint8_t {
 [[nodiscard]] int64_t wrapInteger(TypeKind kind, int64_t value);
 /// Nearest, ties to even, saturating to the kind's range, NaN → 0.
 [[nodiscard]] int64_t roundToInteger(TypeKind kind, double value);
+/// REAL_TO_TIME and its like: counts of the type's unit (ms, s, ns), rounded and saturating; dates begin their day.
+[[nodiscard]] int64_t timeFromReal(TypeKind kind, double value);
 
 } // namespace plc::types

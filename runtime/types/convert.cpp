@@ -1,9 +1,8 @@
 // X_TO_Y for every pair of elementary types (edition 3, table 22, and the units of CODESYS for times and dates).
-#include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
+#include "runtime/types/scalar_text.h"
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 
 namespace plc::types {
 namespace {
@@ -59,11 +58,7 @@ Value fromInteger(TypeId type, TypeKind to, TypeKind from, int64_t number) {
 Value fromReal(TypeId type, TypeKind to, double number) {
     const Family family = familyOf(to);
     if (family == Family::Real) return {type, to == TypeKind::Real ? static_cast<double>(static_cast<float>(number)) : number};
-    if (isTime(family)) {
-        const int64_t limit = INT64_MAX / unitOf(to);
-        const int64_t count = std::clamp(roundToInteger(TypeKind::Lint, number), -limit, limit);
-        return {type, fitTime(to, count * unitOf(to))};
-    }
+    if (isTime(family)) return {type, timeFromReal(to, number)};
     return {type, roundToInteger(to, number)};
 }
 
@@ -76,23 +71,9 @@ Value fromTime(TypeId type, TypeKind to, TypeKind from, int64_t nanoseconds) {
     return {type, wrapInteger(to, count)};
 }
 
-std::string textOf(TypeKind from, const Value& value) {
-    if (const auto* real = std::get_if<double>(&value.data)) return from == TypeKind::Real ? shortestReal(static_cast<float>(*real)) : shortestReal(*real);
-    const int64_t number = value.integer();
-    switch (from) {
-    case TypeKind::Bool: return number ? "TRUE" : "FALSE";
-    case TypeKind::Time: return durationText(number);
-    case TypeKind::Ltime: return durationText(number, true);
-    case TypeKind::Date: return dateText(number);
-    case TypeKind::Ldate: return dateText(number, true);
-    case TypeKind::Tod: return timeOfDayText(number);
-    case TypeKind::Ltod: return timeOfDayText(number, true);
-    case TypeKind::Dt: return dateTimeText(number);
-    case TypeKind::Ldt: return dateTimeText(number, true);
-    case TypeKind::Ulint:
-    case TypeKind::Lword: return std::to_string(static_cast<uint64_t>(number));
-    default: return std::to_string(number);
-    }
+ScalarText textOf(TypeKind from, const Value& value) {
+    if (const auto* real = std::get_if<double>(&value.data)) return realText(from, *real);
+    return scalarText(from, value.integer());
 }
 
 /// One text type into the other, or a scalar's text into either, cut to the capacity. Latin-1 maps onto the first 256 of UTF-16.
@@ -106,7 +87,8 @@ Value toTextValue(const TypeTable& types, TypeId type, const Value& value, bool&
     } else if (const TypeKind from = types.storageKind(value.type); familyOf(from) == Family::Character) {
         if (value.integer() != 0) wide += static_cast<char16_t>(value.integer());
     } else {
-        for (const char c : textOf(from, value)) wide += static_cast<unsigned char>(c);
+        const ScalarText text = textOf(from, value);
+        for (const char c : text.view()) wide += static_cast<unsigned char>(c);
     }
     if (wide.size() > target.capacity) wide.resize(target.capacity);
     if (target.kind == TypeKind::Wstring) return {type, std::move(wide)};
@@ -118,94 +100,36 @@ Value toTextValue(const TypeTable& types, TypeId type, const Value& value, bool&
     return {type, std::move(narrow)};
 }
 
-std::string_view withoutBlanks(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
-}
-
-/// The number that a text begins with: "12;", "-5 mm", "16#FF". None without a digit or beyond the range of `kind`.
-std::optional<int64_t> leadingInteger(TypeKind kind, std::string_view text) {
-    const bool isNegative = !text.empty() && text.front() == '-';
-    if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
-    int base = 10;
-    for (const auto& [prefix, radix] : {std::pair<std::string_view, int>{"16#", 16}, {"8#", 8}, {"2#", 2}}) {
-        if (!text.starts_with(prefix)) continue;
-        base = radix;
-        text.remove_prefix(prefix.size());
-        break;
-    }
-    std::string digits;
-    for (const char c : text) {
-        if (c == '_' && !digits.empty()) continue;
-        digits += c;
-    }
-    uint64_t magnitude = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), magnitude, base);
-    if (error != std::errc()) return std::nullopt;
-    const auto [low, high] = TypeTable::integerRange(kind);
-    if (isNegative && magnitude > 0 - static_cast<uint64_t>(low)) return std::nullopt;
-    if (!isNegative && magnitude > high && !(base != 10 && bitsOf(kind) >= 64)) return std::nullopt;
-    return static_cast<int64_t>(isNegative ? 0 - magnitude : magnitude);
-}
-
-template <class Number> std::optional<double> leadingReal(std::string_view text) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-    if (equalsIgnoringCase(text, "INF")) return HUGE_VAL;
-    if (equalsIgnoringCase(text, "-INF")) return -HUGE_VAL;
-    if (equalsIgnoringCase(text, "NAN")) return std::nan("");
-    const size_t digit = text.starts_with('-') ? 1 : 0;
-    if (digit >= text.size() || !((text[digit] >= '0' && text[digit] <= '9') || text[digit] == '.')) return std::nullopt; // not "infinity…"
-    Number number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc()) return std::nullopt;
-    return static_cast<double>(number);
-}
-
-Value fromText(const TypeTable&, TypeId type, TypeKind to, std::string_view text, bool& ok) {
-    const std::string_view trimmed = withoutBlanks(text);
-    const auto scalar = [&](std::optional<int64_t> number) -> Value {
-        if (!number) ok = false;
-        return {type, number.value_or(0)};
-    };
-    switch (familyOf(to)) {
-    case Family::Bool:
-        if (equalsIgnoringCase(trimmed, "TRUE") || trimmed == "1") return {type, int64_t{1}};
-        ok = equalsIgnoringCase(trimmed, "FALSE") || trimmed == "0";
-        return {type, int64_t{0}};
-    case Family::Bits:
-    case Family::Signed:
-    case Family::Unsigned: return scalar(leadingInteger(to, trimmed));
-    case Family::Real: {
-        const auto number = to == TypeKind::Real ? leadingReal<float>(trimmed) : leadingReal<double>(trimmed);
-        if (!number) ok = false;
+Value fromText(TypeId type, TypeKind to, std::string_view text, bool& ok) {
+    if (familyOf(to) == Family::Real) {
+        const auto number = realFromText(to, text);
+        ok = number.has_value();
         return {type, number.value_or(0.0)};
     }
-    case Family::Duration: return scalar(parseDuration(trimmed));
-    case Family::Date: return scalar(parseDate(trimmed));
-    case Family::TimeOfDay: return scalar(parseTimeOfDay(trimmed));
-    case Family::DateTime: return scalar(parseDateTime(trimmed));
-    case Family::Character:
-        if (text.empty()) ok = false;
-        return {type, text.empty() ? int64_t{0} : static_cast<int64_t>(static_cast<unsigned char>(text.front()))};
-    case Family::Other: break;
-    }
-    ok = false;
-    return {type, int64_t{0}};
+    const auto number = integerFromText(to, text);
+    ok = number.has_value();
+    return {type, number.value_or(0)};
 }
 
-Value fromWideText(const TypeTable& types, TypeId type, TypeKind to, std::u16string_view text, bool& ok) {
+Value fromWideText(TypeId type, TypeKind to, std::u16string_view text, bool& ok) {
     if (to == TypeKind::Wchar) {
         if (text.empty()) ok = false;
         return {type, text.empty() ? int64_t{0} : static_cast<int64_t>(text.front())};
     }
     std::string narrow; // a character beyond Latin-1 ends the number, as any other letter does
     for (const char16_t c : text) narrow += c > 0xFF ? '?' : static_cast<char>(c);
+    Value value = fromText(type, to, narrow, ok);
     if (to == TypeKind::Char && !text.empty() && text.front() > 0xFF) ok = false;
-    return fromText(types, type, to, narrow, ok);
+    return value;
 }
 
 } // namespace
+
+int64_t timeFromReal(TypeKind kind, double value) {
+    const int64_t limit = INT64_MAX / unitOf(kind);
+    const int64_t count = std::clamp(roundToInteger(TypeKind::Lint, value), -limit, limit);
+    return fitTime(kind, count * unitOf(kind));
+}
 
 Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok) {
     bool good = true;
@@ -220,8 +144,8 @@ Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok) {
     }
     const TypeKind source = types.storageKind(value.type), target = types.storageKind(to);
     if (target == TypeKind::String || target == TypeKind::Wstring) return finish(toTextValue(types, to, value, good));
-    if (const auto* text = std::get_if<std::string>(&value.data)) return finish(fromText(types, to, target, *text, good));
-    if (const auto* wide = std::get_if<std::u16string>(&value.data)) return finish(fromWideText(types, to, target, *wide, good));
+    if (const auto* text = std::get_if<std::string>(&value.data)) return finish(fromText(to, target, *text, good));
+    if (const auto* wide = std::get_if<std::u16string>(&value.data)) return finish(fromWideText(to, target, *wide, good));
     if (const auto* real = std::get_if<double>(&value.data)) return finish(fromReal(to, target, *real));
     if (isTime(familyOf(source))) return finish(fromTime(to, target, source, value.integer()));
     return finish(fromInteger(to, target, source, value.integer()));

@@ -1,7 +1,8 @@
+#include "runtime/types/dates.h"
+
 #include "runtime/types/value.h"
 
 #include <array>
-#include <cstdio>
 
 namespace plc::types {
 namespace {
@@ -107,23 +108,33 @@ std::optional<int64_t> takeTimeOfDay(std::string_view& text) {
     return ((*hour * 60 + *minute) * 60 + second) * kSecond + fraction;
 }
 
-std::string clockText(int64_t nanoseconds) {
+void appendClock(ScalarText& out, int64_t nanoseconds) {
     const int64_t seconds = nanoseconds / kSecond, fraction = nanoseconds % kSecond;
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, "%02d:%02d:%02d", static_cast<int>(seconds / 3600), static_cast<int>(seconds / 60 % 60), static_cast<int>(seconds % 60));
-    std::string text = buffer;
-    if (fraction == 0) return text;
-    if (fraction % 1'000'000 == 0) std::snprintf(buffer, sizeof buffer, ".%03d", static_cast<int>(fraction / 1'000'000));
-    else if (fraction % 1'000 == 0) std::snprintf(buffer, sizeof buffer, ".%06d", static_cast<int>(fraction / 1'000));
-    else std::snprintf(buffer, sizeof buffer, ".%09d", static_cast<int>(fraction));
-    return text + buffer;
+    out.append(seconds / 3600, 2);
+    out.append(":");
+    out.append(seconds / 60 % 60, 2);
+    out.append(":");
+    out.append(seconds % 60, 2);
+    if (fraction == 0) return;
+    out.append(".");
+    if (fraction % 1'000'000 == 0) out.append(fraction / 1'000'000, 3);
+    else if (fraction % 1'000 == 0) out.append(fraction / 1'000, 6);
+    else out.append(fraction, 9);
 }
 
-std::string civilText(int64_t days) {
+void appendCivil(ScalarText& out, int64_t days) {
     const CivilDate date = civilFromDays(days);
-    char buffer[48];
-    std::snprintf(buffer, sizeof buffer, "%04d-%02d-%02d", date.year, date.month, date.day);
-    return buffer;
+    out.append(date.year, 4);
+    out.append("-");
+    out.append(date.month, 2);
+    out.append("-");
+    out.append(date.day, 2);
+}
+
+template <class Append> std::string toString(Append append) {
+    ScalarText text;
+    append(text);
+    return std::string(text.view());
 }
 
 } // namespace
@@ -155,29 +166,42 @@ bool isValidDate(CivilDate date) {
     return back.year == date.year && back.month == date.month && back.day == date.day;
 }
 
-std::string durationText(int64_t nanoseconds, bool isLong) {
-    std::string text = isLong ? "LTIME#" : "T#";
-    if (nanoseconds == 0) return text + "0s";
-    if (nanoseconds < 0) text += '-';
+void appendDuration(ScalarText& out, int64_t nanoseconds, bool isLong) {
+    out.append(isLong ? "LTIME#" : "T#");
+    if (nanoseconds == 0) return out.append("0s");
+    if (nanoseconds < 0) out.append("-");
     uint64_t rest = nanoseconds < 0 ? 0 - static_cast<uint64_t>(nanoseconds) : static_cast<uint64_t>(nanoseconds);
     for (const Unit& unit : kUnits) {
         const uint64_t count = rest / static_cast<uint64_t>(unit.nanoseconds);
         rest %= static_cast<uint64_t>(unit.nanoseconds);
-        if (count) text += std::to_string(count) + std::string(unit.name);
+        if (count == 0) continue;
+        out.append(static_cast<int64_t>(count));
+        out.append(unit.name);
     }
-    return text;
 }
 
-std::string dateText(int64_t nanoseconds, bool isLong) { return (isLong ? "LDATE#" : "D#") + civilText(floorDivide(nanoseconds, kDay)); }
-
-std::string timeOfDayText(int64_t nanoseconds, bool isLong) {
-    return (isLong ? "LTOD#" : "TOD#") + clockText(nanoseconds - floorDivide(nanoseconds, kDay) * kDay);
+void appendDate(ScalarText& out, int64_t nanoseconds, bool isLong) {
+    out.append(isLong ? "LDATE#" : "D#");
+    appendCivil(out, floorDivide(nanoseconds, kDay));
 }
 
-std::string dateTimeText(int64_t nanoseconds, bool isLong) {
+void appendTimeOfDay(ScalarText& out, int64_t nanoseconds, bool isLong) {
+    out.append(isLong ? "LTOD#" : "TOD#");
+    appendClock(out, nanoseconds - floorDivide(nanoseconds, kDay) * kDay);
+}
+
+void appendDateTime(ScalarText& out, int64_t nanoseconds, bool isLong) {
     const int64_t days = floorDivide(nanoseconds, kDay);
-    return (isLong ? "LDT#" : "DT#") + civilText(days) + "-" + clockText(nanoseconds - days * kDay);
+    out.append(isLong ? "LDT#" : "DT#");
+    appendCivil(out, days);
+    out.append("-");
+    appendClock(out, nanoseconds - days * kDay);
 }
+
+std::string durationText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDuration(out, nanoseconds, isLong); }); }
+std::string dateText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDate(out, nanoseconds, isLong); }); }
+std::string timeOfDayText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendTimeOfDay(out, nanoseconds, isLong); }); }
+std::string dateTimeText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDateTime(out, nanoseconds, isLong); }); }
 
 std::optional<int64_t> parseDuration(std::string_view text) {
     text = trimmed(text);
