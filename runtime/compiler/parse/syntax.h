@@ -59,11 +59,12 @@ struct Expr {
     ExprKind kind = ExprKind::Error;
     lex::TokenKind op = lex::TokenKind::Error; // Unary, Binary; Literal: the literal's token kind
     bool parenthesised = false;
+    uint32_t height = 1;   // of the tree below, limited by the parser: whoever walks it may recurse
     SourceRange range;
     SourceRange operatorRange;
     Name name;             // NameRef, Member, TypedName
     std::string_view text; // Literal, Bit, Address
-    Name prefix;           // typed literals
+    Name prefix;           // typed literals; a sign belongs to the text: INT#-5
     Expr* base = nullptr;  // Member, Index, Call, Deref, Unary (operand), Binary (left)
     Expr* right = nullptr; // Binary, AssignChain (value; base = target)
     std::vector<Argument> arguments;
@@ -273,6 +274,7 @@ struct Pou {
     std::vector<Pou*> methods;
     std::vector<Property*> properties;
     std::vector<ActionDecl*> actions;
+    std::vector<Path> usings;         // USING directly behind the header
     std::vector<Pragma> pragmas;      // above the POU: attribute 'simulation', language 'IL'
     std::string_view comment;         // doc comment above: without its markers
     SourceRange range;                // PROGRAM … END_PROGRAM
@@ -312,6 +314,7 @@ struct ProgramInstance {
     Path type;
     bool retain = false, nonRetain = false;
     std::vector<Argument> connections;
+    std::vector<Argument> blockTasks; // fb WITH task: name, value = NameRef of the task
     std::vector<Pragma> pragmas;
     SourceRange range;
 };

@@ -1,0 +1,456 @@
+#include "runtime/compiler/parse/parser_state.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::parse {
+
+using diagnostics::Kind;
+
+namespace {
+
+/// Precedence of IEC 61131-3 (3.3.1, table 55; ed. 3 table 71); 0: not a binary operator.
+int levelOf(TokenKind kind) {
+    switch (kind) {
+    case TokenKind::Or:
+    case TokenKind::OrElse: return 1;
+    case TokenKind::Xor: return 2;
+    case TokenKind::And:
+    case TokenKind::AndThen:
+    case TokenKind::Ampersand: return 3;
+    case TokenKind::Equal:
+    case TokenKind::NotEqual: return 4;
+    case TokenKind::Less:
+    case TokenKind::LessEqual:
+    case TokenKind::Greater:
+    case TokenKind::GreaterEqual: return 5;
+    case TokenKind::Plus:
+    case TokenKind::Minus: return 6;
+    case TokenKind::Star:
+    case TokenKind::Slash:
+    case TokenKind::Mod: return 7;
+    case TokenKind::Power: return 8;
+    default: return 0;
+    }
+}
+
+bool isLiteral(TokenKind kind) {
+    switch (kind) {
+    case TokenKind::IntegerLiteral:
+    case TokenKind::RealLiteral:
+    case TokenKind::DurationLiteral:
+    case TokenKind::DateLiteral:
+    case TokenKind::TimeOfDayLiteral:
+    case TokenKind::DateTimeLiteral:
+    case TokenKind::StringLiteral:
+    case TokenKind::WstringLiteral:
+    case TokenKind::True:
+    case TokenKind::False: return true;
+    default: return false;
+    }
+}
+
+/// The first `$` sequence that means nothing (IEC 61131-3, table 6), as offset and length.
+std::string_view badEscape(std::string_view literal, bool wide) {
+    const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f'); };
+    for (size_t i = 1; i + 1 < literal.size(); ++i) {
+        if (literal[i] != '$') continue;
+        const char c = literal[i + 1];
+        if (std::string_view("$'\"LlNnPpRrTt").find(c) != std::string_view::npos) {
+            ++i;
+            continue;
+        }
+        const size_t digits = wide ? 4 : 2;
+        size_t have = 0;
+        while (have < digits && i + 1 + have + 1 < literal.size() && isHex(literal[i + 1 + have])) ++have;
+        if (have != digits) return literal.substr(i, 2 + (have > 0 ? have - 1 : 0));
+        i += digits;
+    }
+    return {};
+}
+
+} // namespace
+
+Expr* Parser::errorExpr() {
+    Expr* e = make<Expr>();
+    e->range = rangeOf(peek());
+    return e;
+}
+
+/// Trees deeper than whoever walks them may recurse are refused here, once for all.
+void Parser::setHeight(Expr& e) {
+    uint32_t height = 0;
+    if (e.base) height = std::max(height, e.base->height);
+    if (e.right) height = std::max(height, e.right->height);
+    for (const Argument& argument : e.arguments)
+        if (argument.value) height = std::max(height, argument.value->height);
+    e.height = height + 1;
+    if (e.height <= kMaxHeight) return;
+    m_sink.emit(e.range, Kind::NestedTooDeep);
+    e = Expr{};
+    e.range = rangeOf(previous());
+    skipTo({TokenKind::Semicolon});
+}
+
+Expr* Parser::makeName(Name name) {
+    Expr* e = make<Expr>();
+    e->kind = ExprKind::NameRef;
+    e->name = name;
+    e->range = name.range;
+    return e;
+}
+
+Expr* Parser::parseExpression() { return parseBinary(1); }
+
+/// A condition: an assignment in it is a comparison with one character too many.
+Expr* Parser::parseCondition() {
+    const bool outer = m_inCondition;
+    m_inCondition = true;
+    Expr* e = parseBinary(1);
+    if (at(TokenKind::Assign)) {
+        const SourceRange range = rangeOf(peek());
+        if (auto* d = report(range, Kind::AssignInCondition)) d->fixes.push_back({"Write =", {{range, "="}}});
+        advance();
+        Expr* compare = make<Expr>();
+        compare->kind = ExprKind::Binary;
+        compare->op = TokenKind::Equal;
+        compare->operatorRange = range;
+        compare->base = e;
+        compare->right = parseBinary(1);
+        compare->range = joined(e->range, compare->right->range);
+        setHeight(*compare);
+        e = compare;
+    }
+    m_inCondition = outer;
+    return e;
+}
+
+Expr* Parser::parseBinary(int level) {
+    const Nesting nesting(*this);
+    if (nesting.tooDeep) {
+        skipTo({TokenKind::Semicolon});
+        return errorExpr();
+    }
+    Expr* left = parseUnary();
+    for (;;) {
+        const int found = levelOf(kind());
+        if (found < level || found == 0) return left;
+        const Token op = peek();
+        advance();
+        Expr* right = found == 8 ? parseUnary() : parseBinary(found + 1);
+        Expr* e = make<Expr>();
+        e->kind = ExprKind::Binary;
+        e->op = op.kind == TokenKind::Ampersand ? TokenKind::And : op.kind;
+        e->operatorRange = rangeOf(op);
+        e->base = left;
+        e->right = right;
+        e->range = joined(left->range, right->range);
+        setHeight(*e);
+        left = e;
+    }
+}
+
+Expr* Parser::parseUnary() {
+    if (!atAny({TokenKind::Not, TokenKind::Minus, TokenKind::Plus})) return parsePostfix(parsePrimary());
+    const Nesting nesting(*this);
+    const Token op = peek();
+    advance();
+    if (nesting.tooDeep) {
+        skipTo({TokenKind::Semicolon});
+        return errorExpr();
+    }
+    Expr* e = make<Expr>();
+    e->kind = ExprKind::Unary;
+    e->op = op.kind;
+    e->operatorRange = rangeOf(op);
+    e->base = parseUnary();
+    e->range = joined(e->operatorRange, e->base->range);
+    setHeight(*e);
+    return e;
+}
+
+Expr* Parser::parsePlace() { return parsePostfix(parsePrimary()); }
+
+/// The first operand of an IL instruction: no operators, but a sign.
+Expr* Parser::parsePrimaryIl() {
+    return atAny({TokenKind::Minus, TokenKind::Plus}) ? parseUnary() : parsePlace();
+}
+
+Expr* Parser::parsePrimary() {
+    const Token token = peek();
+    switch (token.kind) {
+    case TokenKind::Identifier: {
+        advance();
+        Expr* e = makeName(nameOf(token));
+        if (token.soft == SoftWord::This) e->kind = ExprKind::This;
+        if (token.soft == SoftWord::Super) e->kind = ExprKind::Super;
+        return e;
+    }
+    case TokenKind::Hash:
+        if (atName()) {
+            advance();
+            Expr* e = makeName(nameOf(peek()));
+            e->range.begin = token.begin;
+            advance();
+            return e;
+        }
+        break;
+    case TokenKind::TypedPrefix: return parseTyped();
+    case TokenKind::DirectAddress: {
+        advance();
+        Expr* e = make<Expr>();
+        e->kind = ExprKind::Address;
+        e->text = textOf(token);
+        e->range = rangeOf(token);
+        return e;
+    }
+    case TokenKind::LeftParen: return parseParenthesised();
+    case TokenKind::LeftBracket: return parseArrayInit();
+    case TokenKind::And:
+    case TokenKind::Or:
+    case TokenKind::Xor:
+    case TokenKind::Mod:
+    case TokenKind::Not:
+        if (kind(1) == TokenKind::LeftParen) { // AND(a, b): the operator as a function
+            advance();
+            return makeName(nameOf(token));
+        }
+        break;
+    case TokenKind::WstringLiteral:
+        // "Motor".run and "Motor" := …: a quoted name
+        if (token.end - token.begin > 2)
+            switch (kind(1)) {
+            case TokenKind::Dot:
+            case TokenKind::LeftBracket:
+            case TokenKind::LeftParen:
+            case TokenKind::Caret:
+            case TokenKind::Assign:
+            case TokenKind::SetAssign:
+            case TokenKind::ResetAssign: advance(); return makeName(nameOf(token));
+            default: break;
+            }
+        break;
+    default: break;
+    }
+    if (isLiteral(token.kind)) return parseLiteral();
+    expected("an expression");
+    return errorExpr();
+}
+
+Expr* Parser::parseLiteral() {
+    const Token token = peek();
+    advance();
+    Expr* e = make<Expr>();
+    e->kind = ExprKind::Literal;
+    e->op = token.kind;
+    e->text = textOf(token);
+    e->range = rangeOf(token);
+    if (token.kind == TokenKind::StringLiteral || token.kind == TokenKind::WstringLiteral) {
+        const std::string_view bad = badEscape(e->text, token.kind == TokenKind::WstringLiteral);
+        if (!bad.empty()) {
+            const auto begin = static_cast<uint32_t>(bad.data() - m_text.data());
+            m_sink.emit({m_file.file, begin, begin + static_cast<uint32_t>(bad.size())}, Kind::InvalidLiteral, {std::string(bad), "string"});
+        }
+    }
+    return e;
+}
+
+/// INT#5  INT#-5  STRING#'a'  BOOL#TRUE  Color#Red
+Expr* Parser::parseTyped() {
+    const Token prefixToken = peek();
+    advance();
+    Name prefix = nameOf(prefixToken);
+    prefix.text.remove_suffix(1);
+    --prefix.range.end;
+    const Token token = peek();
+    const bool sign = atAny({TokenKind::Minus, TokenKind::Plus}) && (kind(1) == TokenKind::IntegerLiteral || kind(1) == TokenKind::RealLiteral);
+    if (sign) advance();
+    if (isLiteral(kind())) {
+        Expr* e = parseLiteral();
+        e->prefix = prefix;
+        if (sign) e->text = m_text.substr(token.begin, previous().end - token.begin);
+        e->range.begin = prefixToken.begin;
+        return e;
+    }
+    if (at(TokenKind::TypedPrefix)) { // INT#INT#5: the inner one says it again
+        return parseTyped();
+    }
+    Expr* e = make<Expr>();
+    e->range = rangeOf(prefixToken);
+    e->prefix = prefix;
+    if (!at(TokenKind::Identifier)) {
+        expected("a value");
+        return e;
+    }
+    e->kind = ExprKind::TypedName;
+    e->name = nameOf(peek());
+    advance();
+    e->range = joined(e->range, e->name.range);
+    return e;
+}
+
+Expr* Parser::parseParenthesised() {
+    const Token open = peek();
+    advance();
+    // (a := 1, b := 2): the initial value of a structure; in a condition a slip that parseCondition tells
+    const bool named = atName() && kind(1) == TokenKind::Assign;
+    if (!m_inCondition && (named || (m_inInitialiser && at(TokenKind::RightParen)))) {
+        Expr* e = make<Expr>();
+        e->kind = ExprKind::StructInit;
+        parseArguments(e->arguments, TokenKind::RightParen);
+        e->range = {m_file.file, open.begin, previous().end};
+        setHeight(*e);
+        return e;
+    }
+    Expr* e = m_inCondition ? parseCondition() : parseExpression();
+    e->parenthesised = true;
+    if (!take(TokenKind::RightParen)) {
+        expected(")");
+        if (at(TokenKind::Comma) && !m_inInitialiser) skipTo({TokenKind::Semicolon, TokenKind::RightParen, TokenKind::Then, TokenKind::Do, TokenKind::Of}), take(TokenKind::RightParen);
+    }
+    e->range = {m_file.file, open.begin, std::max(previous().end, e->range.end)};
+    return e;
+}
+
+/// [a, 3(0), b]
+Expr* Parser::parseArrayInit() {
+    const Token open = peek();
+    const bool outer = std::exchange(m_inInitialiser, true);
+    advance();
+    Expr* e = make<Expr>();
+    e->kind = ExprKind::ArrayInit;
+    parseArguments(e->arguments, TokenKind::RightBracket);
+    e->range = {m_file.file, open.begin, previous().end};
+    m_inInitialiser = outer;
+    setHeight(*e);
+    return e;
+}
+
+Expr* Parser::parsePostfix(Expr* base) {
+    for (;;) {
+        Expr* e = nullptr;
+        switch (kind()) {
+        case TokenKind::Dot: {
+            const Token dot = peek();
+            advance();
+            e = make<Expr>();
+            e->base = base;
+            const Token member = peek();
+            const bool adjacent = member.begin == dot.end && !member.afterNewline;
+            if (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress) {
+                e->kind = ExprKind::Bit;
+                e->text = textOf(member);
+                advance();
+            } else if (member.kind == TokenKind::Identifier || (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
+                e->kind = ExprKind::Member;
+                e->name = nameOf(member);
+                advance();
+            } else if (member.kind == TokenKind::TypedPrefix && kind(1) == TokenKind::Identifier) { // Lib.Color#Red
+                e->kind = ExprKind::Member;
+                e->name = nameOf(member);
+                e->name.text.remove_suffix(1);
+                --e->name.range.end;
+                e->range = joined(base->range, e->name.range);
+                advance();
+                Expr* value = make<Expr>();
+                value->kind = ExprKind::Member;
+                value->name = nameOf(peek());
+                value->base = e;
+                advance();
+                e->height = base->height + 1;
+                e = value;
+            } else {
+                expected("a member's name");
+                e->kind = ExprKind::Member; // of no name: completion asks what stands before the point
+                e->range = {m_file.file, base->range.begin, dot.end};
+                e->height = base->height + 1;
+                return e;
+            }
+            break;
+        }
+        case TokenKind::LeftBracket: {
+            advance();
+            e = make<Expr>();
+            e->kind = ExprKind::Index;
+            e->base = base;
+            if (at(TokenKind::RightBracket)) expected("an index");
+            parseArguments(e->arguments, TokenKind::RightBracket);
+            break;
+        }
+        case TokenKind::Caret:
+            advance();
+            e = make<Expr>();
+            e->kind = ExprKind::Deref;
+            e->base = base;
+            break;
+        case TokenKind::LeftParen: {
+            if (base->kind == ExprKind::Literal) {
+                if (!m_inInitialiser || base->op != TokenKind::IntegerLiteral) return base;
+                advance();
+                e = make<Expr>();
+                e->kind = ExprKind::Repeat;
+                e->base = base;
+                parseArguments(e->arguments, TokenKind::RightParen);
+                break;
+            }
+            if (base->kind == ExprKind::Error || base->kind == ExprKind::ArrayInit || base->kind == ExprKind::StructInit || base->kind == ExprKind::TypedName) return base;
+            advance();
+            e = make<Expr>();
+            e->kind = ExprKind::Call;
+            e->base = base;
+            const bool condition = std::exchange(m_inCondition, false);
+            parseArguments(e->arguments, TokenKind::RightParen);
+            m_inCondition = condition;
+            break;
+        }
+        default: return base;
+        }
+        e->range = {m_file.file, base->range.begin, previous().end};
+        setHeight(*e);
+        if (e->kind == ExprKind::Error) return e;
+        base = e;
+    }
+}
+
+/// What stands between the brackets, which are open; takes the closing one.
+void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
+    const Nesting nesting(*this);
+    if (nesting.tooDeep) return skipTo({TokenKind::Semicolon});
+    while (!at(close) && !atEnd() && !at(TokenKind::Semicolon)) {
+        const size_t first = mark();
+        Argument argument;
+        const size_t nameAt = at(TokenKind::Not) ? 1 : 0;
+        const bool hash = kind(nameAt) == TokenKind::Hash;
+        const TokenKind sign = kind(nameAt + (hash ? 2 : 1));
+        if (atName(nameAt) && (sign == TokenKind::Output || (sign == TokenKind::Assign && nameAt == 0))) {
+            argument.negated = take(TokenKind::Not);
+            argument.name = takeName();
+            argument.kind = sign == TokenKind::Output ? ArgumentKind::Output : ArgumentKind::Input;
+            advance();
+            if (!at(TokenKind::Comma) && !at(close)) argument.value = parseExpression();
+        } else if (!at(TokenKind::Comma)) {
+            argument.value = parseExpression();
+        }
+        argument.range = rangeFrom(first);
+        out.push_back(std::move(argument));
+        if (take(TokenKind::Comma)) {
+            if (at(close)) expected("an argument");
+            continue;
+        }
+        if (at(close)) break;
+        if (startsExpression() && m_lastErrorAt != m_at && !(peek().afterNewline && kind(1) == TokenKind::Assign)) {
+            expected(", or " + std::string(lex::spelling(close)));
+            if (mark() != first) continue;
+        }
+        break;
+    }
+    if (take(close)) return;
+    expected(std::string(lex::spelling(close)));
+    // junk before the closing bracket of the same line
+    for (size_t ahead = 0; ahead < 30 && kind(ahead) != TokenKind::EndOfFile && kind(ahead) != TokenKind::Semicolon && (ahead == 0 || !peek(ahead).afterNewline); ++ahead)
+        if (kind(ahead) == close) {
+            m_at += ahead + 1;
+            return;
+        }
+}
+
+} // namespace plc::parse

@@ -1,0 +1,186 @@
+#include "runtime/compiler/parse/parser_state.h"
+
+#include "runtime/base/text.h"
+
+#include <array>
+
+namespace plc::parse {
+
+using diagnostics::Kind;
+
+namespace {
+
+/// Operators of IEC 61131-3 ed. 2, table 52, and the modifiers each may carry.
+struct Operator {
+    std::string_view name;
+    bool n, c, parenthesis;
+};
+constexpr std::array<Operator, 24> kOperators = {{
+    {"LD", true, false, false}, {"ST", true, false, false},  {"S", false, false, false},  {"R", false, false, false},  {"AND", true, false, true}, {"&", true, false, true},
+    {"OR", true, false, true},  {"XOR", true, false, true},  {"NOT", false, false, false}, {"ADD", false, false, true}, {"SUB", false, false, true}, {"MUL", false, false, true},
+    {"DIV", false, false, true}, {"MOD", false, false, true}, {"GT", false, false, true},  {"GE", false, false, true},  {"EQ", false, false, true},  {"NE", false, false, true},
+    {"LE", false, false, true}, {"LT", false, false, true},  {"JMP", false, true, false}, {"CAL", false, true, false}, {"RET", false, true, false}, {"STQ", false, false, false},
+}};
+
+bool isWord(std::string_view text, std::string_view word) { return text.size() == word.size() && equalsIgnoringCase(text, word); }
+
+struct Reading {
+    const Operator* op = nullptr;
+    bool negate = false, conditional = false;
+};
+/// LDN, ANDN, JMPCN: the operator and its modifiers.
+Reading readOperator(std::string_view text) {
+    for (const Operator& op : kOperators) {
+        if (text.size() < op.name.size() || text.size() > op.name.size() + 2 || !isWord(text.substr(0, op.name.size()), op.name)) continue;
+        const std::string_view rest = text.substr(op.name.size());
+        if (rest.empty()) return {&op};
+        if (op.n && isWord(rest, "N")) return {&op, true, false};
+        if (op.c && isWord(rest, "C")) return {&op, false, true};
+        if (op.c && (isWord(rest, "CN") || isWord(rest, "NC"))) return {&op, true, true};
+    }
+    return {};
+}
+
+} // namespace
+
+/// The first statement is an instruction: an operator and an operand on its line.
+bool Parser::atInstructionList() const {
+    size_t ahead = 0;
+    while (kind(ahead) == TokenKind::Identifier && kind(ahead + 1) == TokenKind::Colon) ahead += 2;
+    if (kind(ahead) != TokenKind::Identifier) return false;
+    const Reading reading = readOperator(textOf(peek(ahead)));
+    if (!reading.op) return false;
+    const Token& next = peek(ahead + 1);
+    const bool lineEnds = next.afterNewline || next.kind == TokenKind::EndOfFile;
+    const std::string_view name = reading.op->name;
+    if (name == "RET") return lineEnds;
+    if (lineEnds) return false;
+    switch (next.kind) {
+    case TokenKind::Identifier:
+    case TokenKind::IntegerLiteral:
+    case TokenKind::RealLiteral:
+    case TokenKind::DurationLiteral:
+    case TokenKind::DateLiteral:
+    case TokenKind::TimeOfDayLiteral:
+    case TokenKind::DateTimeLiteral:
+    case TokenKind::StringLiteral:
+    case TokenKind::WstringLiteral:
+    case TokenKind::TypedPrefix:
+    case TokenKind::DirectAddress:
+    case TokenKind::Hash:
+    case TokenKind::Minus:
+    case TokenKind::True:
+    case TokenKind::False: break;
+    default: return false;
+    }
+    // `JMP there;` is ST
+    if (name == "JMP") return kind(ahead + 2) != TokenKind::Semicolon;
+    return true;
+}
+
+Block Parser::parseInstructions(BodyContext context) {
+    const Nesting nesting(*this);
+    Block out;
+    if (nesting.tooDeep) {
+        skipTo({TokenKind::EndProgram, TokenKind::EndFunctionBlock, TokenKind::EndFunction});
+        return out;
+    }
+    while (!atEnd() && !atStatementEnd() && !at(TokenKind::RightParen)) {
+        if (context != BodyContext::Fragment && (atDeclaration() || atPouMember() || atVarSection() || atChart())) break;
+        if (take(TokenKind::Semicolon)) continue;
+        const size_t before = mark();
+        if (Stmt* stmt = parseInstruction()) out.push_back(stmt);
+        if (mark() == before) advance();
+    }
+    return out;
+}
+
+Stmt* Parser::parseInstruction() {
+    const size_t first = mark();
+    Stmt* stmt = make<Stmt>();
+    stmt->kind = StmtKind::Il;
+    IlInstruction* il = stmt->il = make<IlInstruction>();
+    if (atName() && kind(1) == TokenKind::Colon) {
+        il->label = takeName();
+        advance();
+        if (atStatementEnd() || (atName() && kind(1) == TokenKind::Colon)) {
+            stmt->range = rangeFrom(first);
+            return stmt;
+        }
+    }
+    const auto skipLine = [&] {
+        do advance();
+        while (!onNewLine() && !atStatementEnd());
+        m_lastErrorAt = SIZE_MAX;
+    };
+    const Token opToken = peek();
+    const bool word = atAny({TokenKind::Identifier, TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Not, TokenKind::Mod, TokenKind::Ampersand});
+    if (!word) {
+        report(rangeOf(opToken), Kind::IlUnknownOperator, {shown(opToken)});
+        skipLine();
+        stmt->range = rangeFrom(first);
+        return stmt;
+    }
+    il->op = nameOf(opToken);
+    advance();
+    Reading reading = readOperator(il->op.text);
+    if (opToken.kind == TokenKind::Ampersand && at(TokenKind::Identifier) && peek().begin == opToken.end && isWord(textOf(peek()), "N")) {
+        advance();
+        reading.negate = true;
+    }
+    if (reading.op) {
+        il->op.text = il->op.text.substr(0, reading.op->name.size());
+        il->negate = reading.negate;
+        il->conditional = reading.conditional;
+    }
+    if (at(TokenKind::Assign) || at(TokenKind::Dot)) { // an ST statement among instructions
+        report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+        skipLine();
+        stmt->range = rangeFrom(first);
+        return stmt;
+    }
+    if (reading.op && reading.op->parenthesis && at(TokenKind::LeftParen)) {
+        const Token open = peek();
+        il->opensParenthesis = true;
+        advance();
+        if (!onNewLine() && startsExpression()) il->operand = parsePrimaryIl();
+        il->body = parseInstructions(BodyContext::Unit);
+        if (!take(TokenKind::RightParen)) report({m_file.file, opToken.begin, open.end}, Kind::IlParenthesis);
+    } else if (reading.op && reading.op->name == "CAL") {
+        if (atName()) {
+            Expr* target = parsePlace();
+            if (target->kind == ExprKind::Call) {
+                il->arguments = std::move(target->arguments);
+                target = target->base;
+            }
+            il->operand = target;
+        } else {
+            expected("a block's name");
+        }
+    } else if (!reading.op && at(TokenKind::LeftParen)) {
+        advance();
+        parseArguments(il->arguments, TokenKind::RightParen);
+    } else {
+        parseIlOperands(*il);
+    }
+    take(TokenKind::Semicolon);
+    if (!onNewLine() && !atStatementEnd() && !at(TokenKind::RightParen)) {
+        report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+        skipLine();
+    }
+    stmt->range = rangeFrom(first);
+    return stmt;
+}
+
+void Parser::parseIlOperands(IlInstruction& il) {
+    if (onNewLine() || !startsExpression()) return;
+    il.operand = parsePrimaryIl();
+    while (take(TokenKind::Comma)) {
+        Argument argument;
+        argument.value = parsePrimaryIl();
+        argument.range = argument.value->range;
+        il.arguments.push_back(std::move(argument));
+    }
+}
+
+} // namespace plc::parse

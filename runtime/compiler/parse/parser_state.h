@@ -1,0 +1,253 @@
+// The recursive-descent parser behind parser.h: a cursor over the tokens that are not pragmas, error recovery, and one
+// method per construct, defined in the file of that construct (expressions.cpp, statements.cpp, …). One use, one thread.
+#pragma once
+#include "runtime/compiler/parse/parser.h"
+
+#include <initializer_list>
+
+namespace plc::parse {
+
+using lex::SoftWord;
+using lex::Token;
+using lex::TokenKind;
+using syntax::Access;
+using syntax::ActionAssociation;
+using syntax::ActionDecl;
+using syntax::Argument;
+using syntax::ArgumentKind;
+using syntax::Block;
+using syntax::Body;
+using syntax::BodyLanguage;
+using syntax::Bounds;
+using syntax::CaseArm;
+using syntax::CaseLabel;
+using syntax::ConfigurationDecl;
+using syntax::Decl;
+using syntax::DeclKind;
+using syntax::EnumeratorDecl;
+using syntax::Expr;
+using syntax::ExprKind;
+using syntax::GlobalList;
+using syntax::IfBranch;
+using syntax::IlInstruction;
+using syntax::Name;
+using syntax::NamespaceDecl;
+using syntax::Path;
+using syntax::Pou;
+using syntax::PouKind;
+using syntax::Pragma;
+using syntax::ProgramInstance;
+using syntax::Property;
+using syntax::ResourceDecl;
+using syntax::SectionKind;
+using syntax::SfcBody;
+using syntax::StepDecl;
+using syntax::Stmt;
+using syntax::StmtKind;
+using syntax::SyntaxFile;
+using syntax::TaskDecl;
+using syntax::TestDecl;
+using syntax::TransitionDecl;
+using syntax::TypeDecl;
+using syntax::TypeSpec;
+using syntax::TypeSpecKind;
+using syntax::VarDecl;
+using syntax::VarEdge;
+using syntax::VarSection;
+
+/// A list of statements stands in a unit, whose members and neighbours end it, or alone.
+enum class BodyContext : uint8_t { Unit, Fragment };
+
+class Parser {
+public:
+    Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink, size_t lexicalErrors);
+
+    // declarations.cpp
+    void parseFile();
+    Decl* parseDeclaration();
+    void parseDeclarationsUntil(std::vector<Decl*>& out, bool inNamespace);
+    Pou* parsePou(PouKind kind, TokenKind end);
+    void parsePouParts(Pou& pou, TokenKind end);
+    void parsePouHeader(Pou& pou);
+    Pou* parseInterface();
+    Pou* parseMethod(bool inInterface);
+    Property* parseProperty(bool inInterface);
+    Pou* parseAccessor(PouKind kind, TokenKind end, bool inInterface);
+    ActionDecl* parseAction();
+    Decl* parseNamespace();
+    Decl* parseUsing();
+    void parseModifiers(Access& access, bool* isAbstract, bool* isFinal, bool* isOverride);
+    Body parseBody(BodyContext context, const std::vector<Pragma>& pragmas);
+    bool atPouMember() const;
+    bool atDeclaration() const;
+
+    // types.cpp
+    void parseTypeBlock(std::vector<Decl*>& out);
+    TypeSpec* parseTypeSpec(bool inTypeBlock);
+    TypeSpec* parseArraySpec();
+    TypeSpec* parseStructSpec(TypeSpecKind kind);
+    TypeSpec* parseStringSpec();
+    TypeSpec* parseNamedSpec(bool inTypeBlock);
+    void parseEnumerators(TypeSpec& spec);
+    VarSection* parseVarSection();
+    VarDecl* parseVarDecl(SectionKind section);
+    VarDecl* parseConfigDecl(SectionKind section);
+    Expr* parseInitialiser(const TypeSpec* type);
+    bool atVarSection() const;
+
+    // expressions.cpp
+    Expr* parseExpression();
+    Expr* parseCondition();
+    Expr* parsePlace();
+    Expr* parsePrimaryIl();
+    void parseArguments(std::vector<Argument>& out, TokenKind close);
+    Expr* makeName(Name name);
+
+    // statements.cpp
+    Block parseStatements(BodyContext context);
+    Stmt* parseStatement();
+    bool atStatementEnd() const;
+
+    // instruction_list.cpp
+    bool atInstructionList() const;
+    Block parseInstructions(BodyContext context);
+    Stmt* parseInstruction();
+
+    // chart.cpp
+    bool atChart() const;
+    bool atStep() const;
+    bool atTransition() const;
+    SfcBody* parseChart();
+    StepDecl* parseStep();
+    TransitionDecl* parseTransition();
+
+    // configuration.cpp
+    ConfigurationDecl* parseConfiguration();
+
+    // tests.cpp
+    TestDecl* parseTest();
+    Stmt* parseTestStatement(); // null when the words here are not one
+
+    // the cursor
+    const Token& peek(size_t ahead = 0) const { return m_tokens[std::min(m_at + ahead, m_tokens.size() - 1)]; }
+    const Token& previous() const { return m_tokens[m_at == 0 ? 0 : m_at - 1]; }
+    TokenKind kind(size_t ahead = 0) const { return peek(ahead).kind; }
+    bool at(TokenKind k) const { return peek().kind == k; }
+    bool at(SoftWord w) const { return peek().soft == w; }
+    bool atAny(std::initializer_list<TokenKind> kinds) const;
+    bool atEnd() const { return at(TokenKind::EndOfFile); }
+    void advance() { if (m_at + 1 < m_tokens.size()) ++m_at; }
+    bool take(TokenKind k) { if (!at(k)) return false; advance(); return true; }
+    bool take(SoftWord w) { if (!at(w)) return false; advance(); return true; }
+    std::string_view textOf(const Token& token) const { return m_text.substr(token.begin, token.end - token.begin); }
+    SourceRange rangeOf(const Token& token) const { return {m_file.file, token.begin, token.end}; }
+    /// From the token at `first` (an index as from `mark()`) to the last one taken.
+    size_t mark() const { return m_at; }
+    SourceRange rangeFrom(size_t first) const;
+    template <class T> T* make() { return m_file.arena.make<T>(); }
+    Name nameOf(const Token& token) const;
+    bool atName(size_t ahead = 0) const;
+    Name takeName(const char* what = "a name");
+    Path takePath();
+
+    // messages and recovery (recovery.cpp)
+    /// Null when the mistake was reported already (the same token, or a token the lexer complained about).
+    diagnostics::Diagnostic* report(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {});
+    void expected(std::string what);
+    bool expect(TokenKind kind);
+    std::string shown(const Token& token) const;
+    SourceRange afterPrevious() const; // empty, where something is missing
+    void insertFix(diagnostics::Diagnostic* diagnostic, std::string text);
+    void missingSemicolon(bool accepted);
+    void endStatement();
+    /// `END_IF` and the like; on another word says what is missing and for which word.
+    bool expectEnd(TokenKind end, const Token& opening);
+    void skipStatement();
+    void skipTo(std::initializer_list<TokenKind> kinds);
+    bool startsStatement(size_t ahead = 0) const;
+    bool startsExpression() const;
+    bool onNewLine() const { return peek().afterNewline || atEnd(); }
+    bool endIsOpen(TokenKind end) const;
+
+    // pragmas and comments (trivia.cpp)
+    std::vector<Pragma> pragmasHere(); // directly before the current token
+    Pragma readPragma(const Token& token);
+    std::string_view docCommentAbove(uint32_t tokenIndex) const;
+    std::string_view commentBehind(uint32_t tokenIndex) const;
+    SourceRange extentOf(SourceRange range, size_t firstToken) const;
+    std::string_view cleanComment(uint32_t firstComment, uint32_t lastComment) const;
+    uint32_t sourceIndex(size_t at) const { return m_sourceIndex[std::min(at, m_sourceIndex.size() - 1)]; }
+    bool hasNewline(uint32_t begin, uint32_t end) const;
+
+    /// Counts nesting while it lives.
+    struct Nesting {
+        Parser& parser;
+        bool tooDeep;
+        explicit Nesting(Parser& p);
+        ~Nesting() { --parser.m_depth; }
+        Nesting(const Nesting&) = delete;
+    };
+    /// A block that is open while it lives: the words that end outer blocks are no surprise inside.
+    struct OpenBlock {
+        Parser& parser;
+        OpenBlock(Parser& p, TokenKind end) : parser(p) { parser.m_open.push_back(end); }
+        ~OpenBlock() { parser.m_open.pop_back(); }
+        OpenBlock(const OpenBlock&) = delete;
+    };
+
+    static constexpr int kMaxDepth = 200;
+    static constexpr uint32_t kMaxHeight = 1000;
+
+    SyntaxFile& m_file;
+    const lex::TokenList& m_list;
+    std::string_view m_text;
+    diagnostics::Sink& m_sink;
+    std::vector<Token> m_tokens;         // without pragmas and unknown characters
+    std::vector<uint32_t> m_sourceIndex; // into m_list.tokens
+    std::vector<uint32_t> m_badOffsets;  // where the lexer complained, in order
+    size_t m_at = 0;
+    size_t m_lastErrorAt = SIZE_MAX;
+    int m_depth = 0;
+    std::vector<TokenKind> m_open;
+    bool m_inTest = false;
+    bool m_inInitialiser = false;
+    bool m_inCondition = false;
+    int m_caseDepth = 0;    // statements directly in a CASE arm: a label ends them
+    bool m_inCaseArm = false;
+    std::string_view m_gvlName;
+    Pou* m_lastPou = nullptr; // members written behind END_xxx belong to it
+
+private:
+    Expr* parseBinary(int level);
+    Expr* parseUnary();
+    Expr* parsePrimary();
+    Expr* parsePostfix(Expr* base);
+    Expr* parseLiteral();
+    Expr* parseTyped();
+    Expr* parseParenthesised();
+    Expr* parseArrayInit();
+    Expr* parseAssigned();
+    Expr* errorExpr();
+    void setHeight(Expr& e);
+    Stmt* makeStmt(StmtKind kind);
+    Stmt* parseIf();
+    Stmt* parseCase();
+    Stmt* parseFor();
+    Stmt* parseWhile();
+    Stmt* parseRepeat();
+    Stmt* parseSimple();
+    bool atCaseLabel() const;
+    void parseCaseLabels(CaseArm& arm);
+    void expectWord(TokenKind word, const char* fixText);
+    Block parseBlock(TokenKind end);
+    void parseIlOperands(IlInstruction& il);
+    void parseAssociations(StepDecl& step);
+    void parseStepNames(std::vector<Name>& out);
+    void parseResourceParts(ResourceDecl& resource, ConfigurationDecl* configuration, TokenKind end);
+    TaskDecl* parseTask();
+    ProgramInstance* parseProgramInstance();
+    void decimalComma(Expr* value);
+    friend struct Nesting;
+};
+
+} // namespace plc::parse
