@@ -83,7 +83,9 @@ public:
     [[nodiscard]] std::string pathAt(uint32_t offset, types::TypeId wanted = {}) const;
     /// Visits every scalar (and text) under `place` with its path; arrays element by element. The visitor returns false to stop.
     void forEachLeaf(const std::string& path, Place place, const std::function<bool(const std::string&, const Place&)>& visit) const;
-    /// "%IX0.0", "%QW4", "%MD48" → place (BOOL, BYTE, WORD, DWORD, LWORD).
+    /// The path of a root: "Main", "GVL.Speed", "Ns.GVL.Speed"; its address when it has no name.
+    [[nodiscard]] static std::string pathOf(const Root& root);
+    /// "%IX0.0", "%QW4", "%MD48" → place (BOOL, BYTE, WORD, DWORD, LWORD). Numbers count bytes.
     [[nodiscard]] Result<Place> address(std::string_view text) const;
 };
 

@@ -1,0 +1,347 @@
+#include "runtime/image/layout.h"
+
+#include "runtime/base/text.h"
+#include "runtime/image/path_reader.h"
+
+#include <algorithm>
+
+namespace plc::image {
+
+using types::Field;
+using types::Type;
+using types::TypeId;
+using types::TypeKind;
+
+namespace {
+
+bool isAscii(std::string_view text) {
+    return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; }
+
+/// equalsIgnoringCase without allocation for the usual case.
+bool same(std::string_view a, std::string_view b) {
+    if (a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); })) return true;
+    return !(isAscii(a) && isAscii(b)) && equalsIgnoringCase(a, b);
+}
+
+std::string didYouMean(std::string_view name, const std::vector<std::string>& candidates) {
+    const std::optional<std::string> near = nearestName(name, candidates);
+    return near ? "; did you mean '" + *near + "'?" : std::string();
+}
+
+/// Whether the names before the root's own name are its list, its namespace or both.
+bool isQualifiedBy(const Root& root, std::string_view qualifier) {
+    if (qualifier.empty()) return true;
+    if (!root.list.empty() && same(root.list, qualifier)) return true;
+    if (root.space.empty()) return false;
+    return same(root.space, qualifier) || (!root.list.empty() && same(root.space + "." + root.list, qualifier));
+}
+
+struct FoundRoot {
+    const Root* root = nullptr;
+    size_t used = 0; // parts of the path that name it
+};
+
+/// The first names of the path as one text: "Ns.GVL" of the first two.
+std::string joinedNames(const std::vector<PathPart>& parts, size_t count) {
+    std::string text;
+    for (size_t i = 0; i < count; ++i) text += (i ? "." : "") + std::string(parts[i].name);
+    return text;
+}
+
+Result<FoundRoot> ambiguous(std::string_view name, const std::vector<const Root*>& roots) {
+    std::string list;
+    for (const Root* root : roots) list += (list.empty() ? "" : ", ") + Layout::pathOf(*root);
+    return Error{"'" + std::string(name) + "' may be one of " + list + ": write the whole name", {}};
+}
+
+Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& parts) {
+    std::vector<const Root*> plain; // matched by the first name alone
+    FoundRoot qualified;
+    const size_t names = static_cast<size_t>(std::find_if(parts.begin(), parts.end(), [](const PathPart& p) { return p.kind != PathPart::Kind::Name; }) - parts.begin());
+    std::vector<std::string> qualifiers(1);
+    for (size_t k = 1; k < std::min<size_t>(names, 6); ++k) qualifiers.push_back(joinedNames(parts, k));
+    for (const Root& root : layout.roots) {
+        for (size_t k = 0; k < qualifiers.size(); ++k) {
+            if (!same(root.name, parts[k].name) || !isQualifiedBy(root, qualifiers[k])) continue;
+            if (k == 0 && root.area == Area::Program) return FoundRoot{&root, 1};
+            if (k == 0) plain.push_back(&root);
+            if (k > 0 && k + 1 > qualified.used) qualified = {&root, k + 1};
+        }
+    }
+    if (qualified.root) return qualified;
+    if (plain.size() == 1) return FoundRoot{plain[0], 1};
+    if (plain.size() > 1) { // a name of its own hides those of lists and libraries
+        const auto own = std::find_if(plain.begin(), plain.end(), [](const Root* r) { return r->list.empty() && r->space.empty(); });
+        if (own != plain.end()) return FoundRoot{*own, 1};
+        return ambiguous(parts[0].name, plain);
+    }
+    std::vector<const Root*> instances;
+    for (const Root& root : layout.roots)
+        if (root.area == Area::Program && same(root.programType, parts[0].name)) instances.push_back(&root);
+    if (instances.size() == 1) return FoundRoot{instances[0], 1};
+    if (instances.size() > 1) return ambiguous(parts[0].name, instances);
+
+    std::vector<std::string> candidates;
+    bool isList = false;
+    for (const Root& root : layout.roots) {
+        if (root.isHidden) continue;
+        isList = isList || same(root.list, parts[0].name);
+        candidates.push_back(root.name);
+        if (!root.list.empty()) candidates.push_back(root.list);
+    }
+    if (isList && parts.size() > 1) {
+        candidates.clear();
+        for (const Root& root : layout.roots)
+            if (same(root.list, parts[0].name)) candidates.push_back(root.name);
+        return Error{"'" + std::string(parts[0].name) + "' has no variable '" + std::string(parts[1].name) + "'" + didYouMean(parts[1].name, candidates), {}};
+    }
+    return Error{"there is no variable '" + std::string(parts[0].name) + "'" + didYouMean(parts[0].name, candidates), {}};
+}
+
+Result<Place> member(const Layout& layout, const Place& place, const PathPart& part) {
+    const Type& type = (*layout.types)[place.type];
+    const std::string name(part.name);
+    if (type.kind != TypeKind::Struct && type.kind != TypeKind::Union && type.kind != TypeKind::Block) {
+        if (type.kind == TypeKind::Pointer || type.kind == TypeKind::Reference || type.kind == TypeKind::Interface)
+            return Error{"'" + name + "' lies behind a reference, which a path does not follow", {}};
+        return Error{"'" + name + "' is no part of a variable of type " + type.name, {}};
+    }
+    const Field* field = type.findField(part.name);
+    if (!field) {
+        std::vector<std::string> candidates;
+        for (const Field& f : type.fields)
+            if (!f.isPrivate) candidates.push_back(f.name);
+        return Error{type.name + " has no variable '" + name + "'" + didYouMean(part.name, candidates), {}};
+    }
+    if (field->section == types::FieldSection::External) return layout.find(field->name);
+    if (field->section == types::FieldSection::InOut)
+        return Error{"'" + name + "' is a VAR_IN_OUT: name the variable that is connected to it", {}};
+    if (field->bit >= 0) return Place{types::TypeTable::of(TypeKind::Bool), place.offset + field->offset, field->bit};
+    return Place{field->type, place.offset + field->offset, -1};
+}
+
+std::string outside(int64_t index, int64_t low, int64_t high) {
+    return "index " + std::to_string(index) + " lies outside " + std::to_string(low) + ".." + std::to_string(high);
+}
+
+Result<Place> element(const Layout& layout, const Place& place, const PathPart& part) {
+    const Type& type = (*layout.types)[place.type];
+    if (type.kind == TypeKind::String || type.kind == TypeKind::Wstring) {
+        if (part.indices.size() != 1) return Error{"a text has one index", {}};
+        if (part.indices[0] < 0 || part.indices[0] >= static_cast<int64_t>(type.capacity)) return Error{outside(part.indices[0], 0, int64_t(type.capacity) - 1), {}};
+        const bool wide = type.kind == TypeKind::Wstring;
+        return Place{types::TypeTable::of(wide ? TypeKind::Wchar : TypeKind::Char), place.offset + static_cast<uint32_t>(part.indices[0]) * (wide ? 2 : 1), -1};
+    }
+    if (type.kind != TypeKind::Array) return Error{"a variable of type " + type.name + " has no elements", {}};
+    if (part.indices.size() != type.dimensions.size())
+        return Error{type.name + " needs " + std::to_string(type.dimensions.size()) + " indices, not " + std::to_string(part.indices.size()), {}};
+    uint64_t number = 0;
+    for (size_t d = 0; d < part.indices.size(); ++d) {
+        const types::Dimension& dimension = type.dimensions[d];
+        if (part.indices[d] < dimension.low || part.indices[d] > dimension.high) return Error{outside(part.indices[d], dimension.low, dimension.high), {}};
+        number = number * dimension.count() + static_cast<uint64_t>(part.indices[d] - dimension.low);
+    }
+    return Place{type.element, place.offset + static_cast<uint32_t>(number * (*layout.types)[type.element].size), -1};
+}
+
+/// Bit or part of an integer: x.5, x.%X5, x.%B1, x.%W0, x.%D1. Images are little endian.
+Result<Place> slice(const Layout& layout, const Place& place, const PathPart& part) {
+    const TypeKind kind = layout.types->storageKind(place.type);
+    const types::Family family = layout.types->family(place.type);
+    if (!types::isInteger(family) || place.bit >= 0) return Error{"a variable of type " + (*layout.types)[place.type].name + " has no bits to name", {}};
+    const unsigned width = part.sliceBits;
+    const unsigned count = types::bitsOf(kind) / width;
+    if (part.sliceIndex >= count) return Error{(width == 1 ? "bit " : "part ") + std::to_string(part.sliceIndex) + " lies outside 0.." + std::to_string(int64_t(count) - 1), {}};
+    if (width == 1) return Place{types::TypeTable::of(TypeKind::Bool), place.offset + part.sliceIndex / 8, static_cast<int16_t>(part.sliceIndex % 8)};
+    const TypeKind piece = width == 8 ? TypeKind::Byte : width == 16 ? TypeKind::Word : width == 32 ? TypeKind::Dword : TypeKind::Lword;
+    return Place{types::TypeTable::of(piece), place.offset + part.sliceIndex * (width / 8), -1};
+}
+
+} // namespace
+
+std::string Layout::pathOf(const Root& root) {
+    if (root.name.empty()) return root.address;
+    std::string path = root.space.empty() ? std::string() : root.space + ".";
+    if (!root.list.empty()) path += root.list + ".";
+    return path + root.name;
+}
+
+Result<Place> Layout::find(std::string_view path) const {
+    while (!path.empty() && (path.front() == ' ' || path.front() == '\t')) path.remove_prefix(1);
+    while (!path.empty() && (path.back() == ' ' || path.back() == '\t')) path.remove_suffix(1);
+    if (!path.empty() && path.front() == '%') return address(path);
+    Result<std::vector<PathPart>> parts = readPath(path);
+    if (!parts) return parts.error();
+    const Result<FoundRoot> found = findRoot(*this, *parts);
+    if (!found) return found.error();
+    Place place{found->root->type, found->root->offset, found->root->bit};
+    for (size_t i = found->used; i < parts->size(); ++i) {
+        const PathPart& part = (*parts)[i];
+        Result<Place> next = part.kind == PathPart::Kind::Name ? member(*this, place, part) : part.kind == PathPart::Kind::Index ? element(*this, place, part) : slice(*this, place, part);
+        if (!next) return Error{next.error().message, std::string(path)};
+        place = *next;
+    }
+    return place;
+}
+
+Result<Place> Layout::address(std::string_view text) const {
+    const std::string shown(text);
+    const Error bad{"'" + shown + "' is not an address; write %IX0.0, %QB4, %MW2 or the like", {}};
+    if (text.size() < 3 || text[0] != '%') return bad;
+    const char area = lower(text[1]);
+    const AreaRange& range = area == 'i' ? inputs : area == 'q' ? outputs : memory;
+    if (area != 'i' && area != 'q' && area != 'm') return bad;
+    size_t at = 2;
+    char size = lower(text[at]);
+    if (size >= '0' && size <= '9') size = 'x';
+    else ++at;
+    const size_t bytes = size == 'x' || size == 'b' ? 1 : size == 'w' ? 2 : size == 'd' ? 4 : size == 'l' ? 8 : 0;
+    if (!bytes) return bad;
+    std::vector<uint64_t> numbers;
+    while (at < text.size()) {
+        if (text[at] < '0' || text[at] > '9') return bad;
+        uint64_t number = 0;
+        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), 1u << 30);
+        numbers.push_back(number);
+        if (at == text.size()) break;
+        if (text[at] != '.' || at + 1 == text.size()) return bad;
+        ++at;
+    }
+    if (numbers.empty() || numbers.size() > 2 || (size != 'x' && numbers.size() != 1)) return bad;
+    uint64_t byte = numbers[0];
+    int16_t bit = -1;
+    if (size == 'x') {
+        const uint64_t number = numbers.size() == 2 ? numbers[1] : numbers[0] % 8;
+        if (numbers.size() == 1) byte /= 8;
+        if (number > 7) return bad;
+        bit = static_cast<int16_t>(number);
+    }
+    if (byte + bytes > range.size) return Error{"the program uses no address '" + shown + "'", {}};
+    const TypeKind kind = size == 'x' ? TypeKind::Bool : size == 'b' ? TypeKind::Byte : size == 'w' ? TypeKind::Word : size == 'd' ? TypeKind::Dword : TypeKind::Lword;
+    return Place{types::TypeTable::of(kind), range.begin + static_cast<uint32_t>(byte), bit};
+}
+
+namespace {
+
+std::string indexText(const Type& array, uint64_t number) {
+    std::vector<int64_t> indices(array.dimensions.size());
+    for (size_t d = array.dimensions.size(); d-- > 0;) {
+        const uint64_t count = std::max<uint64_t>(1, array.dimensions[d].count());
+        indices[d] = array.dimensions[d].low + static_cast<int64_t>(number % count);
+        number /= count;
+    }
+    std::string text = "[";
+    for (size_t d = 0; d < indices.size(); ++d) text += (d ? "," : "") + std::to_string(indices[d]);
+    return text + "]";
+}
+
+struct Covered {
+    std::string path;
+    bool isWanted = false; // ends at a variable of the wanted type
+};
+
+bool fits(const types::TypeTable& types, TypeId type, TypeId wanted) {
+    return type == wanted || types.isDerivedFrom(type, wanted) || (types::isElementary(types.kind(wanted)) && types.storage(type) == types.storage(wanted));
+}
+
+/// Descends from a variable at `begin` to the one that covers `offset`.
+Covered descend(const types::TypeTable& types, std::string path, TypeId id, uint32_t begin, uint32_t offset, TypeId wanted) {
+    for (;;) {
+        const Type& type = types[id];
+        if (wanted.isValid() && offset == begin && fits(types, id, wanted)) return {path, true};
+        if (type.kind == TypeKind::Array) {
+            const uint32_t size = types[type.element].size;
+            if (!size) return {path, false};
+            const uint64_t number = (offset - begin) / size;
+            path += indexText(type, number);
+            begin += static_cast<uint32_t>(number) * size;
+            id = type.element;
+            continue;
+        }
+        const Field* inner = nullptr;
+        for (const Field& field : type.fields) {
+            if (field.section == types::FieldSection::External || field.bit >= 0) continue;
+            const uint32_t size = field.section == types::FieldSection::InOut ? 8 : types[field.type].size;
+            if (offset < begin + field.offset || offset >= begin + field.offset + size) continue;
+            if (type.kind == TypeKind::Union && wanted.isValid()) { // several members cover it: take one of the wanted type
+                Covered member = descend(types, path + "." + field.name, field.type, begin + field.offset, offset, wanted);
+                if (member.isWanted) return member;
+                if (inner) continue;
+            }
+            inner = &field;
+            if (type.kind != TypeKind::Union) break;
+        }
+        if (!inner) return {path, false};
+        path += "." + inner->name;
+        if (inner->section == types::FieldSection::InOut) return {path, false};
+        begin += inner->offset;
+        id = inner->type;
+    }
+}
+
+} // namespace
+
+std::string Layout::pathAt(uint32_t offset, TypeId wanted) const {
+    std::string path;
+    for (const Root& root : roots) {
+        const uint32_t size = (*types)[root.type].size;
+        if (root.bit >= 0 || offset < root.offset || offset >= root.offset + size) continue;
+        Covered covered = descend(*types, pathOf(root), root.type, root.offset, offset, wanted);
+        if (covered.isWanted) return covered.path;
+        if (path.empty()) path = std::move(covered.path);
+    }
+    if (!path.empty()) return path;
+    const std::pair<const AreaRange*, char> areas[] = {{&inputs, 'I'}, {&outputs, 'Q'}, {&memory, 'M'}};
+    for (const auto& [range, letter] : areas)
+        if (offset >= range->begin && offset < range->begin + range->size) return std::string("%") + letter + "B" + std::to_string(offset - range->begin);
+    return path;
+}
+
+namespace {
+
+bool visitLeaves(const types::TypeTable& types, std::string& path, Place place, const std::function<bool(const std::string&, const Place&)>& visit) {
+    const Type& type = types[place.type];
+    const size_t length = path.size();
+    switch (type.kind) {
+    case TypeKind::Array: {
+        const uint32_t size = types[type.element].size;
+        const uint64_t count = size ? type.size / size : 0;
+        for (uint64_t i = 0; i < count; ++i) {
+            path += indexText(type, i);
+            const bool goOn = visitLeaves(types, path, Place{type.element, place.offset + static_cast<uint32_t>(i * size), -1}, visit);
+            path.resize(length);
+            if (!goOn) return false;
+        }
+        return true;
+    }
+    case TypeKind::Struct:
+    case TypeKind::Union:
+    case TypeKind::Block:
+        for (const Field& field : type.fields) {
+            if (field.section == types::FieldSection::InOut || field.section == types::FieldSection::External) continue;
+            path += '.';
+            path += field.name;
+            const Place inner{field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type, place.offset + field.offset, field.bit};
+            const bool goOn = visitLeaves(types, path, inner, visit);
+            path.resize(length);
+            if (!goOn) return false;
+        }
+        return true;
+    case TypeKind::OpenArray:
+    case TypeKind::Null:
+    case TypeKind::Void:
+    case TypeKind::Unknown: return true;
+    default: return visit(path, place);
+    }
+}
+
+} // namespace
+
+void Layout::forEachLeaf(const std::string& path, Place place, const std::function<bool(const std::string&, const Place&)>& visit) const {
+    std::string text = path;
+    (void)visitLeaves(*types, text, place, visit);
+}
+
+} // namespace plc::image
