@@ -1,6 +1,7 @@
 // The controller: runs compiled programs scan by scan on one image (D1, D6, D8). A Controller belongs to one thread, the scan
 // thread, which calls its functions; other threads talk to it through controller/scan_thread.h. Time comes from a Clock handed in.
 #pragma once
+#include "runtime/controller/clock.h"
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
 
@@ -71,6 +72,7 @@ public:
 
 struct OnlineChangeReport {
     std::vector<std::string> kept, initialised, lost, nulled; // paths (roots and members, arrays summed up)
+    std::string refusal;                                      // not empty: the new program could not enter, the old one goes on
 };
 
 struct Settings {
@@ -78,6 +80,7 @@ struct Settings {
     Nanoseconds defaultWatchdog{1'000'000'000};
     int64_t loopBudgetPerScan = 200'000'000; // virtual time: loop passes and calls of one task run
     int64_t calendarStartNs = 946'684'800'000'000'000; // DT#2000-01-01-00:00:00
+    Clock* clock = nullptr; // measures tasks and the watchdog of real time; nullptr = the machine's steady clock
 };
 
 class Controller {
@@ -95,11 +98,15 @@ public:
     [[nodiscard]] uint64_t nextScan() const;      // number of the scan to come
     [[nodiscard]] Nanoseconds nextDue() const;    // PLC time at which at least one task is due
     [[nodiscard]] Nanoseconds lastTime() const;   // time of the last scan
+    [[nodiscard]] uint64_t skippedScans() const;  // instants that passed unused because the machine was late
+    [[nodiscard]] bool hasSimulation() const;     // scans make sense in Stopped and Fault too
 
     void start();   // Stopped → Running (initial values were applied at construction or reset)
+    void pause();   // Running → Paused; a scan in Paused is a single scan
     void stop();    // outputs go to their initial values (safe state)
     void reset(ResetKind kind);
-    /// One scan at nextDue() (or at `at`, real time; tasks overdue by more than a period skip, and are counted). In Stopped and Fault only
+    /// One scan at nextDue(), or in real time at the last instant up to `at` (nothing when that lies before nextDue(); tasks overdue by
+    /// more than a period skip, and are counted). In Stopped and Fault only
     /// the simulation programs and forces act. Returns false when the scan faulted.
     bool scan(std::optional<Nanoseconds> at = std::nullopt);
 
@@ -135,8 +142,13 @@ public:
     using SiteHook = std::function<void(uint32_t site, uint32_t instance, uint32_t frame)>;
     void setSiteHook(SiteHook hook); // runs on the scan thread, inside the scan; may block (halted) and may call abandonScan
     [[nodiscard]] image::RuntimeContext& context();
-    /// From inside the site hook: leaves the scan (reset, stop, going back, closing).
-    [[noreturn]] void abandonScan();
+    /// From inside the site hook: the scan is left as soon as the hook returns (reset, stop, going back, closing). It then counts as
+    /// not made, and the state is Stopped.
+    void abandonScan();
+    /// From inside the site hook: state() says Halted until it is called with false.
+    void setHalted(bool isHalted);
+    /// The calls that are live now (halted or faulted), innermost first; `site` is the statement that is about to run.
+    [[nodiscard]] std::vector<FaultFrame> callPath(uint32_t site) const;
     void report(EventKind kind, std::string text);
 
 private:

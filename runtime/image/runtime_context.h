@@ -21,7 +21,8 @@ enum class FaultCode : uint32_t {
     Stopped,           // the scan was abandoned on request (reset or close while halted)
 };
 
-/// Each call that is not inlined away leaves its site here; depth counts the live ones.
+/// Each call that is not inlined away leaves its site here; depth counts the live ones. The record is written around the call and
+/// describes the callee; the program a task runs has none of its own (the controller knows it), unless its entry makes one with site 0.
 struct CallRecord {
     uint32_t site = 0;      // DebugMap site of the call
     uint32_t function = 0;  // index into CompiledProgram::functions

@@ -1,0 +1,374 @@
+#include "runtime/controller/controller.h"
+
+#include "runtime/base/assert.h"
+#include "runtime/controller/controller_state.h"
+#include "runtime/controller/fault_report.h"
+#include "runtime/controller/fitting.h"
+#include "runtime/controller/online_change.h"
+#include "runtime/controller/retained_places.h"
+
+namespace plc::controller {
+
+Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Settings settings) : m(std::make_unique<State_>(settings)) {
+    State_* state = m.get();
+    m->exit.self = state;
+    m->exit.refill = [](void* self) {
+        auto& s = *static_cast<State_*>(self);
+        // Virtual time: the budget of the whole task run was given at once. Real time: look at the clock every now and then.
+        if (!s.isRealTime || s.clock->nowNs() - s.taskStart > s.watchdogNs() * std::max<uint32_t>(1, s.task ? s.task->watchdogSensitivity : 1)) return false;
+        s.context->loopBudget = 100'000;
+        return true;
+    };
+    m->exit.atSite = [](void* self, uint32_t site, uint32_t instance, uint32_t frame) {
+        auto& s = *static_cast<State_*>(self);
+        if (!s.hook) return true;
+        const int64_t begin = s.clock->nowNs();
+        s.hook(site, instance, frame);
+        s.taskStart += s.clock->nowNs() - begin; // standing at a breakpoint is not the task's time
+        return !s.wantsAbandon;
+    };
+    m->context->owner = &m->exit;
+    m->setProgram(std::move(program));
+    if (!m->initialise(m->image.span())) {
+        m->state = State::Fault;
+        m->fault = m->describeFault(false);
+    }
+    m->keepSafeOutputs();
+    m->schedule.restoreTriggers(m->image.get());
+}
+
+Controller::~Controller() = default;
+
+void Controller::addObserver(ScanObserver& observer) {
+    m->observers.push_back(&observer);
+    observer.programChanged(m->program);
+}
+const image::CompiledProgram& Controller::program() const { return *m->program; }
+std::shared_ptr<const image::CompiledProgram> Controller::sharedProgram() const { return m->program; }
+State Controller::state() const { return m->isHalted ? State::Halted : m->state; }
+const std::optional<Fault>& Controller::fault() const { return m->fault; }
+const std::optional<Fault>& Controller::simulationFault() const { return m->simulationFault; }
+std::span<const std::byte> Controller::image() const { return m->image.span(); }
+uint64_t Controller::nextScan() const { return m->scan; }
+Nanoseconds Controller::nextDue() const { return Nanoseconds(m->schedule.nextDue()); }
+Nanoseconds Controller::lastTime() const { return Nanoseconds(std::max<int64_t>(0, m->time)); }
+uint64_t Controller::skippedScans() const { return m->skipped; }
+bool Controller::hasSimulation() const { return m->schedule.hasSimulation(); }
+image::RuntimeContext& Controller::context() { return *m->context; }
+std::span<uint8_t> Controller::siteFlags() { return m->siteFlags; }
+void Controller::setSiteHook(SiteHook hook) { m->hook = std::move(hook); }
+void Controller::useQuickCode(bool wanted) { m->wantsQuick = wanted; }
+void Controller::abandonScan() { m->wantsAbandon = true; }
+void Controller::setHalted(bool isHalted) { m->isHalted = isHalted; }
+void Controller::report(EventKind kind, std::string text) { m->report(kind, std::move(text)); }
+std::vector<FaultFrame> Controller::callPath(uint32_t site) const { return callPathOf(*m->program, *m->context, site, m->entry); }
+
+// ---------------------------------------------------------------- program and image
+
+void Controller::State_::setProgram(std::shared_ptr<const image::CompiledProgram> next) {
+    program = std::move(next);
+    image.resize(std::max<size_t>(program->layout.imageSize, sizeof(image::ImageHeader)));
+    siteFlags.assign(program->sites.size() + 1, 0);
+    schedule.setTasks(program->tasks, settings.freewheelingInterval);
+    schedule.rebase(time);
+    prepareContext(image.get());
+}
+
+void Controller::State_::prepareContext(std::byte* bytes) {
+    context->image = bytes;
+    context->dataBegin = sizeof(image::ImageHeader);
+    context->dataEnd = program->layout.dataEnd;
+    context->frameTop = program->layout.frameBegin;
+    context->imageSize = program->layout.imageSize;
+    context->siteFlags = siteFlags.data();
+    context->depth = 0;
+    context->currentSite = 0;
+    context->fault = image::FaultCode::None;
+    context->faultSite = 0;
+    context->loopBudget = isRealTime ? 100'000 : settings.loopBudgetPerScan;
+}
+
+const image::Code* Controller::State_::currentCode() const {
+    if (!wantsQuick || !program->quick)
+        if (const image::Code* optimised = program->optimised.load(std::memory_order_acquire)) return optimised;
+    return program->quick.get();
+}
+
+namespace {
+
+struct InitialiserCall {
+    image::RuntimeContext* context;
+    image::Entry entry;
+};
+void callInitialiser(void* argument) {
+    const auto& call = *static_cast<InitialiserCall*>(argument);
+    call.entry(call.context, call.context->image, 0);
+}
+
+struct TaskCall {
+    image::RuntimeContext* context;
+    const image::Code* code;
+    const image::CompiledProgram* program;
+    const image::Task* task;
+    image::CallRecord* entry;
+};
+void callEntry(const TaskCall& call, uint32_t function, uint32_t instance) {
+    if (function == 0 || function >= call.code->entries.size() || !call.code->entries[function]) return;
+    call.entry->function = function;
+    call.context->depth = 0;
+    call.context->frameTop = call.program->layout.frameBegin;
+    call.code->entries[function](call.context, call.context->image, instance);
+}
+/// Runs under FaultExit: nothing in here may own anything.
+void callTask(void* argument) {
+    const auto& call = *static_cast<TaskCall*>(argument);
+    for (const image::TaskProgram& part : call.task->programs) {
+        const uint32_t instance = call.program->layout.roots[part.root].offset;
+        *call.entry = image::CallRecord{0, part.function, instance, call.program->layout.frameBegin};
+        callEntry(call, part.connectIn, instance);
+        callEntry(call, part.function, instance);
+        callEntry(call, part.connectOut, instance);
+    }
+}
+
+} // namespace
+
+bool Controller::State_::initialise(std::span<std::byte> bytes) {
+    const std::vector<std::byte>& initial = program->initialImage;
+    const size_t known = std::min(initial.size(), bytes.size());
+    std::memcpy(bytes.data(), initial.data(), known);
+    std::memset(bytes.data() + known, 0, bytes.size() - known);
+    const image::Code* start = currentCode();
+    if (!program->initializer || !start || program->initializer >= start->entries.size() || !start->entries[program->initializer]) return true;
+    isRealTime = false;
+    task = nullptr;
+    prepareContext(bytes.data());
+    entry = image::CallRecord{0, program->initializer, 0, program->layout.frameBegin};
+    InitialiserCall call{context.get(), start->entries[program->initializer]};
+    const bool good = exit.run(&callInitialiser, &call);
+    context->image = image.get();
+    return good;
+}
+
+void Controller::State_::keepSafeOutputs() {
+    const image::AreaRange& outputs = layout().outputs;
+    safeOutputs.assign(image.get() + outputs.begin, image.get() + outputs.begin + outputs.size);
+}
+
+void Controller::State_::makeOutputsSafe() {
+    if (!safeOutputs.empty()) std::memcpy(image.get() + layout().outputs.begin, safeOutputs.data(), safeOutputs.size());
+    forces.apply(image.get());
+}
+
+// ---------------------------------------------------------------- states
+
+void Controller::start() {
+    if (m->state == State::Fault || m->state == State::Running) return;
+    if (m->state == State::Stopped) m->firstPending = true;
+    m->state = State::Running;
+    m->report(EventKind::Started, {});
+}
+
+void Controller::pause() {
+    if (m->state != State::Running) return;
+    m->state = State::Paused;
+    m->report(EventKind::Paused, {});
+}
+
+void Controller::stop() {
+    if (m->state == State::Stopped || m->state == State::Fault) return;
+    m->state = State::Stopped;
+    m->makeOutputsSafe();
+    m->report(EventKind::Stopped, {});
+}
+
+void Controller::reset(ResetKind kind) {
+    ImageBuffer before;
+    before.resize(m->image.span().size());
+    std::memcpy(before.get(), m->image.get(), m->image.span().size());
+    const image::ImageHeader header = m->header();
+    m->fault.reset();
+    m->state = State::Stopped;
+    if (!m->initialise(m->image.span())) {
+        m->state = State::Fault;
+        m->fault = m->describeFault(false);
+    }
+    m->keepSafeOutputs();
+    const types::TypeTable& types = *m->layout().types;
+    const auto keep = [&](const image::Place& place) {
+        if (place.bit < 0) std::memcpy(m->image.get() + place.offset, before.get() + place.offset, types[place.type].size);
+        else types::writeValue(types, place.type, types::readValue(types, place.type, before.span().subspan(place.offset), place.bit), m->image.span().subspan(place.offset), place.bit);
+    };
+    if (kind != ResetKind::Origin) {
+        forEachRetained(m->layout(), kind == ResetKind::Cold, [&](const std::string&, const image::Place& place) { keep(place); });
+        for (const image::Root& root : m->layout().roots)
+            if (root.isSimulation) keep({root.type, root.offset, root.bit});
+        const image::AreaRange& inputs = m->layout().inputs;
+        std::memcpy(m->image.get() + inputs.begin, before.get() + inputs.begin, inputs.size);
+        m->header() = header; // the clock goes on: the plant may be timing something
+    } else {
+        m->simulationFault.reset();
+        m->simulationFirstPending = true;
+        m->scan = 0;
+        m->time = -1;
+    }
+    m->firstPending = true;
+    m->forces.apply(m->image.get());
+    m->schedule.rebase(m->time);
+    m->schedule.restoreTriggers(m->image.get());
+    m->schedule.skip(false);
+    m->report(EventKind::Reset, kind == ResetKind::Warm ? "warm" : kind == ResetKind::Cold ? "cold" : "origin");
+}
+
+// ---------------------------------------------------------------- the scan
+
+bool Controller::scan(std::optional<Nanoseconds> at) {
+    State_& s = *m;
+    s.isRealTime = at.has_value();
+    int64_t instant = s.schedule.nextDue();
+    if (at) {
+        if (at->count() < instant) return true;
+        instant = s.schedule.lastInstant(at->count());
+    }
+    s.code = s.currentCode();
+    if (!s.code) return true;
+    s.wantsAbandon = false;
+    const bool plcRuns = s.plcRuns();
+    const bool isFirst = s.firstPending && plcRuns;
+    const uint64_t skipped = s.schedule.begin(instant, at ? at->count() : instant, isFirst);
+    if (plcRuns && !isFirst) s.skipped += skipped;
+
+    image::ImageHeader& header = s.header();
+    header.timeNs = instant;
+    header.calendarNs = s.settings.calendarStartNs + instant;
+    header.scan = s.scan;
+
+    if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
+    if (s.schedule.hasSimulation() && !s.simulationFault) {
+        header.firstScan = s.simulationFirstPending ? 1 : 0;
+        s.simulationFirstPending = false;
+        if (!s.runTasks(true)) {
+            if (s.wantsAbandon) return s.finishScan(-1), false;
+            s.enterFault(true);
+        }
+    } else if (s.schedule.hasSimulation()) {
+        s.schedule.skip(true);
+    }
+    s.forces.apply(s.image.get());
+    bool good = true;
+    if (plcRuns) {
+        header.firstScan = s.firstPending ? 1 : 0;
+        s.firstPending = false;
+        if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
+        good = s.runTasks(false);
+        if (!good && s.wantsAbandon) return s.finishScan(-1), false;
+        if (good) s.forces.apply(s.image.get());
+    } else {
+        s.schedule.skip(false);
+    }
+    if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
+    s.finishScan(instant);
+    if (!good) s.enterFault(false);
+    return good;
+}
+
+/// Records the scan; instant < 0: it was abandoned and does not count.
+void Controller::State_::finishScan(int64_t instant) {
+    if (instant < 0) {
+        state = State::Stopped;
+        isHalted = false;
+        schedule.rebase(time);
+        makeOutputsSafe();
+        return;
+    }
+    image::ImageHeader& h = header();
+    if (schedule.hasEvents()) schedule.storePending(h);
+    h.reserved[2] = (firstPending ? kFirstScanPending : 0) | (simulationFirstPending ? kSimulationFirstPending : 0);
+    const uint64_t number = scan++;
+    time = instant;
+    const std::span<const std::byte> bytes = image.span();
+    for (ScanObserver* observer : observers) observer->scanFinished(bytes, number, Nanoseconds(instant));
+}
+
+bool Controller::State_::runTasks(bool isSimulation) {
+    int64_t now = -1;
+    while (TaskRun* run = schedule.next(isSimulation)) {
+        taskStart = now >= 0 ? now : clock->nowNs();
+        if (!runTask(*run)) return false;
+        now = clock->nowNs();
+        const int64_t elapsed = now - taskStart;
+        addRun(*run, elapsed);
+        if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), plcRuns());
+        if (!isRealTime) continue;
+        run->watchdogStreak = elapsed > watchdogNs() ? run->watchdogStreak + 1 : 0;
+        if (run->watchdogStreak < std::max<uint32_t>(1, run->task->watchdogSensitivity)) continue;
+        run->watchdogStreak = 0;
+        context->fault = image::FaultCode::Watchdog;
+        context->faultSite = 0;
+        context->depth = 0;
+        return false;
+    }
+    return true;
+}
+
+bool Controller::State_::runTask(TaskRun& run) {
+    task = run.task;
+    header().taskPeriodNs = static_cast<uint64_t>(run.interval);
+    prepareContext(image.get());
+    TaskCall call{context.get(), code, program.get(), task, &entry};
+    return exit.run(&callTask, &call);
+}
+
+Fault Controller::State_::describeFault(bool isSimulation) const {
+    Fault f;
+    f.code = context->fault;
+    f.message = faultMessage(*context);
+    if (f.code == image::FaultCode::Watchdog) {
+        if (isRealTime) f.message = "the task ran longer than its watchdog of " + types::durationText(watchdogNs());
+        else f.message = "more than " + std::to_string(settings.loopBudgetPerScan) + " loop passes and calls in one run of the task; is there a loop without an end?";
+    }
+    f.task = task ? task->name : std::string();
+    f.calls = callPathOf(*program, *context, context->faultSite, entry);
+    if (!f.calls.empty()) f.range = f.calls.front().range;
+    f.scan = scan;
+    f.time = Nanoseconds(header().timeNs);
+    f.isSimulation = isSimulation;
+    return f;
+}
+
+void Controller::State_::enterFault(bool isSimulation) {
+    Fault f = describeFault(isSimulation);
+    if (!isSimulation) f.scan = scan - 1; // it was recorded as the last scan
+    const std::string text = (isSimulation ? "simulation: " : "") + f.message;
+    if (isSimulation) {
+        simulationFault = std::move(f);
+    } else {
+        fault = std::move(f);
+        state = State::Fault;
+        makeOutputsSafe();
+    }
+    report(EventKind::Fault, text);
+}
+
+void Controller::State_::report(EventKind kind, std::string text) {
+    if (observers.empty()) return;
+    const Event event{kind, scan, Nanoseconds(std::max<int64_t>(0, time)), std::move(text)};
+    for (ScanObserver* observer : observers) observer->eventHappened(event);
+}
+
+std::vector<TaskStatistics> Controller::statistics() const {
+    std::vector<TaskStatistics> all;
+    for (const TaskRun& run : m->schedule.runs()) all.push_back(run.statistics);
+    return all;
+}
+
+void Controller::resetStatistics() {
+    for (TaskRun& run : m->schedule.runs()) {
+        TaskStatistics fresh;
+        fresh.name = std::move(run.statistics.name);
+        fresh.histogram.resize(run.statistics.histogram.size());
+        run.statistics = std::move(fresh);
+    }
+}
+
+} // namespace plc::controller

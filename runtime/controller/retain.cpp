@@ -1,0 +1,176 @@
+#include "runtime/controller/retain.h"
+
+#include "runtime/base/text.h"
+#include "runtime/controller/retained_places.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace plc::controller {
+
+namespace {
+
+constexpr std::string_view kFirstLine = "stepwise retain 1";
+
+std::string spelled(const types::TypeTable& types, types::TypeId id) {
+    const types::Type& type = types[id];
+    return type.space.empty() ? type.name : type.space + "." + type.name;
+}
+
+bool isReference(const types::TypeTable& types, types::TypeId id) {
+    const types::TypeKind kind = types.kind(id);
+    return kind == types::TypeKind::Pointer || kind == types::TypeKind::Reference || kind == types::TypeKind::Interface;
+}
+
+/// Enum values go by name in the file's type, so that a renumbered enumeration does not take a wrong one: the value is kept only when
+/// the name has it still. The name is written behind the type.
+std::string typeText(const types::TypeTable& types, types::TypeId id, std::span<const std::byte> bytes) {
+    std::string text = spelled(types, id);
+    if (types.kind(id) != types::TypeKind::Enum) return text;
+    const int64_t value = types::readValue(types, types.storage(id), bytes).integer();
+    for (const types::Enumerator& e : types[id].enumerators)
+        if (e.value == value) return text + "#" + e.name;
+    return text;
+}
+
+uint32_t checksum(std::string_view text) { // FNV-1a
+    uint32_t hash = 2166136261u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+
+std::string hex(std::span<const std::byte> bytes) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string text;
+    for (const std::byte b : bytes) {
+        text += digits[static_cast<unsigned>(b) >> 4];
+        text += digits[static_cast<unsigned>(b) & 15];
+    }
+    return text;
+}
+bool parseHex(std::string_view text, std::vector<std::byte>& bytes) {
+    if (text.size() % 2) return false;
+    const auto digit = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1; };
+    for (size_t i = 0; i < text.size(); i += 2) {
+        if (digit(text[i]) < 0 || digit(text[i + 1]) < 0) return false;
+        bytes.push_back(static_cast<std::byte>(digit(text[i]) * 16 + digit(text[i + 1])));
+    }
+    return true;
+}
+
+Error fileError(const std::string& what, const std::string& file) { return Error{what + ": " + std::strerror(errno), file}; }
+
+} // namespace
+
+std::vector<RetainedLeaf> retainedLeaves(const Controller& controller) {
+    std::vector<RetainedLeaf> leaves;
+    const image::Layout& layout = controller.program().layout;
+    const std::span<const std::byte> image = controller.image();
+    const auto collect = [&](bool persistentOnly) {
+        forEachRetained(layout, persistentOnly, [&](const std::string& path, const image::Place& place) {
+            layout.forEachLeaf(path, place, [&](const std::string& leaf, const image::Place& at) {
+                if (isReference(*layout.types, at.type)) return true;
+                const std::span<const std::byte> bytes = image.subspan(at.offset, at.bit >= 0 ? 1 : (*layout.types)[at.type].size);
+                RetainedLeaf entry{leaf, typeText(*layout.types, at.type, bytes), persistentOnly, {bytes.begin(), bytes.end()}};
+                if (at.bit >= 0) entry.bytes = {std::byte(static_cast<unsigned>(bytes[0]) >> at.bit & 1)};
+                leaves.push_back(std::move(entry));
+                return true;
+            });
+        });
+    };
+    collect(false);
+    return leaves;
+}
+
+Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>& leaves) {
+    std::string text(kFirstLine);
+    text += "\n";
+    for (const RetainedLeaf& leaf : leaves) text += leaf.path + "\t" + leaf.type + "\t" + hex(leaf.bytes) + "\n";
+    char sum[16];
+    std::snprintf(sum, sizeof sum, "%08x", checksum(text));
+    text += std::string("end ") + sum + "\n";
+
+    const std::string aside = file + ".new";
+    const int handle = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (handle < 0) return fileError("the retain file can not be written", aside);
+    size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t n = ::write(handle, text.data() + done, text.size() - done);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) {
+            const Error error = fileError("the retain file can not be written", aside);
+            ::close(handle);
+            ::unlink(aside.c_str());
+            return error;
+        }
+        done += static_cast<size_t>(n);
+    }
+    const bool isSafe = ::fsync(handle) == 0;
+    if (::close(handle) != 0 || !isSafe || ::rename(aside.c_str(), file.c_str()) != 0) {
+        const Error error = fileError("the retain file can not be written", file);
+        ::unlink(aside.c_str());
+        return error;
+    }
+    return {};
+}
+
+Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) {
+        if (::access(file.c_str(), F_OK) != 0) return std::vector<RetainedLeaf>{};
+        return fileError("the retain file can not be read", file);
+    }
+    std::stringstream buffer;
+    buffer << in.rdbuf();
+    const std::string text = buffer.str();
+    const Error damaged{"the retain file is damaged; the program starts with its initial values", file};
+    const size_t end = text.rfind("end ");
+    if (text.compare(0, kFirstLine.size(), kFirstLine) != 0 || end == std::string::npos || end == 0 || text[end - 1] != '\n') return damaged;
+    char sum[16];
+    std::snprintf(sum, sizeof sum, "%08x", checksum(std::string_view(text).substr(0, end)));
+    if (text.compare(end + 4, 8, sum) != 0) return damaged;
+
+    std::vector<RetainedLeaf> leaves;
+    size_t at = text.find('\n') + 1;
+    while (at < end) {
+        const size_t lineEnd = text.find('\n', at);
+        const std::string_view line = std::string_view(text).substr(at, lineEnd - at);
+        at = lineEnd + 1;
+        const size_t first = line.find('\t');
+        const size_t second = line.find('\t', first + 1);
+        if (first == std::string_view::npos || second == std::string_view::npos) return damaged;
+        RetainedLeaf leaf;
+        leaf.path = line.substr(0, first);
+        leaf.type = line.substr(first + 1, second - first - 1);
+        if (!parseHex(line.substr(second + 1), leaf.bytes)) return damaged;
+        leaves.push_back(std::move(leaf));
+    }
+    return leaves;
+}
+
+RetainOutcome restoreRetained(Controller& controller, const std::vector<RetainedLeaf>& leaves) {
+    RetainOutcome outcome;
+    const image::Layout& layout = controller.program().layout;
+    const types::TypeTable& types = *layout.types;
+    std::vector<std::pair<std::string, types::Value>> values;
+    for (const RetainedLeaf& leaf : leaves) {
+        const Result<image::Place> place = layout.find(leaf.path);
+        bool fits = false;
+        if (place && !isReference(types, place->type)) {
+            const size_t size = place->bit >= 0 ? 1 : types[place->type].size;
+            const std::string type = leaf.type.substr(0, leaf.type.find('#'));
+            fits = equalsIgnoringCase(type, spelled(types, place->type)) && leaf.bytes.size() == size && equalsIgnoringCase(typeText(types, place->type, leaf.bytes), leaf.type);
+            if (fits) values.emplace_back(leaf.path, types::readValue(types, place->type, leaf.bytes, place->bit >= 0 ? 0 : -1));
+        }
+        if (!fits) outcome.lost.push_back(leaf.path);
+    }
+    outcome.restored = controller.restoreRetained(values);
+    controller.report(EventKind::RetainRestored, std::to_string(outcome.restored));
+    return outcome;
+}
+
+} // namespace plc::controller
