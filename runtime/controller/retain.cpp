@@ -70,19 +70,16 @@ std::vector<RetainedLeaf> retainedLeaves(const Controller& controller) {
     std::vector<RetainedLeaf> leaves;
     const image::Layout& layout = controller.program().layout;
     const std::span<const std::byte> image = controller.image();
-    const auto collect = [&](bool persistentOnly) {
-        forEachRetained(layout, persistentOnly, [&](const std::string& path, const image::Place& place) {
-            layout.forEachLeaf(path, place, [&](const std::string& leaf, const image::Place& at) {
-                if (isReference(*layout.types, at.type)) return true;
-                const std::span<const std::byte> bytes = image.subspan(at.offset, at.bit >= 0 ? 1 : (*layout.types)[at.type].size);
-                RetainedLeaf entry{leaf, typeText(*layout.types, at.type, bytes), persistentOnly, {bytes.begin(), bytes.end()}};
-                if (at.bit >= 0) entry.bytes = {std::byte(static_cast<unsigned>(bytes[0]) >> at.bit & 1)};
-                leaves.push_back(std::move(entry));
-                return true;
-            });
+    forEachRetained(layout, false, [&](const std::string& path, const image::Place& place) {
+        layout.forEachLeaf(path, place, [&](const std::string& leaf, const image::Place& at) {
+            if (isReference(*layout.types, at.type)) return true;
+            const std::span<const std::byte> bytes = image.subspan(at.offset, at.bit >= 0 ? 1 : (*layout.types)[at.type].size);
+            RetainedLeaf entry{leaf, typeText(*layout.types, at.type, bytes), {bytes.begin(), bytes.end()}};
+            if (at.bit >= 0) entry.bytes = {std::byte(static_cast<unsigned>(bytes[0]) >> at.bit & 1)};
+            leaves.push_back(std::move(entry));
+            return true;
         });
-    };
-    collect(false);
+    });
     return leaves;
 }
 

@@ -8,7 +8,6 @@ namespace plc::controller {
 /// One leaf as the file holds it.
 struct RetainedLeaf {
     std::string path, type; // type as spelled: "INT", "STRING(20)", "Colour"
-    bool isPersistent = false;
     std::vector<std::byte> bytes;
 };
 struct RetainOutcome {
