@@ -1,0 +1,316 @@
+#include "editor/analysis/workspace.h"
+
+#include "projects/storage/project_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace plc::editor {
+
+namespace {
+constexpr int kPauseMs = 15;        // after a keystroke, before a check starts
+constexpr int kAutosaveMs = 10'000; // between side files
+std::string toStd(const QString& text) { return text.toStdString(); }
+} // namespace
+
+Workspace::Workspace(QObject* parent) : QObject(parent) {
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPauseMs);
+    connect(&m_pause, &QTimer::timeout, this, &Workspace::startCheck);
+    m_autosave.setInterval(kAutosaveMs);
+    connect(&m_autosave, &QTimer::timeout, this, &Workspace::autosave);
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &Workspace::readDiskChange);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &Workspace::readFolderChange);
+    m_worker = std::thread([this] { workerLoop(); });
+}
+
+Workspace::~Workspace() {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_quit = true;
+    }
+    m_wake.notify_one();
+    m_worker.join();
+}
+
+Result<void> Workspace::open(const QString& folder) {
+    auto project = projects::openProject({toStd(folder)});
+    if (!project) return project.error();
+    close();
+    m_project = std::move(*project);
+    for (const auto* list : {&m_project->sources, &m_project->tests})
+        for (const driver::SourceFile& file : *list) m_files[QString::fromStdString(file.path)] = {file.text, file.text};
+    watchFiles();
+    m_autosave.start();
+    emit opened();
+    startCheck();
+    return {};
+}
+
+void Workspace::close() {
+    if (!m_project) return;
+    m_autosave.stop();
+    m_pause.stop();
+    if (!m_watcher.files().isEmpty()) m_watcher.removePaths(m_watcher.files());
+    if (!m_watcher.directories().isEmpty()) m_watcher.removePaths(m_watcher.directories());
+    m_project.reset();
+    m_files.clear();
+    m_model.reset();
+    ++m_revision; // whatever the worker still computes is old
+    emit closed();
+}
+
+QString Workspace::folder() const { return m_project ? QString::fromStdString(m_project->folder) : QString(); }
+
+QString Workspace::absolutePath(const QString& file) const {
+    return folder().isEmpty() ? QFileInfo(file).absoluteFilePath() : folder() + "/" + file;
+}
+
+void Workspace::watchFiles() {
+    QStringList paths;
+    for (const auto& [file, content] : m_files) paths << absolutePath(file);
+    for (const char* part : {"src", "tests"})
+        if (QDir(folder() + "/" + part).exists()) paths << folder() + "/" + part;
+    if (!paths.isEmpty()) m_watcher.addPaths(paths);
+}
+
+QStringList Workspace::files() const {
+    QStringList out;
+    for (const auto& [file, content] : m_files) out << file;
+    return out;
+}
+
+driver::BuildInput Workspace::buildInput() const {
+    driver::BuildInput input;
+    if (!m_project) return input;
+    input.libraries = m_project->libraries;
+    for (const auto& [file, content] : m_files)
+        if (!isTestFile(file)) input.files.push_back({toStd(file), content.text});
+    return input;
+}
+
+std::string Workspace::text(const QString& file) const {
+    const auto it = m_files.find(file);
+    return it == m_files.end() ? std::string() : it->second.text;
+}
+
+void Workspace::setText(const QString& file, std::string text) {
+    const auto it = m_files.find(file);
+    if (it == m_files.end() || it->second.text == text) return;
+    const bool was = isModified(file);
+    it->second.text = std::move(text);
+    if (was != isModified(file)) emit modificationChanged(file, !was);
+    m_pause.start();
+}
+
+bool Workspace::isModified(const QString& file) const {
+    const auto it = m_files.find(file);
+    return it != m_files.end() && it->second.text != it->second.onDisk;
+}
+
+QStringList Workspace::modifiedFiles() const {
+    QStringList out;
+    for (const auto& [file, content] : m_files)
+        if (content.text != content.onDisk) out << file;
+    return out;
+}
+
+Result<void> Workspace::save(const QString& file) {
+    const auto it = m_files.find(file);
+    if (it == m_files.end()) return Error{"There is no such file in the project", toStd(file)};
+    if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), it->second.text); !written) return written;
+    const bool was = isModified(file);
+    it->second.onDisk = it->second.text;
+    QFile::remove(sideFile(file));
+    m_watcher.addPath(absolutePath(file)); // the exchanged file is a new one to the watcher
+    if (was) emit modificationChanged(file, false);
+    emit saved(file);
+    return {};
+}
+
+Result<void> Workspace::saveAll() {
+    for (const QString& file : modifiedFiles())
+        if (auto done = save(file); !done) return done;
+    return {};
+}
+
+void Workspace::revert(const QString& file) {
+    const auto it = m_files.find(file);
+    if (it == m_files.end()) return;
+    it->second.text = it->second.onDisk;
+    QFile::remove(sideFile(file));
+    emit textReplaced(file);
+    emit modificationChanged(file, false);
+    m_pause.start();
+}
+
+Result<void> Workspace::addFile(const QString& file, const std::string& text) {
+    if (m_files.contains(file) || QFile::exists(absolutePath(file))) return Error{"There is a file of that name already", toStd(file)};
+    QDir().mkpath(QFileInfo(absolutePath(file)).path());
+    if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), text); !written) return written;
+    m_files[file] = {text, text};
+    watchFiles();
+    emit filesChanged();
+    startCheck();
+    return {};
+}
+
+Result<void> Workspace::removeFile(const QString& file) {
+    if (!m_files.contains(file)) return Error{"There is no such file in the project", toStd(file)};
+    if (!QFile::moveToTrash(absolutePath(file)) && !QFile::remove(absolutePath(file)))
+        return Error{"The file can not be removed; check the permissions of the folder", toStd(file)};
+    QFile::remove(sideFile(file));
+    m_files.erase(file);
+    emit filesChanged();
+    startCheck();
+    return {};
+}
+
+Result<void> Workspace::renameFile(const QString& from, const QString& to) {
+    if (!m_files.contains(from)) return Error{"There is no such file in the project", toStd(from)};
+    if (m_files.contains(to) || QFile::exists(absolutePath(to))) return Error{"There is a file of that name already", toStd(to)};
+    if (!QFile::rename(absolutePath(from), absolutePath(to))) return Error{"The file can not be renamed; check the permissions of the folder", toStd(from)};
+    m_files[to] = m_files[from];
+    QFile::remove(sideFile(from));
+    m_files.erase(from);
+    watchFiles();
+    emit filesChanged();
+    startCheck();
+    return {};
+}
+
+Result<void> Workspace::saveProjectFile(const projects::Project& project) {
+    if (auto saved = projects::saveProjectFile(project); !saved) return saved;
+    m_project->json = project.json;
+    m_project->libraries = project.libraries;
+    m_project->name = project.name;
+    startCheck();
+    return {};
+}
+
+// ------------------------------------------------------------------ changes from outside
+
+void Workspace::readDiskChange(const QString& absolute) {
+    const QString file = QDir(folder()).relativeFilePath(absolute);
+    const auto it = m_files.find(file);
+    if (it == m_files.end()) return;
+    QFile disk(absolute);
+    if (!disk.open(QIODevice::ReadOnly)) { // moved away, or about to be replaced by another program
+        readFolderChange();
+        return;
+    }
+    m_watcher.addPath(absolute);
+    const std::string now = disk.readAll().toStdString();
+    if (now == it->second.onDisk) return;
+    const bool editedHere = isModified(file);
+    it->second.onDisk = now;
+    if (editedHere && it->second.text != now) {
+        emit changedOnDiskAndHere(file);
+        return;
+    }
+    it->second.text = now;
+    emit textReplaced(file);
+    m_pause.start();
+}
+
+void Workspace::readFolderChange() {
+    if (!m_project) return;
+    const auto project = projects::openProject({toStd(folder())});
+    if (!project) return; // half-written; the next change tells
+    bool changed = false;
+    std::map<QString, bool> there;
+    for (const auto* list : {&project->sources, &project->tests})
+        for (const driver::SourceFile& source : *list) {
+            const QString file = QString::fromStdString(source.path);
+            there[file] = true;
+            if (m_files.contains(file)) continue;
+            m_files[file] = {source.text, source.text};
+            changed = true;
+        }
+    for (auto it = m_files.begin(); it != m_files.end();) {
+        if (!there.contains(it->first) && it->second.text == it->second.onDisk && !QFile::exists(absolutePath(it->first))) {
+            it = m_files.erase(it);
+            changed = true;
+        } else {
+            ++it;
+        }
+    }
+    if (!changed) return;
+    watchFiles();
+    emit filesChanged();
+    startCheck();
+}
+
+// ------------------------------------------------------------------ side files
+
+QString Workspace::sideFile(const QString& file) const {
+    const QFileInfo path(absolutePath(file));
+    return path.path() + "/." + path.fileName() + ".autosave";
+}
+
+void Workspace::autosave() {
+    for (const auto& [file, content] : m_files) {
+        const QString side = sideFile(file);
+        if (content.text == content.onDisk) {
+            if (QFile::exists(side)) QFile::remove(side);
+            continue;
+        }
+        (void)projects::writeFileAtomically(toStd(side), content.text); // a full disk is told at the real save
+    }
+}
+
+std::map<QString, std::string> Workspace::recoverable() const {
+    std::map<QString, std::string> out;
+    for (const auto& [file, content] : m_files) {
+        QFile side(sideFile(file));
+        if (!side.open(QIODevice::ReadOnly)) continue;
+        std::string text = side.readAll().toStdString();
+        if (text != content.onDisk) out[file] = std::move(text);
+    }
+    return out;
+}
+
+void Workspace::discardRecovery() {
+    for (const auto& [file, content] : m_files) QFile::remove(sideFile(file));
+}
+
+// ------------------------------------------------------------------ checking
+
+void Workspace::checkNow() {
+    m_pause.stop();
+    startCheck();
+}
+
+void Workspace::startCheck() {
+    if (!m_project) return;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_job = {buildInput(), ++m_revision};
+    }
+    m_wake.notify_one();
+}
+
+void Workspace::workerLoop() {
+    for (;;) {
+        std::pair<driver::BuildInput, uint64_t> job;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, [this] { return m_quit || m_job; });
+            if (m_quit) return;
+            job = std::move(*m_job);
+            m_job.reset();
+        }
+        auto model = analysis::CodeModel::make(job.first, job.second);
+        QMetaObject::invokeMethod(
+            this,
+            [this, model] {
+                if (!m_project || model->revision() < m_revision) return; // overtaken
+                m_model = model;
+                emit analysed(model);
+            },
+            Qt::QueuedConnection);
+    }
+}
+
+} // namespace plc::editor

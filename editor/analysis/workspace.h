@@ -1,0 +1,97 @@
+// The project as it is being edited: its files on disk, overlaid by what the open editors hold, and the newest analysis of all of it.
+// Owned by the main window; GUI thread. Checking runs on one worker thread; a result that a newer text overtook is dropped (flow 1).
+#pragma once
+#include "projects/analysis/code_model.h"
+#include "projects/model/project.h"
+#include "runtime/base/result.h"
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <condition_variable>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace plc::editor {
+
+class Workspace : public QObject {
+    Q_OBJECT
+public:
+    explicit Workspace(QObject* parent = nullptr);
+    ~Workspace() override;
+
+    Result<void> open(const QString& folder);
+    void close();
+    [[nodiscard]] bool isOpen() const { return m_project.has_value(); }
+    [[nodiscard]] const projects::Project& project() const { return *m_project; }
+    [[nodiscard]] QString folder() const;
+    /// What would be built now: open editors included.
+    [[nodiscard]] driver::BuildInput buildInput() const;
+    /// Source and test files by their path in the project ("src/main.st"), in order.
+    [[nodiscard]] QStringList files() const;
+    [[nodiscard]] static bool isTestFile(const QString& file) { return file.startsWith("tests/"); }
+    [[nodiscard]] QString absolutePath(const QString& file) const;
+
+    [[nodiscard]] std::string text(const QString& file) const;
+    void setText(const QString& file, std::string text); // an editor's content; starts a check
+    [[nodiscard]] bool isModified(const QString& file) const;
+    [[nodiscard]] QStringList modifiedFiles() const;
+    Result<void> save(const QString& file);
+    Result<void> saveAll();
+    void revert(const QString& file); // back to what is on disk
+    Result<void> addFile(const QString& file, const std::string& text);
+    Result<void> removeFile(const QString& file);
+    Result<void> renameFile(const QString& from, const QString& to);
+    Result<void> saveProjectFile(const projects::Project& project);
+
+    [[nodiscard]] std::shared_ptr<const analysis::CodeModel> model() const { return m_model; }
+    void checkNow(); // without waiting for the pause in typing
+
+    /// Side files of unsaved texts, found after a crash: file → text.
+    [[nodiscard]] std::map<QString, std::string> recoverable() const;
+    void discardRecovery();
+
+signals:
+    void opened();
+    void closed();
+    void filesChanged();
+    void textReplaced(const QString& file);                // changed from outside or reverted: editors load it anew
+    void modificationChanged(const QString& file, bool modified);
+    void changedOnDiskAndHere(const QString& file);        // the user must choose
+    void analysed(std::shared_ptr<const plc::analysis::CodeModel> model);
+    void saved(const QString& file);
+
+private:
+    struct File {
+        std::string text; // as edited
+        std::string onDisk;
+    };
+    void startCheck();
+    void workerLoop();
+    void readDiskChange(const QString& absolute);
+    void readFolderChange();
+    void watchFiles();
+    void autosave();
+    [[nodiscard]] QString sideFile(const QString& file) const;
+
+    std::optional<projects::Project> m_project;
+    std::map<QString, File> m_files;
+    std::shared_ptr<const analysis::CodeModel> m_model;
+    QFileSystemWatcher m_watcher;
+    QTimer m_pause;
+    QTimer m_autosave;
+    uint64_t m_revision = 0;
+
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::optional<std::pair<driver::BuildInput, uint64_t>> m_job;
+    bool m_quit = false;
+    std::thread m_worker;
+};
+
+} // namespace plc::editor
