@@ -1,0 +1,590 @@
+#include "editor/text/st_editor.h"
+
+#include "editor/kit/icons.h"
+#include "editor/kit/theme.h"
+#include "runtime/base/text.h"
+#include "runtime/compiler/format/format.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+
+namespace plc::editor {
+
+namespace {
+enum Margin { kLineNumbers = 0, kMarks = 1, kChanges = 2, kFolds = 3 };
+enum Marker { kBreakpoint = 0, kBreakpointOff = 1, kExecuted = 2, kErrorMark = 3, kWarningMark = 4, kChangedLine = 5, kAddedLine = 6, kExecutedArrow = 7 };
+enum Indicator { kErrorSquiggle = 8, kWarningSquiggle = 9, kInfoDots = 10, kSameWord = 11, kBlockWords = 12, kFound = 13, kUnused = 14 };
+constexpr int kListId = 1;
+using S = QsciScintillaBase;
+} // namespace
+
+StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer(this)) {
+    setUtf8(true);
+    setEolMode(EolUnix);
+    setLexer(m_lexer);
+    setMarginType(kLineNumbers, NumberMargin);
+    setMarginType(kMarks, SymbolMargin);
+    setMarginWidth(kMarks, 18);
+    setMarginSensitivity(kMarks, true);
+    setMarginSensitivity(kLineNumbers, true);
+    setMarginMarkerMask(kMarks, (1 << kBreakpoint) | (1 << kBreakpointOff) | (1 << kErrorMark) | (1 << kWarningMark) | (1 << kExecutedArrow));
+    setMarginType(kChanges, SymbolMargin);
+    setMarginWidth(kChanges, 4);
+    setMarginMarkerMask(kChanges, (1 << kChangedLine) | (1 << kAddedLine));
+    setFolding(BoxedTreeFoldStyle, kFolds);
+    setMarginWidth(kFolds, 14);
+    markerDefine(Circle, kBreakpoint);
+    markerDefine(Circle, kBreakpointOff);
+    markerDefine(Background, kExecuted);
+    markerDefine(RightArrow, kExecutedArrow);
+    markerDefine(SmallRectangle, kErrorMark);
+    markerDefine(SmallRectangle, kWarningMark);
+    markerDefine(FullRectangle, kChangedLine);
+    markerDefine(FullRectangle, kAddedLine);
+    indicatorDefine(SquiggleIndicator, kErrorSquiggle);
+    indicatorDefine(SquiggleIndicator, kWarningSquiggle);
+    indicatorDefine(DotsIndicator, kInfoDots);
+    indicatorDefine(StraightBoxIndicator, kSameWord);
+    indicatorDefine(FullBoxIndicator, kBlockWords);
+    indicatorDefine(FullBoxIndicator, kFound);
+    setTabWidth(4);
+    setIndentationsUseTabs(false);
+    setBackspaceUnindents(true);
+    setBraceMatching(SloppyBraceMatch);
+    setCaretLineVisible(true);
+    setScrollWidth(1);
+    setScrollWidthTracking(true);
+    SendScintilla(S::SCI_SETMULTIPLESELECTION, 1ul);
+    SendScintilla(S::SCI_SETADDITIONALSELECTIONTYPING, 1ul);
+    SendScintilla(S::SCI_SETVIRTUALSPACEOPTIONS, 1ul);
+    SendScintilla(S::SCI_AUTOCSETIGNORECASE, 1ul);
+    SendScintilla(S::SCI_AUTOCSETORDER, 2ul); // keep our order
+    SendScintilla(S::SCI_AUTOCSETMAXHEIGHT, 12ul);
+    SendScintilla(S::SCI_AUTOCSETSEPARATOR, static_cast<unsigned long>('\n'));
+    SendScintilla(S::SCI_AUTOCSETTYPESEPARATOR, static_cast<unsigned long>('\x1f'));
+    SendScintilla(S::SCI_SETENDATLASTLINE, 0ul);
+    setAccessibleName(tr("Structured Text editor"));
+    applyTheme();
+    connect(&kit::Theme::current(), &kit::Theme::changed, this, &StEditor::applyTheme);
+
+    m_afterEdit.setSingleShot(true);
+    m_afterEdit.setInterval(120);
+    connect(&m_afterEdit, &QTimer::timeout, this, [this] {
+        updateFolding();
+        updateChangedLines();
+    });
+    m_afterMove.setSingleShot(true);
+    m_afterMove.setInterval(80);
+    connect(&m_afterMove, &QTimer::timeout, this, &StEditor::highlightAroundCursor);
+    connect(this, &QsciScintilla::textChanged, this, &StEditor::onTextChanged);
+    connect(this, &QsciScintilla::cursorPositionChanged, this, [this](int line, int column) {
+        m_afterMove.start();
+        emit cursorMoved(m_file, line + 1, column + 1);
+    });
+    connect(this, &QsciScintilla::marginClicked, this, [this](int margin, int line, Qt::KeyboardModifiers) {
+        if (margin == kMarks || margin == kLineNumbers) emit breakpointToggled(m_file, line + 1);
+    });
+    connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &StEditor::afterCharacter);
+    connect(this, &QsciScintilla::userListActivated, this, [this](int id, const QString& text) {
+        if (id != kListId) return;
+        for (const analysis::CompletionItem& item : m_completion.items) {
+            const QString shown = QString::fromStdString(item.kind == analysis::ItemKind::Snippet ? item.detail : item.text);
+            if (shown == text) return insertCompletion(item);
+        }
+    });
+}
+
+void StEditor::applyTheme() {
+    const kit::ThemeColors& c = kit::colors();
+    m_lexer->applyTheme();
+    setLexer(m_lexer);
+    setCaretForegroundColor(c.text);
+    QColor line = c.accent;
+    line.setAlpha(c.dark ? 28 : 16);
+    setCaretLineBackgroundColor(line);
+    setMarginsBackgroundColor(c.window);
+    setMarginsForegroundColor(c.muted);
+    setMarginsFont(m_lexer->defaultFont(0));
+    setFoldMarginColors(c.window, c.window);
+    setSelectionBackgroundColor(c.selection);
+    resetSelectionForegroundColor();
+    setMatchedBraceBackgroundColor(c.hover);
+    setMatchedBraceForegroundColor(c.accent);
+    setUnmatchedBraceForegroundColor(c.bad);
+    setMarkerBackgroundColor(c.breakpoint, kBreakpoint);
+    setMarkerForegroundColor(c.breakpoint, kBreakpoint);
+    setMarkerBackgroundColor(c.window, kBreakpointOff);
+    setMarkerForegroundColor(c.breakpoint, kBreakpointOff);
+    setMarkerBackgroundColor(c.current, kExecuted);
+    setMarkerBackgroundColor(c.warning, kExecutedArrow);
+    setMarkerForegroundColor(c.text, kExecutedArrow);
+    setMarkerBackgroundColor(c.bad, kErrorMark);
+    setMarkerForegroundColor(c.bad, kErrorMark);
+    setMarkerBackgroundColor(c.warning, kWarningMark);
+    setMarkerForegroundColor(c.warning, kWarningMark);
+    setMarkerBackgroundColor(c.warning, kChangedLine);
+    setMarkerBackgroundColor(c.good, kAddedLine);
+    for (int marker = SC_MARKNUM_FOLDEREND; marker <= SC_MARKNUM_FOLDEROPEN; ++marker) {
+        SendScintilla(S::SCI_MARKERSETFORE, static_cast<unsigned long>(marker), c.window);
+        SendScintilla(S::SCI_MARKERSETBACK, static_cast<unsigned long>(marker), c.muted);
+    }
+    setIndicatorForegroundColor(c.bad, kErrorSquiggle);
+    setIndicatorForegroundColor(c.warning, kWarningSquiggle);
+    setIndicatorForegroundColor(c.info, kInfoDots);
+    const auto tint = [&](QColor colour, int alpha) {
+        colour.setAlpha(alpha);
+        return colour;
+    };
+    setIndicatorForegroundColor(tint(c.accent, 70), kSameWord);
+    setIndicatorForegroundColor(tint(c.accent, 60), kBlockWords);
+    setIndicatorForegroundColor(tint(c.warning, 90), kFound);
+    setMarginWidth(kLineNumbers, QString(" %1").arg(std::max(999, lines())));
+}
+
+void StEditor::setSettings(const EditorSettings& settings) {
+    m_settings = settings;
+    setTabWidth(settings.indent);
+    setIndentationWidth(settings.indent);
+    zoomTo(settings.zoom);
+    refreshOnlineValues();
+}
+
+std::optional<FileId> StEditor::fileId() const { return m_model ? m_model->fileOf(m_file.toStdString()) : std::nullopt; }
+
+void StEditor::load(const std::string& text) {
+    m_isLoading = true;
+    setText(QString::fromStdString(text));
+    SendScintilla(S::SCI_EMPTYUNDOBUFFER);
+    m_isLoading = false;
+    m_savedText = text;
+    updateFolding();
+    updateChangedLines();
+    setMarginWidth(kLineNumbers, QString(" %1").arg(std::max(999, lines())));
+}
+
+std::string StEditor::textRange(uint32_t begin, uint32_t end) const { return utf8().substr(begin, end - begin); }
+
+std::string StEditor::utf8() const {
+    const auto length = static_cast<size_t>(SendScintilla(S::SCI_GETLENGTH));
+    std::string text(length + 1, '\0');
+    SendScintilla(S::SCI_GETTEXT, static_cast<unsigned long>(length + 1), text.data());
+    text.resize(length);
+    return text;
+}
+
+void StEditor::shareDocumentOf(StEditor& other) {
+    setDocument(other.document());
+    setFile(other.file());
+    updateFolding();
+}
+
+void StEditor::onTextChanged() {
+    if (m_isLoading) return;
+    m_afterEdit.start();
+    emit edited(m_file);
+}
+
+void StEditor::updateFolding() {
+    const std::vector<FoldLine> folds = foldLines(utf8());
+    for (size_t line = 0; line < folds.size(); ++line) {
+        const int level = S::SC_FOLDLEVELBASE + folds[line].level;
+        SendScintilla(S::SCI_SETFOLDLEVEL, static_cast<unsigned long>(line), static_cast<long>(level | (folds[line].isHeader ? S::SC_FOLDLEVELHEADERFLAG : 0)));
+    }
+}
+
+void StEditor::setSavedText(const std::string& text) {
+    m_savedText = text;
+    updateChangedLines();
+}
+
+/// Lines between the common begin and end of both texts are changed; where the saved text has none there, added.
+void StEditor::updateChangedLines() {
+    markerDeleteAll(kChangedLine);
+    markerDeleteAll(kAddedLine);
+    const QStringList now = QString::fromStdString(utf8()).split('\n'), saved = QString::fromStdString(m_savedText).split('\n');
+    int begin = 0;
+    while (begin < now.size() && begin < saved.size() && now[begin] == saved[begin]) ++begin;
+    int nowEnd = static_cast<int>(now.size()), savedEnd = static_cast<int>(saved.size());
+    while (nowEnd > begin && savedEnd > begin && now[nowEnd - 1] == saved[savedEnd - 1]) --nowEnd, --savedEnd;
+    for (int line = begin; line < nowEnd; ++line) {
+        // Inside the changed stretch, lines that stand unchanged in the saved stretch keep no mark.
+        const bool same = savedEnd - begin < 2000 && std::find(saved.begin() + begin, saved.begin() + savedEnd, now[line]) != saved.begin() + savedEnd && !now[line].trimmed().isEmpty();
+        if (!same) markerAdd(line, savedEnd == begin ? kAddedLine : kChangedLine);
+    }
+}
+
+void StEditor::setModel(std::shared_ptr<const analysis::CodeModel> model) {
+    m_model = std::move(model);
+    const auto file = fileId();
+    m_analysedText = file ? std::string(m_model->sources()[*file].text()) : std::string();
+    m_lexer->setModel(m_model, file, m_analysedText);
+    m_diagnostics.clear();
+    if (file)
+        for (const diagnostics::Diagnostic& d : m_model->diagnostics())
+            if (d.range.file == *file) m_diagnostics.push_back(d);
+    recolor();
+    showDiagnostics();
+}
+
+void StEditor::showDiagnostics() {
+    const auto length = static_cast<unsigned long>(SendScintilla(S::SCI_GETLENGTH));
+    for (const int indicator : {kErrorSquiggle, kWarningSquiggle, kInfoDots}) {
+        SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(indicator));
+        SendScintilla(S::SCI_INDICATORCLEARRANGE, 0ul, static_cast<long>(length));
+    }
+    markerDeleteAll(kErrorMark);
+    markerDeleteAll(kWarningMark);
+    for (const diagnostics::Diagnostic& d : m_diagnostics) {
+        const bool error = d.severity == diagnostics::Severity::Error, warning = d.severity == diagnostics::Severity::Warning;
+        const auto begin = std::min<unsigned long>(d.range.begin, length);
+        auto end = std::clamp<unsigned long>(d.range.end, begin, length);
+        if (end == begin) end = std::min<unsigned long>(begin + 1, length);
+        SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(error ? kErrorSquiggle : warning ? kWarningSquiggle : kInfoDots));
+        SendScintilla(S::SCI_INDICATORFILLRANGE, begin, static_cast<long>(end - begin));
+        if (error || warning) markerAdd(static_cast<int>(SendScintilla(S::SCI_LINEFROMPOSITION, begin)), error ? kErrorMark : kWarningMark);
+    }
+}
+
+uint32_t StEditor::cursorOffset() const { return static_cast<uint32_t>(SendScintilla(S::SCI_GETCURRENTPOS)); }
+
+void StEditor::goTo(uint32_t offset, uint32_t length) {
+    SendScintilla(S::SCI_ENSUREVISIBLEENFORCEPOLICY, static_cast<unsigned long>(SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))));
+    SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(offset), static_cast<long>(offset + length));
+    const long line = SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset));
+    SendScintilla(S::SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(std::max(0L, SendScintilla(S::SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(line)) - SendScintilla(S::SCI_LINESONSCREEN) / 3)));
+    setFocus();
+}
+
+void StEditor::goToLine(int line) { goTo(static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(std::clamp(line - 1, 0, std::max(0, lines() - 1)))))); }
+
+uint32_t StEditor::offsetOf(int line, int column) const {
+    const long begin = SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(std::max(0, line - 1)));
+    return static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONRELATIVE, static_cast<unsigned long>(begin), static_cast<long>(std::max(0, column - 1))));
+}
+
+void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
+    std::sort(edits.begin(), edits.end(), [](const auto& a, const auto& b) { return a.range.begin > b.range.begin; });
+    beginUndoAction();
+    for (const diagnostics::TextEdit& edit : edits) {
+        SendScintilla(S::SCI_SETTARGETSTART, static_cast<unsigned long>(edit.range.begin));
+        SendScintilla(S::SCI_SETTARGETEND, static_cast<unsigned long>(edit.range.end));
+        SendScintilla(S::SCI_REPLACETARGET, static_cast<unsigned long>(edit.text.size()), edit.text.c_str());
+    }
+    endUndoAction();
+}
+
+QString StEditor::wordUnderCursor() const {
+    const auto at = static_cast<unsigned long>(cursorOffset());
+    const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_WORDSTARTPOSITION, at, 1L)), end = static_cast<uint32_t>(SendScintilla(S::SCI_WORDENDPOSITION, at, 1L));
+    return QString::fromStdString(textRange(begin, end));
+}
+
+// ------------------------------------------------------------------ marks
+
+void StEditor::setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled) {
+    markerDeleteAll(kBreakpoint);
+    markerDeleteAll(kBreakpointOff);
+    for (const int line : lines) markerAdd(line - 1, disabled.contains(line) ? kBreakpointOff : kBreakpoint);
+}
+
+void StEditor::setExecutedLine(int line) {
+    markerDeleteAll(kExecuted);
+    markerDeleteAll(kExecutedArrow);
+    if (line <= 0) return;
+    markerAdd(line - 1, kExecuted);
+    markerAdd(line - 1, kExecutedArrow);
+}
+
+void StEditor::highlightAroundCursor() {
+    const std::string text = utf8();
+    const auto clear = [&](int indicator) {
+        SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(indicator));
+        SendScintilla(S::SCI_INDICATORCLEARRANGE, 0ul, static_cast<long>(text.size()));
+    };
+    const auto fill = [&](uint32_t begin, uint32_t end) { SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin), static_cast<long>(end - begin)); };
+    clear(kBlockWords);
+    const uint32_t at = cursorOffset();
+    for (const BlockPair& pair : findBlocks(text)) {
+        std::vector<BlockMark> marks = pair.middle;
+        marks.push_back(pair.open);
+        marks.push_back(pair.close);
+        if (std::none_of(marks.begin(), marks.end(), [&](const BlockMark& m) { return at >= m.begin && at <= m.end; })) continue;
+        for (const BlockMark& mark : marks) fill(mark.begin, mark.end);
+    }
+    clear(kSameWord);
+    const auto file = fileId();
+    if (!file || text != m_analysedText) return;
+    for (const analysis::Use& use : m_model->uses(*file, at))
+        if (use.range.file == *file) fill(use.range.begin, use.range.end);
+}
+
+void StEditor::highlightAll(const QString& wanted, bool regex, bool caseSensitive) {
+    const std::string text = utf8();
+    SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(kFound));
+    SendScintilla(S::SCI_INDICATORCLEARRANGE, 0ul, static_cast<long>(text.size()));
+    if (wanted.isEmpty()) return;
+    QRegularExpression pattern(regex ? wanted : QRegularExpression::escape(wanted), caseSensitive ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
+    if (!pattern.isValid()) return;
+    const QString all = QString::fromStdString(text);
+    for (auto matches = pattern.globalMatch(all); matches.hasNext();) {
+        const auto match = matches.next();
+        if (match.capturedLength() == 0) continue;
+        const auto begin = all.left(match.capturedStart()).toUtf8().size();
+        SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin), static_cast<long>(match.captured().toUtf8().size()));
+    }
+}
+
+// ------------------------------------------------------------------ commands
+
+void StEditor::toggleComment() {
+    int first = 0, last = 0, column = 0, lastColumn = 0;
+    if (hasSelectedText()) getSelection(&first, &column, &last, &lastColumn);
+    else getCursorPosition(&first, &column), last = first;
+    if (last > first && lastColumn == 0) --last;
+    bool all = true;
+    for (int line = first; line <= last; ++line) all = all && (text(line).trimmed().isEmpty() || text(line).trimmed().startsWith("//"));
+    beginUndoAction();
+    for (int line = first; line <= last; ++line) {
+        const QString content = text(line);
+        if (content.trimmed().isEmpty()) continue;
+        int at = 0;
+        while (content[at].isSpace()) ++at;
+        if (all) {
+            const int length = content.mid(at).startsWith("// ") ? 3 : 2;
+            setSelection(line, at, line, at + length);
+            replaceSelectedText("");
+        } else {
+            insertAt("// ", line, at);
+        }
+    }
+    endUndoAction();
+    if (last > first) setSelection(first, 0, last, static_cast<int>(text(last).size()) - (text(last).endsWith('\n') ? 1 : 0));
+}
+
+void StEditor::duplicateLine() { SendScintilla(S::SCI_SELECTIONDUPLICATE); }
+void StEditor::moveLines(int direction) { SendScintilla(direction < 0 ? S::SCI_MOVESELECTEDLINESUP : S::SCI_MOVESELECTEDLINESDOWN); }
+
+void StEditor::selectBlock() {
+    const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONSTART)), end = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONEND));
+    const BlockPair* best = nullptr;
+    const std::vector<BlockPair> pairs = findBlocks(utf8());
+    for (const BlockPair& pair : pairs)
+        if (pair.open.begin <= begin && pair.close.end >= end && (pair.open.begin < begin || pair.close.end > end) && (!best || pair.open.begin >= best->open.begin)) best = &pair;
+    if (best) SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(best->open.begin), static_cast<long>(best->close.end));
+}
+
+void StEditor::goToMatchingWord() {
+    const uint32_t at = cursorOffset();
+    for (const BlockPair& pair : findBlocks(utf8())) {
+        if (at >= pair.open.begin && at <= pair.open.end) return goTo(pair.close.begin);
+        if (at >= pair.close.begin && at <= pair.close.end) return goTo(pair.open.begin);
+    }
+    moveToMatchingBrace();
+}
+
+void StEditor::formatText() {
+    format::FormatOptions options;
+    options.indent = m_settings.indent;
+    const std::string before = utf8();
+    const std::string after = format::format(before, options);
+    if (after == before) return;
+    // One edit between the common begin and end keeps cursor and marks where nothing changed.
+    size_t begin = 0;
+    while (begin < before.size() && begin < after.size() && before[begin] == after[begin]) ++begin;
+    while (begin > 0 && (static_cast<unsigned char>(before[begin]) & 0xC0) == 0x80) --begin;
+    size_t endBefore = before.size(), endAfter = after.size();
+    while (endBefore > begin && endAfter > begin && before[endBefore - 1] == after[endAfter - 1]) --endBefore, --endAfter;
+    while (endBefore < before.size() && (static_cast<unsigned char>(before[endBefore]) & 0xC0) == 0x80) ++endBefore, ++endAfter;
+    int line = 0, column = 0;
+    getCursorPosition(&line, &column);
+    applyEdits({{{FileId(), static_cast<uint32_t>(begin), static_cast<uint32_t>(endBefore)}, after.substr(begin, endAfter - begin)}});
+    setCursorPosition(std::min(line, lines() - 1), column);
+}
+
+bool StEditor::goToDiagnostic(int direction) {
+    const uint32_t at = cursorOffset();
+    const diagnostics::Diagnostic* best = nullptr;
+    for (const diagnostics::Diagnostic& d : m_diagnostics) {
+        if (d.severity == diagnostics::Severity::Info) continue;
+        if (direction > 0 && d.range.begin > at && (!best || d.range.begin < best->range.begin)) best = &d;
+        if (direction < 0 && d.range.begin < at && (!best || d.range.begin > best->range.begin)) best = &d;
+    }
+    if (!best) return false;
+    goTo(best->range.begin);
+    return true;
+}
+
+void StEditor::applyFix() {
+    const uint32_t at = cursorOffset();
+    const long line = SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(at));
+    struct Choice {
+        QString title;
+        std::vector<diagnostics::TextEdit> edits;
+    };
+    std::vector<Choice> choices;
+    for (const diagnostics::Diagnostic& d : m_diagnostics) {
+        const bool isHere = at >= d.range.begin && at <= d.range.end;
+        if (!isHere && SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(d.range.begin)) != line) continue;
+        for (const diagnostics::Fix& fix : d.fixes) choices.push_back({QString::fromStdString(fix.title), fix.edits});
+        if (d.kind == diagnostics::Kind::UndeclaredName && m_model && !d.arguments.empty())
+            if (const auto file = fileId())
+                if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.arguments[0])) choices.push_back({tr("Declare %1").arg(QString::fromStdString(edit->text).trimmed()), {*edit}});
+    }
+    if (utf8() != m_analysedText) return; // the analysis is on its way; its places would not fit
+    if (choices.empty()) {
+        QToolTip::showText(mapToGlobal(QPoint(40, 10)), tr("There is no fix for this line"), this);
+        return;
+    }
+    const auto apply = [this](const Choice& choice) {
+        std::vector<diagnostics::TextEdit> edits;
+        for (const diagnostics::TextEdit& edit : choice.edits)
+            if (!edit.range.file.isValid() || edit.range.file == *fileId()) edits.push_back(edit);
+        applyEdits(edits);
+    };
+    if (choices.size() == 1) return apply(choices[0]);
+    QMenu menu(this);
+    for (const Choice& choice : choices) connect(menu.addAction(choice.title), &QAction::triggered, this, [apply, choice] { apply(choice); });
+    menu.exec(mapToGlobal(QPoint(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, static_cast<long>(at))), static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, static_cast<long>(at))) + 18)));
+}
+
+// ------------------------------------------------------------------ online values
+
+void StEditor::setOnlineValues(OnlineValues values) {
+    m_onlineValues = std::move(values);
+    refreshOnlineValues();
+}
+
+void StEditor::refreshOnlineValues() {
+    const bool had = !m_shownValues.empty();
+    m_shownValues.clear();
+    const auto file = fileId();
+    if (m_onlineValues && m_settings.showOnlineValues && file && utf8() == m_analysedText) {
+        const long top = SendScintilla(S::SCI_GETFIRSTVISIBLELINE), count = SendScintilla(S::SCI_LINESONSCREEN);
+        const auto& references = m_model->checked().analysis->references;
+        for (long visible = top; visible <= top + count; ++visible) {
+            const long line = SendScintilla(S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(visible));
+            const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line))), end = static_cast<uint32_t>(SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)));
+            auto it = std::lower_bound(references.begin(), references.end(), std::pair(*file, begin), [](const sema::Reference& r, const auto& key) { return std::pair(r.range.file, r.range.begin) < key; });
+            std::vector<std::pair<QString, QString>> wanted;
+            for (; it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
+                if (!it->symbol.isValid()) continue;
+                const sema::Symbol& symbol = m_model->symbol(it->symbol);
+                if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant) continue;
+                // a.b.c is one value: the chain that ends here, unless another member follows.
+                uint32_t from = it->range.begin;
+                while (from > begin && (m_analysedText[from - 1] == '.' || std::isalnum(static_cast<unsigned char>(m_analysedText[from - 1])) || m_analysedText[from - 1] == '_')) --from;
+                if (it->range.end < m_analysedText.size() && m_analysedText[it->range.end] == '.') continue;
+                const std::pair entry(QString::fromStdString(m_analysedText.substr(from, it->range.end - from)), QString::fromStdString(m_model->pouAt(*file, it->range.begin)));
+                if (std::find(wanted.begin(), wanted.end(), entry) == wanted.end()) wanted.push_back(entry);
+            }
+            if (wanted.empty()) continue;
+            if (auto values = m_onlineValues(wanted); !values.empty()) m_shownValues.emplace_back(static_cast<int>(line), std::move(values));
+        }
+    }
+    if (had || !m_shownValues.empty()) viewport()->update();
+}
+
+void StEditor::paintEvent(QPaintEvent* event) {
+    QsciScintilla::paintEvent(event);
+    if (m_shownValues.empty()) return;
+    QPainter painter(viewport());
+    drawOnlineValues(painter);
+}
+
+void StEditor::drawOnlineValues(QPainter& painter) {
+    const kit::ThemeColors& c = kit::colors();
+    QFont font = m_lexer->defaultFont(0);
+    font.setPointSizeF(std::max(6.0, font.pointSizeF() - 1 + static_cast<double>(SendScintilla(S::SCI_GETZOOM))));
+    painter.setFont(font);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetrics metrics(font);
+    for (const auto& [line, values] : m_shownValues) {
+        const auto end = SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line));
+        int x = static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, end)) + 24;
+        const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)), height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
+        for (const OnlineValue& value : values) {
+            const QString name = values.size() > 1 ? value.name.section('.', -1) + " " : QString();
+            const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(value.value);
+            const QRectF box(x, y + 1.5, nameWidth + valueWidth + 10, height - 3);
+            QColor ground = value.isForced ? c.forced : value.isBool ? (value.isTrue ? c.good : c.muted) : c.online;
+            QColor fill = ground;
+            fill.setAlpha(value.isForced ? 90 : 38);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(fill);
+            painter.drawRoundedRect(box, 4, 4);
+            painter.setPen(c.muted);
+            painter.drawText(QRectF(x + 5, y, nameWidth, height), Qt::AlignVCenter | Qt::AlignLeft, name);
+            painter.setPen(value.isBool && !value.isTrue && !value.isForced ? c.text : value.isForced ? c.text : ground.darker(c.dark ? 90 : 125));
+            painter.drawText(QRectF(x + 5 + nameWidth, y, valueWidth + 2, height), Qt::AlignVCenter | Qt::AlignLeft, value.value);
+            x += static_cast<int>(box.width()) + 6;
+        }
+    }
+}
+
+// ------------------------------------------------------------------ menus, tips
+
+void StEditor::contextMenuEvent(QContextMenuEvent* event) {
+    const std::unique_ptr<QMenu> menu(createStandardContextMenu());
+    QAction* first = menu->actions().isEmpty() ? nullptr : menu->actions().first();
+    const auto add = [&](kit::Icon icon, const QString& text, const QKeySequence& keys, auto&& run) {
+        auto* action = new QAction(kit::icon(icon), text, menu.get());
+        action->setShortcut(keys);
+        connect(action, &QAction::triggered, this, run);
+        menu->insertAction(first, action);
+    };
+    const uint32_t at = cursorOffset();
+    add(kit::Icon::Forward, tr("Go to Definition"), Qt::Key_F12, [this, at] { emit definitionRequested(m_file, at); });
+    add(kit::Icon::Find, tr("Find All Uses"), Qt::SHIFT | Qt::Key_F12, [this, at] { emit usesRequested(m_file, at); });
+    add(kit::Icon::Rename, tr("Rename…"), Qt::Key_F2, [this, at] { emit renameRequested(m_file, at); });
+    add(kit::Icon::Watch, tr("Add to Watch"), {}, [this] { emit watchRequested(hasSelectedText() ? selectedText() : wordUnderCursor()); });
+    add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), Qt::Key_F9, [this] {
+        int line = 0, column = 0;
+        getCursorPosition(&line, &column);
+        emit breakpointToggled(m_file, line + 1);
+    });
+    menu->insertSeparator(first);
+    menu->exec(event->globalPos());
+}
+
+bool StEditor::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        showToolTip(help->pos());
+        return true;
+    }
+    return QsciScintilla::event(event);
+}
+
+void StEditor::showToolTip(const QPoint& position) {
+    const QPoint inside = viewport()->mapFrom(this, position);
+    const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(inside.x()), static_cast<long>(inside.y()));
+    if (at < 0) return QToolTip::hideText();
+    QString html;
+    for (const diagnostics::Diagnostic& d : m_diagnostics)
+        if (static_cast<uint32_t>(at) >= d.range.begin && static_cast<uint32_t>(at) <= d.range.end) {
+            html += QString("<p><b>%1</b> %2</p>").arg(QString::fromUtf8(diagnostics::codeOf(d.kind).data(), static_cast<int>(diagnostics::codeOf(d.kind).size())), QString::fromStdString(d.message()).toHtmlEscaped());
+            for (const diagnostics::Fix& fix : d.fixes) html += QString("<p>&nbsp;&nbsp;%1 <i>Alt+Enter</i></p>").arg(QString::fromStdString(fix.title).toHtmlEscaped());
+        }
+    if (!html.isEmpty()) return QToolTip::showText(mapToGlobal(position), html, this);
+    emit hoverRequested(m_file, static_cast<uint32_t>(at), mapToGlobal(position));
+}
+
+void StEditor::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ControlModifier) && !(event->modifiers() & Qt::ShiftModifier)) {
+        const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(event->pos().x()), static_cast<long>(event->pos().y()));
+        if (at >= 0) {
+            emit definitionRequested(m_file, static_cast<uint32_t>(at));
+            return;
+        }
+    }
+    QsciScintilla::mousePressEvent(event);
+}
+
+} // namespace plc::editor

@@ -1,0 +1,126 @@
+// One ST file in the studio: QScintilla with the compiler's colours, folding, indentation, completion, diagnostics and fixes,
+// breakpoints, the executed line and online values beside the text. Owned by its tab; GUI thread. It knows no controller: values come
+// through OnlineValues, requests leave as signals.
+#pragma once
+#include "editor/text/block_structure.h"
+#include "editor/text/st_lexer.h"
+#include "projects/analysis/code_model.h"
+
+#include <Qsci/qsciscintilla.h>
+#include <QTimer>
+
+#include <functional>
+#include <set>
+
+namespace plc::editor {
+
+/// Asks for the present text of values; empty = nothing to show.
+struct OnlineValue {
+    QString name, value;
+    bool isBool = false, isTrue = false, isForced = false;
+};
+using OnlineValues = std::function<std::vector<OnlineValue>(const std::vector<std::pair<QString, QString>>& namesWithPou)>;
+
+struct EditorSettings {
+    int indent = 4;
+    bool upperCaseKeywords = true;
+    bool autoCloseBlocks = true;
+    bool showOnlineValues = true;
+    int zoom = 0;
+};
+
+class StEditor : public QsciScintilla {
+    Q_OBJECT
+public:
+    explicit StEditor(QWidget* parent = nullptr);
+
+    void setFile(const QString& file) { m_file = file; }
+    [[nodiscard]] const QString& file() const { return m_file; }
+    void setSettings(const EditorSettings& settings);
+    /// Replaces the whole text and forgets undo (loading).
+    void load(const std::string& text);
+    [[nodiscard]] std::string utf8() const;
+    /// Marks lines that differ from this text.
+    void setSavedText(const std::string& text);
+    void setModel(std::shared_ptr<const analysis::CodeModel> model);
+    [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnosticsHere() const { return m_diagnostics; }
+    /// The second view of a split shows the same document.
+    void shareDocumentOf(StEditor& other);
+
+    // positions in bytes
+    [[nodiscard]] uint32_t cursorOffset() const;
+    void goTo(uint32_t offset, uint32_t length = 0);
+    void goToLine(int line); // 1-based
+    [[nodiscard]] uint32_t offsetOf(int line, int column) const; // 1-based, column in characters
+    /// One undo step; offsets are of the present text, edits do not overlap.
+    void applyEdits(std::vector<diagnostics::TextEdit> edits);
+    [[nodiscard]] QString wordUnderCursor() const;
+
+    void setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled = {}); // 1-based
+    void setExecutedLine(int line);                                                      // 0 = none
+    void setOnlineValues(OnlineValues values);
+    void refreshOnlineValues();
+
+    // commands (also in the menus)
+    void triggerCompletion();
+    void showParameterHelp();
+    void applyFix();            // Alt+Enter: a menu when there are several
+    void toggleComment();
+    void duplicateLine();
+    void moveLines(int direction);
+    void selectBlock();
+    void goToMatchingWord();
+    void formatText();
+    [[nodiscard]] bool goToDiagnostic(int direction); // F4, Shift+F4 within this file
+    void highlightAll(const QString& text, bool regex, bool caseSensitive);
+
+signals:
+    void edited(const QString& file);
+    void breakpointToggled(const QString& file, int line);
+    void definitionRequested(const QString& file, uint32_t offset);
+    void usesRequested(const QString& file, uint32_t offset);
+    void renameRequested(const QString& file, uint32_t offset);
+    void watchRequested(const QString& expression);
+    void cursorMoved(const QString& file, int line, int column);
+    void hoverRequested(const QString& file, uint32_t offset, const QPoint& globalPosition);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    void applyTheme();
+    void onTextChanged();
+    void updateFolding();
+    void updateChangedLines();
+    void showDiagnostics();
+    void highlightAroundCursor();
+    void afterCharacter(int character);
+    void enterPressed();
+    void outdentClosingWord();
+    void upperCaseWordBefore();
+    void insertCompletion(const analysis::CompletionItem& item);
+    void showToolTip(const QPoint& position);
+    [[nodiscard]] std::string textRange(uint32_t begin, uint32_t end) const;
+    void drawOnlineValues(QPainter& painter);
+    [[nodiscard]] std::optional<FileId> fileId() const;
+
+    QString m_file;
+    EditorSettings m_settings;
+    StLexer* m_lexer;
+    std::shared_ptr<const analysis::CodeModel> m_model;
+    std::vector<diagnostics::Diagnostic> m_diagnostics; // of this file, as of the analysed text
+    std::string m_analysedText;
+    std::string m_savedText;
+    analysis::Completion m_completion;
+    OnlineValues m_onlineValues;
+    std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line
+    QTimer m_afterEdit;
+    QTimer m_afterMove;
+    bool m_isLoading = false;
+};
+
+} // namespace plc::editor

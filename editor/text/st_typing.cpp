@@ -1,0 +1,192 @@
+// What StEditor does while the user types: completion, parameter help, indentation, closing of blocks.
+#include "editor/text/st_editor.h"
+
+#include "runtime/base/text.h"
+#include "runtime/compiler/lex/token.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace plc::editor {
+
+using S = QsciScintillaBase;
+
+namespace {
+constexpr int kListId = 1;
+bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80; }
+} // namespace
+
+void StEditor::keyPressEvent(QKeyEvent* event) {
+    const bool listOpen = SendScintilla(S::SCI_AUTOCACTIVE) != 0;
+    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !listOpen) {
+        if (event->modifiers() == Qt::AltModifier) return applyFix();
+        if (event->modifiers() == Qt::NoModifier) {
+            SendScintilla(S::SCI_CALLTIPCANCEL);
+            return enterPressed();
+        }
+    }
+    if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier) return triggerCompletion();
+    if (event->key() == Qt::Key_Space && event->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier)) return showParameterHelp();
+    if (event->key() == Qt::Key_Slash && event->modifiers() == Qt::ControlModifier) return toggleComment();
+    if ((event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) && event->modifiers() == Qt::AltModifier) return moveLines(event->key() == Qt::Key_Up ? -1 : 1);
+    QsciScintilla::keyPressEvent(event);
+}
+
+void StEditor::afterCharacter(int character) {
+    const std::string text = utf8();
+    const uint32_t at = cursorOffset();
+    if (character == '(' || character == ',') showParameterHelp();
+    if (character == ')') SendScintilla(S::SCI_CALLTIPCANCEL);
+    const bool isLetter = character > 0x7f || isWord(static_cast<char>(character));
+    if (!isLetter && m_settings.upperCaseKeywords) upperCaseWordBefore();
+    outdentClosingWord();
+    if (character == '.') return triggerCompletion();
+    if (!isLetter) return;
+    // A list after the second letter of a word, or refreshed while it is open.
+    uint32_t begin = at;
+    while (begin > 0 && isWord(text[begin - 1])) --begin;
+    if (at - begin >= 2 || SendScintilla(S::SCI_AUTOCACTIVE)) triggerCompletion();
+}
+
+void StEditor::triggerCompletion() {
+    if (!m_model) return;
+    const auto file = m_model->fileOf(m_file.toStdString());
+    if (!file) return;
+    const std::string text = utf8();
+    m_completion = m_model->complete(*file, text, cursorOffset());
+    const std::string typed = text.substr(m_completion.replaceBegin, m_completion.replaceEnd - m_completion.replaceBegin);
+    std::string list;
+    size_t shown = 0;
+    for (const analysis::CompletionItem& item : m_completion.items) {
+        const std::string& label = item.kind == analysis::ItemKind::Snippet ? item.detail : item.text;
+        if (label == typed && m_completion.items.size() == 1) break; // nothing to add
+        if (shown++ == 200) break;
+        if (!list.empty()) list += '\n';
+        list += label;
+    }
+    if (list.empty()) {
+        SendScintilla(S::SCI_AUTOCCANCEL);
+        return;
+    }
+    SendScintilla(S::SCI_USERLISTSHOW, static_cast<unsigned long>(kListId), list.c_str());
+}
+
+void StEditor::insertCompletion(const analysis::CompletionItem& item) {
+    const std::string text = utf8();
+    uint32_t end = cursorOffset(), begin = end;
+    while (begin > 0 && isWord(text[begin - 1])) --begin;
+    std::string inserted = item.text;
+    size_t cursor = inserted.size();
+    if (item.kind == analysis::ItemKind::Snippet) {
+        const size_t lineBegin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
+        const size_t indent = text.find_first_not_of(" \t", lineBegin);
+        const std::string blanks = text.substr(lineBegin, std::min<size_t>(indent, begin) - lineBegin);
+        for (size_t i = 0; (i = inserted.find('\n', i)) != std::string::npos; i += 1 + blanks.size()) inserted.insert(i + 1, blanks);
+        cursor = inserted.find('|');
+        if (cursor != std::string::npos) inserted.erase(cursor, 1);
+        else cursor = inserted.size();
+    }
+    applyEdits({{{FileId(), begin, end}, inserted}});
+    SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(begin + cursor));
+    if (item.kind == analysis::ItemKind::Parameter) showParameterHelp();
+}
+
+void StEditor::showParameterHelp() {
+    if (!m_model) return;
+    const auto file = m_model->fileOf(m_file.toStdString());
+    if (!file) return;
+    const auto help = m_model->parameterHelp(*file, utf8(), cursorOffset());
+    if (!help) {
+        SendScintilla(S::SCI_CALLTIPCANCEL);
+        return;
+    }
+    std::string tip = help->callee + "(";
+    size_t highlightBegin = 0, highlightEnd = 0;
+    for (size_t i = 0; i < help->parameters.size(); ++i) {
+        const auto& parameter = help->parameters[i];
+        if (i) tip += i % 3 == 0 ? ",\n    " : ", ";
+        if (i == help->current) highlightBegin = tip.size();
+        tip += parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := ") + parameter.type;
+        if (i == help->current) highlightEnd = tip.size();
+    }
+    tip += ")";
+    if (help->current < help->parameters.size() && !help->parameters[help->current].comment.empty()) tip += "\n" + help->parameters[help->current].comment;
+    SendScintilla(S::SCI_CALLTIPSHOW, static_cast<unsigned long>(cursorOffset()), tip.c_str());
+    SendScintilla(S::SCI_CALLTIPSETHLT, static_cast<unsigned long>(highlightBegin), static_cast<long>(highlightEnd));
+}
+
+void StEditor::enterPressed() {
+    const std::string before = utf8();
+    const uint32_t at = cursorOffset();
+    if (m_settings.upperCaseKeywords) upperCaseWordBefore();
+    const int indent = indentAfter(before, at, m_settings.indent);
+    const size_t lineBegin = at == 0 ? 0 : before.rfind('\n', at - 1) + 1;
+    const size_t first = before.find_first_not_of(" \t", lineBegin);
+    const int own = static_cast<int>(std::min<size_t>(first == std::string::npos ? at : first, at) - lineBegin);
+    const bool atLineEnd = at >= before.size() || before[at] == '\n';
+    const std::string end = m_settings.autoCloseBlocks && indent > own && atLineEnd ? missingEnd(before, at) : std::string();
+    std::string inserted = "\n" + std::string(static_cast<size_t>(indent), ' ');
+    const size_t cursor = inserted.size();
+    if (!end.empty()) inserted += "\n" + std::string(static_cast<size_t>(own), ' ') + end + (end == "END_VAR" || end == "END_TYPE" || end.starts_with("END_F") || end == "END_PROGRAM" || end == "END_METHOD" ? "" : end == "END_IF" || end == "END_CASE" || end == "END_WHILE" || end == "END_REPEAT" || end == "END_STRUCT" ? ";" : "");
+    if (end == "END_FOR") inserted += ";";
+    beginUndoAction();
+    replaceSelectedText("");
+    const uint32_t position = cursorOffset();
+    SendScintilla(S::SCI_INSERTTEXT, static_cast<unsigned long>(position), inserted.c_str());
+    SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(position + cursor));
+    endUndoAction();
+    SendScintilla(S::SCI_SCROLLCARET);
+}
+
+/// "END_IF" typed as the first word of its line moves to its opener's column.
+void StEditor::outdentClosingWord() {
+    const std::string text = utf8();
+    const uint32_t at = cursorOffset();
+    const size_t lineBegin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+    const std::string line = text.substr(lineBegin, at - lineBegin);
+    if (!closesBlock(line) || line.find_first_not_of(" \t") == std::string::npos) return;
+    const size_t wordBegin = lineBegin + line.find_first_not_of(" \t");
+    if (text.find_first_of(" \t(;", wordBegin) < at) return; // only while the word itself is being typed
+    const auto columnOf = [&](uint32_t offset) {
+        const size_t begin = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
+        return static_cast<int>(text.find_first_not_of(" \t", begin) - begin);
+    };
+    for (const BlockPair& pair : findBlocks(text)) {
+        const bool ends = pair.close.begin == wordBegin;
+        const bool divides = std::any_of(pair.middle.begin(), pair.middle.end(), [&](const BlockMark& m) { return m.begin == wordBegin; });
+        if (!ends && !divides) continue;
+        const int wanted = columnOf(pair.open.begin), now = static_cast<int>(wordBegin - lineBegin);
+        if (wanted >= now) return;
+        applyEdits({{{FileId(), static_cast<uint32_t>(lineBegin), static_cast<uint32_t>(wordBegin)}, std::string(static_cast<size_t>(wanted), ' ')}});
+        SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(at - static_cast<uint32_t>(now - wanted)));
+        return;
+    }
+}
+
+void StEditor::upperCaseWordBefore() {
+    const std::string text = utf8();
+    uint32_t end = cursorOffset();
+    while (end > 0 && !isWord(text[end - 1]) && cursorOffset() - end < 2) --end;
+    uint32_t begin = end;
+    while (begin > 0 && isWord(text[begin - 1])) --begin;
+    if (begin == end) return;
+    diagnostics::Sink sink;
+    const std::string word = text.substr(begin, end - begin);
+    const lex::TokenList list = lex::tokenize(FileId(size_t(0)), word, sink);
+    if (list.tokens.size() != 2 || !lex::isKeyword(list.tokens[0].kind)) return;
+    const lex::TokenList all = lex::tokenize(FileId(size_t(0)), text, sink);
+    for (const lex::Comment& comment : all.comments)
+        if (begin >= comment.begin && begin < comment.end) return;
+    const auto token = std::find_if(all.tokens.begin(), all.tokens.end(), [&](const lex::Token& t) { return t.begin == begin; });
+    if (token == all.tokens.end() || !lex::isKeyword(token->kind)) return; // inside a string or a pragma
+    std::string upper = word;
+    for (char& c : upper)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+    if (upper == word) return;
+    const uint32_t cursor = cursorOffset();
+    applyEdits({{{FileId(), begin, end}, upper}});
+    SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(cursor));
+}
+
+} // namespace plc::editor
