@@ -7,6 +7,10 @@
 #include <string_view>
 #include <vector>
 
+// Qt's headers define the word emit away; this header is read before and after them.
+#pragma push_macro("emit")
+#undef emit
+
 namespace plc::diagnostics {
 
 enum class Severity : uint8_t { Error, Warning, Info };
@@ -67,3 +71,4 @@ private:
 [[nodiscard]] std::string renderJson(const SourceSet& sources, const Diagnostic& diagnostic);
 
 } // namespace plc::diagnostics
+#pragma pop_macro("emit")
