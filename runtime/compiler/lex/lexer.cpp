@@ -408,7 +408,7 @@ private:
     bool directAddress() {
         size_t at = m_at + 1;
         const auto has = [&](std::string_view set) { return at < m_text.size() && set.find(detail::upper(m_text[at])) != std::string_view::npos; };
-        const bool afterDot = !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::Dot;
+        const bool afterDot = !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::Dot && !has("IQM");
         if (!afterDot) {
             if (!has("IQM")) return false;
             ++at;

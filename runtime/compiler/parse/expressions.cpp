@@ -336,11 +336,11 @@ Expr* Parser::parsePostfix(Expr* base) {
             e->base = base;
             const Token member = peek();
             const bool adjacent = member.begin == dot.end && !member.afterNewline;
-            if (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress) {
+            if (!member.afterNewline && (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress)) {
                 e->kind = ExprKind::Bit;
                 e->text = textOf(member);
                 advance();
-            } else if (member.kind == TokenKind::Identifier || (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
+            } else if ((member.kind == TokenKind::Identifier && !member.afterNewline) || (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
                 e->kind = ExprKind::Member;
                 e->name = nameOf(member);
                 advance();

@@ -156,7 +156,7 @@ Stmt* Parser::parseStatement() {
 
 /// Labels, jumps, assignments, calls, and the statements of tests.
 Stmt* Parser::parseSimple() {
-    if (atName() && kind(1) == TokenKind::Colon && !m_inCaseArm) {
+    if (atName() && kind(1) == TokenKind::Colon && kind(2) != TokenKind::Equal && !m_inCaseArm) {
         Stmt* stmt = makeStmt(StmtKind::Label);
         stmt->name = takeName();
         advance();
@@ -179,7 +179,8 @@ Stmt* Parser::parseSimple() {
             return parseStatement();
         }
     }
-    if (!startsExpression() || atAny({TokenKind::Plus, TokenKind::Minus, TokenKind::Not, TokenKind::LeftBracket})) {
+    if (!startsExpression() || atAny({TokenKind::Plus, TokenKind::Minus, TokenKind::Not, TokenKind::LeftBracket, TokenKind::IntegerLiteral, TokenKind::RealLiteral, TokenKind::DurationLiteral,
+                                      TokenKind::DateLiteral, TokenKind::TimeOfDayLiteral, TokenKind::DateTimeLiteral, TokenKind::StringLiteral, TokenKind::True, TokenKind::False})) {
         const bool operatorFunction = kind(1) == TokenKind::LeftParen && atAny({TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Mod});
         if (!operatorFunction) {
             report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});

@@ -78,10 +78,10 @@ TEST(Declarations, OfConfigurations) {
 
 TEST(Charts, OfStepsTransitionsAndActions) {
     check({{"PROGRAM p INITIAL_STEP S0: END_STEP STEP S1 {minTime := T#1s} {maxTime := T#5s}: a(N); b(D, T#2s); c(SL, t, lamp, horn); d; END_STEP"
-            " TRANSITION FROM S0 TO (S1, S2) := x & S0.T > T#1s; END_TRANSITION TRANSITION t2 (PRIORITY := 1) FROM (S1, S2) TO S0 : LD a AND b END_TRANSITION"
+            " TRANSITION FROM S0 TO (S1, S2) := x & S0.T > T#1s; END_TRANSITION TRANSITION t2 (PRIORITY := 1) FROM (S1, S2) TO S0 : LD a\nAND b END_TRANSITION"
             " ACTION a: x := 1; END_ACTION ACTION c: LD x\nST y END_ACTION STEP S2: END_STEP END_PROGRAM",
             "PROGRAM p SFC{initial S0; step S1 a(N) b(D,T#2s) c(SL,t,lamp,horn) d() {minTime=T#1s} {maxTime=T#5s}; step S2; from S0 to S1,S2 when (x AND (S0.T > T#1s));"
-            " from S1,S2 to S0 prio 1 when IL LD a; action a ST{x := 1}; action c IL{LD x; ST y}}"}});
+            " from S1,S2 to S0 prio 1 when IL LD a; AND b; action a ST{x := 1}; action c IL{LD x; ST y}}"}});
 }
 
 TEST(Declarations, MissTheirEndInTwoPaneTexts) {

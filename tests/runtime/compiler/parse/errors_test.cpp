@@ -37,7 +37,7 @@ TEST(SyntaxErrors, GiveOneMessageForOneMistake) {
              {"f(a;\nx := 1;", "P1010@2:4"},
              {"FOR i = 1 TO 3 DO END_FOR", "P1010@2:7"},
              {"FOR i := 1 DO END_FOR", "P1010@2:12"},
-             {"CASE x OF\n 1: a := 1;\n 2 a := 2;\nEND_CASE", "P1013@4:4"},
+             {"CASE x OF\n 1: a := 1;\n 2 a := 2;\nEND_CASE", "P1013@4:2"},
              {"motor.\nx := 1;", "P1010@3:1"},
              {"REPEAT a := 1; END_REPEAT", "P1010@2:16"},
              {"IFF a THEN b := 1; END_IF", "P1010@2:1"},
@@ -45,7 +45,7 @@ TEST(SyntaxErrors, GiveOneMessageForOneMistake) {
              {"a := INT#;", "P1010@2:10"},
              {"x := 16#G;", "P1005@2:6"},
              {"a + b;", "P1013@2:3"},
-             {"a := b ELSE c := d;", "P1013@2:8"},
+             {"a := b ELSE c := d;", "P1011@2:6"},
              {"RUN T#5s;", "P6001@2:1"},
              {"x : = 5;", "P1010@2:3"},
          }) {
@@ -107,6 +107,6 @@ TEST(SyntaxErrors, OfferAFixThatMends) {
         auto edits = parsed.diagnostics[0].fixes[0].edits;
         for (auto it = edits.rbegin(); it != edits.rend(); ++it) mended.replace(it->range.begin, it->range.length(), it->text);
         const Parsed again(mended);
-        if (parsed.diagnostics[0].arguments.empty() || parsed.diagnostics[0].arguments[0] != "END_IF") EXPECT_EQ(again.codes(), "") << mended;
+        EXPECT_EQ(again.codes(), "") << mended;
     }
 }

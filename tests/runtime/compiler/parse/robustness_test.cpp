@@ -95,7 +95,7 @@ TEST(Robustness, AnyBytesAreRead) {
 }
 
 TEST(Robustness, LongInputIsReadInLinearTime) {
-    std::string unit = "FUNCTION_BLOCK fb_%\nVAR_INPUT\n    start : BOOL; // starts\n    level : REAL := 1.5;\nEND_VAR\nVAR\n    t : TON;\n    state : INT;\n    buffer : ARRAY[0..9] OF REAL;\nEND_VAR\n"
+    std::string unit = "FUNCTION_BLOCK fb\nVAR_INPUT\n    start : BOOL; // starts\n    level : REAL := 1.5;\nEND_VAR\nVAR\n    t : TON;\n    state : INT;\n    buffer : ARRAY[0..9] OF REAL;\nEND_VAR\n"
                        "t(IN := start AND NOT t.Q, PT := T#100ms);\nIF t.Q THEN\n    state := state + 1;\nELSIF level > 10.0 THEN\n    state := 0;\nEND_IF\n"
                        "CASE state OF\n    0: buffer[0] := level * 2.0;\n    1, 2: buffer[state] := buffer[state - 1] + level / 3.0;\nELSE\n    state := LIMIT(0, state, 9);\nEND_CASE\nEND_FUNCTION_BLOCK\n";
     std::string text;
