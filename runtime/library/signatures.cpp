@@ -371,6 +371,7 @@ std::optional<Conversion> findConversion(std::string_view name) {
     } else {
         const size_t at = text.find("_TO_");
         if (at == std::string_view::npos) return std::nullopt;
+        if (at == 0) return std::nullopt;
         left = text.substr(0, at);
         right = text.substr(at + 4);
     }
