@@ -1,0 +1,297 @@
+// The two emitters behind emitModule: ModuleEmitter holds what functions share (declarations, tables, helpers, alias nodes),
+// FunctionEmitter writes one body. LLVM types are visible only here and in the .cpp files. One thread.
+#pragma once
+#include "runtime/compiler/codegen/facts.h"
+
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/MDBuilder.h>
+#include <llvm/IR/Module.h>
+
+#include <initializer_list>
+#include <map>
+#include <set>
+
+namespace plc::codegen {
+
+/// How a function of the tree looks to LLVM: (ctx, image, this, frame, arguments…) → {result, scalar outputs…}.
+struct Abi {
+    llvm::FunctionType* type = nullptr;
+    bool returnsScalar = false;            // the result is element 0 of what is returned
+    std::vector<uint32_t> scalarOutputs;   // locals returned after it
+    unsigned returned = 0;                 // elements returned
+};
+
+/// A place after evaluation. Image places know their offset too.
+struct Address {
+    llvm::Value* base = nullptr;       // image, THIS, frame, an alloca or a constant
+    llvm::Value* baseOffset = nullptr; // i64 image offset of base, null = 0
+    llvm::Value* dynamic = nullptr;    // i64 bytes, null = 0
+    int64_t constant = 0;
+    types::TypeId type;
+    int bit = -1;
+    bool isImage = true;
+    llvm::MDNode* alias = nullptr;     // null: may be anything in the image
+    types::TypeId container;           // struct or block whose field this is inside, while alias stays precise
+    bool isPrecise = false;            // alias nodes may be derived for its fields
+    uint32_t align = 1;
+    std::vector<std::pair<llvm::Value*, llvm::Value*>> bounds; // OpenArray: low, high
+};
+
+/// Text in memory.
+struct Text {
+    llvm::Value* pointer = nullptr;
+    llvm::Value* capacity = nullptr; // i32
+    bool isWide = false;
+};
+
+struct Range {
+    int64_t low = INT64_MIN, high = INT64_MAX;
+};
+
+class ModuleEmitter {
+public:
+    ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const DebugMap& debug, const Options& options);
+    std::unique_ptr<llvm::Module> emit();
+
+    [[nodiscard]] const types::TypeTable& types() const { return *program.types; }
+    [[nodiscard]] llvm::Type* scalarType(types::TypeId type);
+    [[nodiscard]] llvm::Type* memoryType(types::TypeId type);
+    [[nodiscard]] bool isScalar(types::TypeId type) const;
+    [[nodiscard]] const Abi& abi(uint32_t function);
+    [[nodiscard]] llvm::Function* function(uint32_t index);
+    [[nodiscard]] uint32_t frameOffset(uint32_t function, uint32_t local) const;
+    [[nodiscard]] bool isQuick() const { return options.tier == Tier::Quick; }
+
+    /// A C function of the runtime library; `effects` none: only a value, no memory touched.
+    enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Any };
+    llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects);
+    llvm::Function* raise();                      // stores code, site and details, leaves
+    llvm::FunctionCallee budgetUsedUp();
+    llvm::GlobalVariable* constantBytes(std::string bytes, uint32_t align);
+    llvm::GlobalVariable* dispatchTable(uint32_t method);
+    llvm::GlobalVariable* blockFlags(types::TypeId wanted, bool& any); // i8 per block number: 1 = is a `wanted`
+
+    // Alias nodes (TBAA): distinct fields and globals never overlap unless tainted.
+    llvm::MDNode* aliasTag(llvm::MDNode* node);
+    llvm::MDNode* contextTag();
+    llvm::MDNode* imageNode() { return m_imageNode; }
+    llvm::MDNode* fieldNode(types::TypeId container, size_t field);
+    llvm::MDNode* rootNode(size_t root);
+    [[nodiscard]] bool isTainted(types::TypeId type) const { return m_tainted.count(type.value) != 0; }
+    [[nodiscard]] int rootAt(uint32_t offset) const;
+
+    /// `instruction`'s operand becomes the function's frame size or its bounded need once all are known.
+    void patchFrameSize(llvm::Instruction* instruction, unsigned operand, uint32_t function) { m_sizePatches.push_back({instruction, operand, function, false}); }
+    void patchNeed(llvm::Instruction* instruction, unsigned operand, uint32_t function) { m_sizePatches.push_back({instruction, operand, function, true}); }
+    std::vector<uint32_t> frameSizes; // by function, temporaries included
+
+    llvm::LLVMContext& context;
+    std::unique_ptr<llvm::Module> module;
+    const tree::Program& program;
+    const DebugMap& debug;
+    const Options& options;
+    ProgramFacts facts;
+    llvm::IntegerType *i1, *i8, *i16, *i32, *i64;
+    llvm::PointerType* ptr;
+    llvm::Type *f32, *f64, *voidType;
+
+private:
+    void taint();
+    void taintType(types::TypeId type);
+    void emitEntry(uint32_t function);
+    void resolvePatches();
+    uint32_t need(uint32_t function);
+    void addAttributes(llvm::Function& function);
+    struct SizePatch {
+        llvm::Instruction* instruction;
+        unsigned operand;
+        uint32_t function;
+        bool isNeed;
+    };
+    std::vector<SizePatch> m_sizePatches;
+    std::vector<Abi> m_abis;
+    std::vector<llvm::Function*> m_functions;
+    std::vector<int64_t> m_needs;
+    std::map<std::string, llvm::GlobalVariable*> m_constants;
+    std::map<uint32_t, llvm::GlobalVariable*> m_dispatchTables, m_blockFlags;
+    std::map<uint32_t, llvm::Function*> m_abstractCalls;
+    std::set<uint32_t> m_tainted;
+    std::vector<std::pair<uint32_t, size_t>> m_rootsByOffset;
+    llvm::Function* m_raise = nullptr;
+    llvm::MDNode *m_imageNode = nullptr, *m_contextTag = nullptr;
+    std::map<std::pair<uint32_t, uint32_t>, llvm::MDNode*> m_fieldNodes;
+    std::map<size_t, llvm::MDNode*> m_rootNodes;
+    std::map<llvm::MDNode*, llvm::MDNode*> m_tags;
+};
+
+class FunctionEmitter {
+public:
+    FunctionEmitter(ModuleEmitter& module, uint32_t index);
+    void emit();
+
+private:
+    using Builder = llvm::IRBuilder<>;
+    using Value = llvm::Value;
+    using Block = llvm::BasicBlock;
+
+    // function_emitter.cpp
+    void emitPrologue();
+    void emitEpilogue();
+    void initialiseLocal(uint32_t local);
+    Block* newBlock(const char* name);
+    void enter(Block* block) { b.SetInsertPoint(block); }
+    void jump(Block* target);
+    llvm::AllocaInst* newSlot(llvm::Type* type, const char* name); // in the entry block, zero at entry
+    uint32_t allocateTemporary(uint32_t size, uint32_t align);
+    Address temporary(types::TypeId type);
+    Value* contextField(size_t offset);
+    llvm::LoadInst* loadContext(llvm::Type* type, size_t offset);
+    void storeContext(Value* value, size_t offset);
+    void setSite(const tree::Stmt& stmt);
+    Value* int32(uint64_t v) { return b.getInt32(static_cast<uint32_t>(v)); }
+    Value* int64(int64_t v) { return b.getInt64(static_cast<uint64_t>(v)); }
+
+    // guards.cpp
+    void guard(Value* isBad, image::FaultCode code, Value* d0 = nullptr, Value* d1 = nullptr, Value* d2 = nullptr);
+    void raiseAlways(image::FaultCode code);
+    void guardReference(Value* offset, Value* size);  // null, foreign
+    Value* isLive(Value* offset, Value* size);        // lies within variables or live frames
+    void guardBlock(Value* offset, types::TypeId block);
+    void charge(Value* amount);
+    void flushBudget();
+    void reloadBudget();
+    llvm::BranchInst* branchUnlikely(Value* condition, Block* rare, Block* usual);
+
+    // places.cpp
+    Address address(const tree::Place& place);
+    Address localAddress(uint32_t local);
+    Address slotAddress(const tree::Place& place);      // the IN_OUT slot itself, not followed
+    Address followSlot(const tree::Place& place);
+    Address indexAddress(const tree::Place& place);
+    Address textIndexAddress(const tree::Place& place);
+    Address derefAddress(const tree::Place& place);
+    Address imageAddress(Value* offset, types::TypeId type);
+    void describeField(Address& address, types::TypeId container, uint32_t offset, types::TypeId wanted);
+    Value* pointer(const Address& address);
+    Value* offset(const Address& address);
+    Value* load(const Address& address);
+    void store(const Address& address, Value* value);
+    void copy(const Address& to, const Address& from, uint32_t size);
+    Text textAt(const Address& address);
+    std::vector<std::pair<Value*, Value*>> boundsOf(const Address& address);
+    llvm::MaybeAlign alignOf(const Address& address);
+    template <class Access> void tag(Access* access, const Address& address);
+
+    // expressions.cpp
+    Value* scalar(const tree::Expr& expr);
+    Value* scalarConstant(const types::Value& value, types::TypeId type);
+    Value* unary(const tree::Expr& expr);
+    Value* binary(const tree::Expr& expr);
+    Value* divide(Value* a, Value* c, types::TypeId type, bool isModulo, const tree::Expr* divisor);
+    Value* compare(library::BinaryOp op, Value* a, Value* c, types::TypeId type);
+    Value* shortCircuit(const tree::Expr& expr);
+    Value* conditional(const tree::Expr& expr);
+    Value* bound(const tree::Expr& expr);
+    Value* tryCast(const tree::Expr& expr);
+    Address aggregate(const tree::Expr& expr);
+    void aggregateInto(const tree::Expr& expr, const Address& target);
+    Range rangeOf(const tree::Expr& expr);
+    void storeOk(const tree::Expr& expr, Value* ok);
+    void fault(Value* status); // of a helper: 2 = division by zero
+
+    // conversions.cpp
+    Value* convert(Value* value, types::TypeId from, types::TypeId to, Value** ok = nullptr);
+    Value* convertExpr(const tree::Expr& expr);
+    Value* toBits(Value* value, types::TypeId type);
+    Value* fromBits(Value* bits, types::TypeId type);
+    Value* castInteger(Value* value, types::TypeId from, llvm::Type* to);
+
+    // intrinsics.cpp
+    Value* intrinsic(const tree::Expr& expr);
+    Value* intrinsicByHelper(const tree::Expr& expr);
+    Value* mathCall(const char* single, const char* wide, std::initializer_list<Value*> operands);
+    Value* shift(const tree::Expr& expr);
+    Value* extreme(const tree::Expr& expr);
+    Value* limit(const tree::Expr& expr);
+    Value* mux(const tree::Expr& expr);
+    Value* realToInteger(Value* real, types::TypeId to);
+
+    // texts.cpp
+    Text text(const tree::Expr& expr);
+    void textInto(const tree::Expr& expr, const Text& target);
+    void textIntrinsicInto(const tree::Expr& expr, const Text& target);
+    Text textTemporary(types::TypeId type);
+    Value* textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments, bool writes);
+    std::vector<Text> textOperands(const tree::Expr& expr, size_t count);
+    Value* textCompare(library::BinaryOp op, const Text& a, const Text& c);
+    Value* textIntrinsicScalar(const tree::Expr& expr);
+    void assignText(const Text& to, const Text& from);
+
+    // calls.cpp
+    struct Returned {
+        Value* result = nullptr;      // scalar result
+        Value* frame = nullptr;       // i32 callee's frame: aggregate results lie at its begin
+    };
+    Returned call(const tree::Call& call);
+    Value* pushCall(Value* function, Value* self, Value* frame, bool checkDepth);
+    void popCall(Value* depth);
+    Value* resolveTarget(const tree::Call& call, Value* self, Value*& functionId);
+
+    // statements.cpp, loops.cpp
+    void body(const std::vector<tree::Stmt*>& statements);
+    void statement(const tree::Stmt& stmt);
+    void assign(const tree::Stmt& stmt);
+    void bind(const tree::Stmt& stmt);
+    void ifStatement(const tree::Stmt& stmt);
+    void caseStatement(const tree::Stmt& stmt);
+    void whileLoop(const tree::Stmt& stmt);
+    void repeatLoop(const tree::Stmt& stmt);
+    void forLoop(const tree::Stmt& stmt);
+    void countedLoop(const tree::Stmt& stmt, const Address& variable, Value* first, Value* last, Value* step);
+    void steppedLoop(const tree::Stmt& stmt, const Address& variable, Value* first, Value* last, Value* step);
+    bool mayChange(const tree::Place& variable, const std::vector<tree::Stmt*>& body);
+    void loopBody(const std::vector<tree::Stmt*>& statements, Block* exit, Block* next);
+    Block* labelBlock(tree::LabelId label);
+
+    struct Loop {
+        Block* exit;
+        Block* next;
+    };
+    /// A counted FOR's variable: reads inside the body take the counter.
+    struct Counter {
+        const tree::Place* variable;
+        llvm::AllocaInst* value; // i64
+        Range range;
+    };
+    const Counter* counterOf(const tree::Place& place) const;
+
+    ModuleEmitter& m;
+    Builder b;
+    const uint32_t m_index;
+    const tree::Function& m_tree;
+    const FunctionFacts& m_facts;
+    const Abi& m_abi;
+    llvm::Function* m_function;
+    Value *m_context, *m_image, *m_this, *m_frame;
+    Value *m_this64 = nullptr, *m_thisPointer = nullptr, *m_frame64 = nullptr, *m_framePointer = nullptr, *m_nextFrame = nullptr;
+    llvm::AllocaInst* m_budget = nullptr; // optimised tier: the loop budget in a register
+    llvm::Instruction* m_entryEnd = nullptr;
+    Block* m_return = nullptr;
+    std::vector<llvm::AllocaInst*> m_locals; // registers; IN_OUT: the offset
+    std::vector<std::vector<std::pair<llvm::AllocaInst*, llvm::AllocaInst*>>> m_localBounds;
+    struct Slot {
+        llvm::AllocaInst* offset = nullptr;
+        std::vector<std::pair<llvm::AllocaInst*, llvm::AllocaInst*>> bounds;
+    };
+    std::map<uint32_t, Slot> m_slots;        // followed IN_OUT slots of THIS, by offset
+    std::map<std::pair<unsigned, bool>, Value*> m_cache;
+    uint32_t m_localsSize = 0, m_temporaryTop = 0, m_frameSize = 0;
+    uint32_t m_site = 0;
+    std::vector<Loop> m_loops;
+    std::vector<Counter> m_counters;
+    std::vector<Block*> m_labels;
+    std::vector<bool> m_labelPlaced;
+};
+
+} // namespace plc::codegen

@@ -1,0 +1,74 @@
+// What codegen knows about a whole program before it emits: sites of statements, frame layouts, the call graph, who can
+// fault, which locals must lie in memory. Made once per module; one thread.
+#pragma once
+#include "runtime/compiler/codegen/codegen.h"
+#include "runtime/compiler/codegen/walk.h"
+
+#include <unordered_map>
+
+namespace plc::codegen {
+
+/// Where the locals of a function lie in its frame. Text and aggregate result first, then text and aggregate parameters in order (so
+/// that every implementation of a method agrees about them), then the rest.
+struct FrameLayout {
+    std::vector<uint32_t> offsets; // by local; kNoFrame = in a register
+    uint32_t size = 0;
+};
+inline constexpr uint32_t kNoFrame = 0xffffffffu;
+[[nodiscard]] FrameLayout layFrameOut(const types::TypeTable& types, const tree::Function& function, const std::vector<bool>& inMemory);
+[[nodiscard]] uint32_t slotSize(const types::TypeTable& types, const tree::Local& local);
+
+/// Statement → site, in the order of DebugMap::sites.
+class SiteTable {
+public:
+    explicit SiteTable(const tree::Program& program);
+    [[nodiscard]] uint32_t siteOf(const tree::Stmt& stmt) const; // 0 = none
+    std::vector<image::Site> sites;                              // 0 unused
+
+private:
+    std::unordered_map<const tree::Stmt*, uint32_t> m_siteOf;
+};
+
+struct FunctionFacts {
+    FrameLayout frame;               // of this tier
+    std::vector<bool> mayBeNull;     // IN_OUT locals that a caller leaves out
+    std::vector<uint32_t> callees;   // indices, without repetition
+    bool canFault = false;
+    bool charges = false;            // touches the loop budget, itself or through callees
+    bool hasLoop = false;            // itself
+    bool hasSlots = false;           // follows IN_OUT slots of its instance
+    bool inCycle = false;            // of calls
+    bool isUnbounded = false;        // reaches a cycle: frames are checked as they come
+    bool isReachable = false;        // from a task, the initializer or a dispatch table
+};
+
+/// One implementation a dispatched call can reach.
+struct Target {
+    uint32_t blockNumber = 0;
+    types::TypeId block;
+    uint32_t function = 0; // 0: abstract
+};
+
+class ProgramFacts {
+public:
+    ProgramFacts(const tree::Program& program, Tier tier);
+    [[nodiscard]] const FunctionFacts& operator[](uint32_t function) const { return m_functions[function]; }
+    [[nodiscard]] const SiteTable& sites() const { return m_sites; }
+    /// Every block whose instances may stand behind a call of `method` (by its owner's type).
+    [[nodiscard]] std::vector<Target> targetsOf(uint32_t method) const;
+    [[nodiscard]] types::TypeId blockType(uint32_t blockNumber) const;
+    [[nodiscard]] uint32_t blockCount() const { return static_cast<uint32_t>(m_blocks.size()); }
+
+private:
+    void collect(uint32_t function);
+    void findCycles();
+    void spread();
+
+    const tree::Program& m_program;
+    Tier m_tier;
+    SiteTable m_sites;
+    std::vector<types::TypeId> m_blocks; // by block number
+    std::vector<FunctionFacts> m_functions;
+};
+
+} // namespace plc::codegen

@@ -1,0 +1,282 @@
+#include "runtime/compiler/codegen/emitter.h"
+
+#include <algorithm>
+
+namespace plc::codegen {
+
+using image::RuntimeContext;
+using tree::Local;
+using tree::LocalKind;
+using types::TypeKind;
+
+namespace {
+class SlotFinder : public Walker {
+public:
+    std::vector<const tree::Place*> slots;
+
+protected:
+    void onPlace(const tree::Place& place, Use) override {
+        for (const tree::Place* p = &place; p; p = p->base)
+            if (p->kind == tree::PlaceKind::InOutSlot) slots.push_back(p);
+    }
+};
+
+/// Offset from THIS when `place` lies at a fixed one.
+bool fixedFromThis(const tree::Place* place, uint32_t& offset) {
+    for (; place; place = place->base) {
+        if (place->kind != tree::PlaceKind::Instance && place->kind != tree::PlaceKind::Field) return false;
+        offset += place->offset;
+        if (place->kind == tree::PlaceKind::Instance) return true;
+    }
+    return true;
+}
+} // namespace
+
+FunctionEmitter::FunctionEmitter(ModuleEmitter& module, uint32_t index)
+    : m(module), b(module.context), m_index(index), m_tree(module.program.functions[index]), m_facts(module.facts[index]), m_abi(module.abi(index)),
+      m_function(module.function(index)) {
+    m_context = m_function->getArg(0);
+    m_image = m_function->getArg(1);
+    m_this = m_function->getArg(2);
+    m_frame = m_function->getArg(3);
+}
+
+void FunctionEmitter::emit() {
+    emitPrologue();
+    body(m_tree.body);
+    jump(m_return);
+    emitEpilogue();
+}
+
+FunctionEmitter::Block* FunctionEmitter::newBlock(const char* name) { return Block::Create(m.context, m.isQuick() ? "" : name, m_function); }
+
+void FunctionEmitter::jump(Block* target) {
+    if (!b.GetInsertBlock()->getTerminator()) b.CreateBr(target);
+}
+
+llvm::AllocaInst* FunctionEmitter::newSlot(llvm::Type* type, const char* name) {
+    llvm::IRBuilder<> entry(m_entryEnd);
+    llvm::AllocaInst* slot = entry.CreateAlloca(type, nullptr, name);
+    entry.CreateStore(llvm::Constant::getNullValue(type), slot);
+    return slot;
+}
+
+llvm::Value* FunctionEmitter::contextField(size_t at) { return b.CreateConstInBoundsGEP1_64(m.i8, m_context, at); }
+
+llvm::LoadInst* FunctionEmitter::loadContext(llvm::Type* type, size_t at) {
+    llvm::LoadInst* value = b.CreateLoad(type, contextField(at));
+    if (!m.isQuick()) value->setMetadata(llvm::LLVMContext::MD_tbaa, m.contextTag());
+    return value;
+}
+
+void FunctionEmitter::storeContext(Value* value, size_t at) {
+    llvm::StoreInst* stored = b.CreateStore(value, contextField(at));
+    if (!m.isQuick()) stored->setMetadata(llvm::LLVMContext::MD_tbaa, m.contextTag());
+}
+
+void FunctionEmitter::setSite(const tree::Stmt& stmt) {
+    const uint32_t site = m.facts.sites().siteOf(stmt);
+    if (site == 0) return;
+    m_site = site;
+    if (!m.isQuick() || stmt.isHidden) return;
+    storeContext(int32(site), offsetof(RuntimeContext, currentSite));
+    Value* flags = loadContext(m.ptr, offsetof(RuntimeContext, siteFlags));
+    Value* flag = b.CreateLoad(m.i8, b.CreateConstInBoundsGEP1_64(m.i8, flags, site));
+    Block* stop = newBlock("stop");
+    Block* go = newBlock("go");
+    b.CreateCondBr(b.CreateICmpNE(flag, b.getInt8(0)), stop, go);
+    enter(stop);
+    b.CreateCall(m.helper("plc_at_site", m.voidType, {m.ptr, m.i32, m.i32, m.i32}, ModuleEmitter::Effects::Any), {m_context, int32(site), m_this, m_frame});
+    b.CreateBr(go);
+    enter(go);
+}
+
+void FunctionEmitter::emitPrologue() {
+    Block* entry = newBlock("entry");
+    Block* start = newBlock("start");
+    m_return = newBlock("return");
+    enter(entry);
+    m_entryEnd = b.CreateBr(start);
+    b.SetInsertPoint(m_entryEnd);
+    m_this64 = b.CreateZExt(m_this, m.i64);
+    m_thisPointer = b.CreateInBoundsGEP(m.i8, m_image, m_this64);
+    m_frame64 = b.CreateZExt(m_frame, m.i64);
+    m_framePointer = b.CreateInBoundsGEP(m.i8, m_image, m_frame64);
+    auto* next = llvm::BinaryOperator::CreateAdd(m_frame, int32(0), "next", m_entryEnd->getIterator());
+    m_nextFrame = next;
+    m.patchFrameSize(next, 1, m_index);
+    m_localsSize = m_temporaryTop = m_frameSize = m_facts.frame.size;
+    m_labels.assign(m_tree.labelCount + 1, nullptr);
+    m_labelPlaced.assign(m_tree.labelCount + 1, false);
+    m_locals.assign(m_tree.locals.size(), nullptr);
+    m_localBounds.resize(m_tree.locals.size());
+    for (size_t i = 0; i < m_tree.locals.size(); ++i) {
+        const Local& local = m_tree.locals[i];
+        if (local.isInOut) {
+            m_locals[i] = newSlot(m.i64, "inout");
+            if (m.types().kind(local.type) == TypeKind::OpenArray)
+                for (size_t d = 0; d < m.types()[local.type].dimensions.size(); ++d) m_localBounds[i].push_back({newSlot(m.i64, "low"), newSlot(m.i64, "high")});
+        } else if (m_facts.frame.offsets[i] == kNoFrame) {
+            m_locals[i] = newSlot(m.memoryType(local.type), "local");
+        }
+    }
+    if (!m.isQuick() && m_facts.hasLoop) m_budget = newSlot(m.i64, "budget");
+    enter(start);
+    reloadBudget();
+    for (const tree::Stmt* stmt : m_tree.body)
+        if (const uint32_t site = m.facts.sites().siteOf(*stmt)) {
+            m_site = site; // faults before the first statement are shown there
+            break;
+        }
+    if (m_facts.isUnbounded) {
+        auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame, int32(0));
+        m.patchNeed(tooFar, 1, m_index);
+        guard(tooFar, image::FaultCode::StackOverflow);
+    }
+
+    unsigned argument = 4;
+    for (uint32_t i = 0; i < m_tree.locals.size(); ++i) {
+        const Local& local = m_tree.locals[i];
+        if (local.kind == LocalKind::Input && !local.isInOut) {
+            Value* given = m_function->getArg(argument++);
+            if (m.isScalar(local.type)) {
+                store(localAddress(i), given);
+            } else {
+                const Address target = localAddress(i);
+                b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), given, llvm::MaybeAlign(1), m.types()[local.type].size);
+            }
+        } else if (local.isInOut) {
+            const bool isParameter = local.kind == LocalKind::InOut;
+            if (!isParameter) continue;
+            Value* given = m_function->getArg(argument++);
+            b.CreateStore(given, m_locals[i]);
+            Address slot;
+            slot.base = m_framePointer;
+            slot.constant = m.isQuick() ? m_facts.frame.offsets[i] : 0;
+            if (m.isQuick()) b.CreateAlignedStore(given, pointer(slot), llvm::Align(1));
+            for (auto& [low, high] : m_localBounds[i])
+                for (llvm::AllocaInst* bound : {low, high}) {
+                    Value* value = m_function->getArg(argument++);
+                    b.CreateStore(value, bound);
+                    slot.constant += 8;
+                    if (m.isQuick()) b.CreateAlignedStore(value, pointer(slot), llvm::Align(1));
+                }
+        }
+    }
+    if (!m.isQuick() && m_facts.hasSlots) {
+        SlotFinder finder;
+        finder.walkFunction(m_tree);
+        for (const tree::Place* place : finder.slots) {
+            uint32_t at = 0;
+            if (!fixedFromThis(place->base, at)) continue;
+            at += place->offset;
+            if (m_slots.count(at)) continue;
+            Slot& slot = m_slots[at];
+            const Address where = slotAddress(*place);
+            slot.offset = newSlot(m.i64, "slot");
+            Value* raw = b.CreateAlignedLoad(m.i64, pointer(where), llvm::Align(1));
+            Value* size = int64(m.types()[place->type].size);
+            Value* ok = b.getTrue();
+            if (m.types().kind(place->type) == TypeKind::OpenArray) {
+                Address boundAt = where;
+                size = int64(m.types()[m.types()[place->type].element].size);
+                for (size_t d = 0; d < m.types()[place->type].dimensions.size(); ++d) {
+                    boundAt.constant += 8;
+                    Value* low = b.CreateAlignedLoad(m.i64, pointer(boundAt), llvm::Align(1));
+                    boundAt.constant += 8;
+                    Value* high = b.CreateAlignedLoad(m.i64, pointer(boundAt), llvm::Align(1));
+                    Value* count = b.CreateAdd(b.CreateSub(high, low), int64(1));
+                    ok = b.CreateAnd(ok, b.CreateICmpULE(count, int64(1 << 30)));
+                    size = b.CreateMul(size, b.CreateAnd(count, int64((int64_t(1) << 31) - 1)));
+                    ok = b.CreateAnd(ok, b.CreateICmpULE(size, int64(1 << 30)));
+                    slot.bounds.push_back({newSlot(m.i64, "low"), newSlot(m.i64, "high")});
+                    b.CreateStore(low, slot.bounds.back().first);
+                    b.CreateStore(high, slot.bounds.back().second);
+                }
+            }
+            ok = b.CreateAnd(ok, isLive(raw, size));
+            b.CreateStore(b.CreateSelect(ok, raw, int64(0)), slot.offset);
+        }
+    }
+    for (uint32_t i = 0; i < m_tree.locals.size(); ++i)
+        if (!m_tree.locals[i].isInOut && m_tree.locals[i].kind != LocalKind::Input) initialiseLocal(i);
+}
+
+void FunctionEmitter::initialiseLocal(uint32_t index) {
+    const Local& local = m_tree.locals[index];
+    const types::Type& type = m.types()[local.type];
+    const Address target = localAddress(index);
+    if (m.isScalar(local.type)) {
+        if (local.initial) {
+            store(target, scalar(*local.initial));
+            return;
+        }
+        llvm::Type* memory = m.memoryType(local.type);
+        llvm::Constant* value = llvm::Constant::getNullValue(memory);
+        if (!type.initial.empty()) {
+            uint64_t bits = 0;
+            std::memcpy(&bits, type.initial.data(), std::min<size_t>(8, type.initial.size()));
+            value = memory->isIntegerTy() ? llvm::ConstantInt::get(memory, bits)
+                    : memory->isFloatTy() ? llvm::ConstantFP::get(m.context, llvm::APFloat(llvm::APFloat::IEEEsingle(), llvm::APInt(32, bits & 0xffffffffu)))
+                                          : llvm::ConstantFP::get(m.context, llvm::APFloat(llvm::APFloat::IEEEdouble(), llvm::APInt(64, bits)));
+        }
+        b.CreateAlignedStore(value, pointer(target), alignOf(target).valueOrOne());
+        return;
+    }
+    if (type.initial.empty()) {
+        // All of the capacity: a frame is reused memory and must not show what lay there before.
+        b.CreateMemSet(pointer(target), b.getInt8(0), std::max(1u, type.size), llvm::MaybeAlign(1));
+    } else {
+        const std::string bytes(reinterpret_cast<const char*>(type.initial.data()), type.initial.size());
+        b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), m.constantBytes(bytes, 1), llvm::MaybeAlign(1), type.size);
+    }
+    if (!local.initial) return;
+    const uint32_t top = m_temporaryTop;
+    if (m.types().isText(local.type)) textInto(*local.initial, textAt(target));
+    else aggregateInto(*local.initial, target);
+    m_temporaryTop = top;
+}
+
+void FunctionEmitter::emitEpilogue() {
+    enter(m_return);
+    flushBudget();
+    if (m_abi.returned == 0) {
+        b.CreateRetVoid();
+    } else {
+        std::vector<Value*> values;
+        if (m_abi.returnsScalar) values.push_back(load(localAddress(m_tree.resultLocal)));
+        for (const uint32_t output : m_abi.scalarOutputs) values.push_back(load(localAddress(output)));
+        if (values.size() == 1) {
+            b.CreateRet(values[0]);
+        } else {
+            Value* all = llvm::PoisonValue::get(m_abi.type->getReturnType());
+            for (unsigned i = 0; i < values.size(); ++i) all = b.CreateInsertValue(all, values[i], i);
+            b.CreateRet(all);
+        }
+    }
+    // Blocks left open (dead code behind EXIT, RETURN, JMP) end nowhere.
+    for (Block& block : *m_function)
+        if (!block.getTerminator()) new llvm::UnreachableInst(m.context, &block);
+    m.frameSizes[m_index] = (m_frameSize + 15) / 16 * 16;
+}
+
+uint32_t FunctionEmitter::allocateTemporary(uint32_t size, uint32_t align) {
+    m_temporaryTop = (m_temporaryTop + align - 1) / align * align;
+    const uint32_t at = m_temporaryTop;
+    m_temporaryTop += std::max(1u, size);
+    m_frameSize = std::max(m_frameSize, m_temporaryTop);
+    return at;
+}
+
+Address FunctionEmitter::temporary(types::TypeId type) {
+    const types::Type& t = m.types()[type];
+    Address address;
+    address.base = m_framePointer;
+    address.baseOffset = m_frame64;
+    address.constant = allocateTemporary(t.size, 16);
+    address.type = type;
+    address.align = 1;
+    return address;
+}
+
+} // namespace plc::codegen

@@ -1,0 +1,112 @@
+#include "runtime/compiler/codegen/emitter.h"
+
+namespace plc::codegen {
+
+using image::FaultCode;
+using image::RuntimeContext;
+
+llvm::BranchInst* FunctionEmitter::branchUnlikely(Value* condition, Block* rare, Block* usual) {
+    llvm::BranchInst* branch = b.CreateCondBr(condition, rare, usual);
+    if (!m.isQuick()) branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1, 1 << 20));
+    return branch;
+}
+
+/// Leaves the scan with `code` when `isBad`. The way out is a cold block with one call, away from the code that runs.
+void FunctionEmitter::guard(Value* isBad, FaultCode code, Value* d0, Value* d1, Value* d2) {
+    if (const auto* constant = llvm::dyn_cast<llvm::ConstantInt>(isBad); constant && constant->isZero()) return;
+    Block* rare = newBlock("fault");
+    Block* usual = newBlock("ok");
+    branchUnlikely(isBad, rare, usual);
+    enter(rare);
+    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), d0 ? d0 : int64(0), d1 ? d1 : int64(0), d2 ? d2 : int64(0)});
+    b.CreateUnreachable();
+    enter(usual);
+}
+
+void FunctionEmitter::raiseAlways(FaultCode code) {
+    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), int64(0), int64(0), int64(0)});
+    b.CreateUnreachable();
+    enter(newBlock("dead"));
+}
+
+/// `size` bytes at `offset` lie within declared variables or within frames that are alive (this function's and its callers').
+llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
+    const image::Layout& layout = m.program.layout;
+    const int64_t dataBegin = sizeof(image::ImageHeader);
+    Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
+    Value* inData = b.CreateAnd(b.CreateICmpSGE(dataRoom, int64(0)), b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom));
+    Value* frameLast = b.CreateSub(b.CreateZExt(m_nextFrame, m.i64), size);
+    Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
+    return b.CreateOr(inData, inFrame);
+}
+
+void FunctionEmitter::guardReference(Value* at, Value* size) {
+    const image::Layout& layout = m.program.layout;
+    const int64_t dataBegin = sizeof(image::ImageHeader);
+    Block* frames = newBlock("not_data");
+    Block* bad = newBlock("bad_reference");
+    Block* ok = newBlock("ok");
+    Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
+    Value* inData = b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom);
+    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(dataRoom); !known || known->isNegative()) inData = b.CreateAnd(inData, b.CreateICmpSGE(dataRoom, int64(0)));
+    llvm::BranchInst* branch = b.CreateCondBr(inData, ok, frames);
+    if (!m.isQuick()) branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1 << 10, 1));
+    enter(frames);
+    Value* frameLast = b.CreateSub(b.CreateZExt(m_nextFrame, m.i64), size);
+    Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
+    branchUnlikely(b.CreateNot(inFrame), bad, ok);
+    enter(bad);
+    Value* code = b.CreateSelect(b.CreateICmpEQ(at, int64(0)), int32(static_cast<uint32_t>(FaultCode::NullReference)), int32(static_cast<uint32_t>(FaultCode::ForeignReference)));
+    b.CreateCall(m.raise(), {m_context, code, int32(m_site), at, int64(0), int64(0)});
+    b.CreateUnreachable();
+    enter(ok);
+}
+
+/// The word at `at` (already live for the block's size) names `block` or one derived from it, and all of it lies inside the image.
+void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
+    const types::Type& type = m.types()[block];
+    if (type.kind == types::TypeKind::Block && type.blockNumber == 0) return;
+    bool any = false;
+    llvm::GlobalVariable* flags = m.blockFlags(block, any);
+    Value* number = b.CreateAlignedLoad(m.i32, b.CreateInBoundsPtrAdd(m_image, at), llvm::Align(1));
+    Value* number64 = b.CreateZExt(number, m.i64);
+    Block* bad = newBlock("bad_block");
+    Block* known = newBlock("known_block");
+    Block* ok = newBlock("ok");
+    branchUnlikely(b.CreateICmpUGE(number64, int64(m.facts.blockCount())), bad, known);
+    enter(known);
+    Value* fits = b.CreateLoad(m.i8, b.CreateInBoundsGEP(m.i8, flags, number64));
+    branchUnlikely(b.CreateICmpEQ(fits, b.getInt8(0)), bad, ok);
+    enter(bad);
+    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(FaultCode::ForeignReference)), int32(m_site), at, int64(0), int64(0)});
+    b.CreateUnreachable();
+    enter(ok);
+}
+
+void FunctionEmitter::charge(Value* amount) {
+    const size_t at = offsetof(RuntimeContext, loopBudget);
+    Value* left = m_budget ? static_cast<Value*>(b.CreateLoad(m.i64, m_budget)) : loadContext(m.i64, at);
+    left = b.CreateSub(left, amount);
+    if (m_budget) b.CreateStore(left, m_budget);
+    else storeContext(left, at);
+    Block* usedUp = newBlock("budget");
+    Block* ok = newBlock("ok");
+    branchUnlikely(b.CreateICmpSLT(left, int64(0)), usedUp, ok);
+    enter(usedUp);
+    storeContext(int32(m_site), offsetof(RuntimeContext, faultSite));
+    if (m_budget) storeContext(left, at);
+    b.CreateCall(m.budgetUsedUp(), {m_context});
+    if (m_budget) b.CreateStore(loadContext(m.i64, at), m_budget);
+    b.CreateBr(ok);
+    enter(ok);
+}
+
+void FunctionEmitter::flushBudget() {
+    if (m_budget) storeContext(b.CreateLoad(m.i64, m_budget), offsetof(RuntimeContext, loopBudget));
+}
+
+void FunctionEmitter::reloadBudget() {
+    if (m_budget) b.CreateStore(loadContext(m.i64, offsetof(RuntimeContext, loopBudget)), m_budget);
+}
+
+} // namespace plc::codegen

@@ -1,0 +1,381 @@
+#include "runtime/compiler/codegen/emitter.h"
+
+#include <algorithm>
+
+namespace plc::codegen {
+
+using image::RuntimeContext;
+using tree::LocalKind;
+using types::TypeKind;
+
+namespace {
+constexpr int64_t kUnknownNeed = -1;
+} // namespace
+
+ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program& tree, const DebugMap& debugMap, const Options& wanted)
+    : frameSizes(tree.functions.size(), 0), context(llvmContext), module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), debug(debugMap),
+      options(wanted), facts(tree, wanted.tier), m_abis(tree.functions.size()), m_functions(tree.functions.size()), m_needs(tree.functions.size(), kUnknownNeed) {
+    i1 = llvm::Type::getInt1Ty(context);
+    i8 = llvm::Type::getInt8Ty(context);
+    i16 = llvm::Type::getInt16Ty(context);
+    i32 = llvm::Type::getInt32Ty(context);
+    i64 = llvm::Type::getInt64Ty(context);
+    ptr = llvm::PointerType::getUnqual(context);
+    f32 = llvm::Type::getFloatTy(context);
+    f64 = llvm::Type::getDoubleTy(context);
+    voidType = llvm::Type::getVoidTy(context);
+    llvm::MDBuilder builder(context);
+    llvm::MDNode* root = builder.createTBAARoot("plc");
+    m_imageNode = builder.createTBAAScalarTypeNode("image", root);
+    llvm::MDNode* contextNode = builder.createTBAAScalarTypeNode("context", root);
+    m_contextTag = builder.createTBAAStructTagNode(contextNode, contextNode, 0);
+    taint();
+}
+
+std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
+    std::vector<uint32_t> entries;
+    const auto addEntry = [&](uint32_t f) {
+        if (f != 0 && f < program.functions.size() && std::find(entries.begin(), entries.end(), f) == entries.end()) entries.push_back(f);
+    };
+    for (const image::Task& task : program.tasks)
+        for (const image::TaskProgram& p : task.programs)
+            for (const uint32_t f : {p.function, p.connectIn, p.connectOut}) addEntry(f);
+    if (program.initializer.isValid()) addEntry(program.initializer.value);
+    std::vector<bool> isEntry(program.functions.size(), false);
+    for (const uint32_t f : entries) isEntry[f] = true;
+    for (uint32_t f = 1; f < program.functions.size(); ++f) {
+        const tree::Function& tree = program.functions[f];
+        if (tree.isAbstract || isEntry[f] || (!isQuick() && facts[f].isReachable)) continue;
+        // Bodies and actions that no task names: tests and tools may run them.
+        const bool hasParameters = std::any_of(tree.locals.begin(), tree.locals.end(), [](const tree::Local& l) {
+            return l.kind == LocalKind::Input || l.kind == LocalKind::InOut || l.kind == LocalKind::Output || l.kind == LocalKind::Result;
+        });
+        if (isQuick() && !hasParameters) entries.push_back(f);
+    }
+    for (uint32_t f = 1; f < program.functions.size(); ++f) {
+        if (program.functions[f].isAbstract) continue;
+        if (!isQuick() && !facts[f].isReachable) continue;
+        FunctionEmitter(*this, f).emit();
+    }
+    for (const uint32_t f : entries) emitEntry(f);
+    resolvePatches();
+    return std::move(module);
+}
+
+// ---------------------------------------------------------------- types and signatures
+
+bool ModuleEmitter::isScalar(types::TypeId type) const {
+    return !types().isAggregate(type) && !types().isText(type) && types().kind(type) != TypeKind::OpenArray;
+}
+
+llvm::Type* ModuleEmitter::memoryType(types::TypeId type) {
+    switch (types().storageKind(type)) {
+    case TypeKind::Real: return f32;
+    case TypeKind::Lreal: return f64;
+    case TypeKind::Interface:
+    case TypeKind::Pointer:
+    case TypeKind::Reference:
+    case TypeKind::Null: return i64;
+    default: break;
+    }
+    switch (types()[types().storage(type)].size) {
+    case 1: return i8;
+    case 2: return i16;
+    case 4: return i32;
+    default: return i64;
+    }
+}
+
+llvm::Type* ModuleEmitter::scalarType(types::TypeId type) { return types().storageKind(type) == TypeKind::Bool ? i1 : memoryType(type); }
+
+const Abi& ModuleEmitter::abi(uint32_t index) {
+    Abi& abi = m_abis[index];
+    if (abi.type) return abi;
+    const tree::Function& tree = program.functions[index];
+    std::vector<llvm::Type*> parameters{ptr, ptr, i32, i32}, returned;
+    if (tree.resultLocal < tree.locals.size() && isScalar(tree.locals[tree.resultLocal].type)) {
+        abi.returnsScalar = true;
+        returned.push_back(scalarType(tree.locals[tree.resultLocal].type));
+    }
+    for (uint32_t i = 0; i < tree.locals.size(); ++i) {
+        const tree::Local& local = tree.locals[i];
+        if (local.isInOut) {
+            if (local.kind != LocalKind::InOut) continue;
+            parameters.push_back(i64);
+            if (types().kind(local.type) == TypeKind::OpenArray)
+                for (size_t d = 0; d < types()[local.type].dimensions.size() * 2; ++d) parameters.push_back(i64);
+        } else if (local.kind == LocalKind::Input) {
+            parameters.push_back(isScalar(local.type) ? scalarType(local.type) : ptr);
+        } else if (local.kind == LocalKind::Output && isScalar(local.type)) {
+            abi.scalarOutputs.push_back(i);
+            returned.push_back(scalarType(local.type));
+        }
+    }
+    abi.returned = static_cast<unsigned>(returned.size());
+    llvm::Type* result = returned.empty() ? voidType : returned.size() == 1 ? returned[0] : llvm::StructType::get(context, returned);
+    abi.type = llvm::FunctionType::get(result, parameters, false);
+    return abi;
+}
+
+void ModuleEmitter::addAttributes(llvm::Function& f) {
+    f.setDoesNotThrow();
+    if (options.threadSanitizer) f.addFnAttr(llvm::Attribute::SanitizeThread);
+    if (isQuick()) return;
+    f.addParamAttr(0, llvm::Attribute::NoAlias);
+    f.addParamAttr(0, llvm::Attribute::NonNull);
+    f.addParamAttr(0, llvm::Attribute::getWithDereferenceableBytes(context, sizeof(RuntimeContext)));
+    f.addParamAttr(1, llvm::Attribute::NonNull);
+    f.addParamAttr(1, llvm::Attribute::getWithDereferenceableBytes(context, std::max(64u, program.layout.imageSize)));
+}
+
+llvm::Function* ModuleEmitter::function(uint32_t index) {
+    llvm::Function*& f = m_functions[index];
+    if (f) return f;
+    f = llvm::Function::Create(abi(index).type, llvm::GlobalValue::InternalLinkage, "plc.f." + std::to_string(index), *module);
+    addAttributes(*f);
+    if (program.functions[index].isAbstract) {
+        llvm::IRBuilder<> builder(llvm::BasicBlock::Create(context, "", f));
+        builder.CreateCall(raise(), {f->getArg(0), builder.getInt32(static_cast<uint32_t>(image::FaultCode::AbstractCall)), builder.getInt32(0), builder.getInt64(0),
+                                     builder.getInt64(0), builder.getInt64(0)});
+        builder.CreateUnreachable();
+    }
+    return f;
+}
+
+uint32_t ModuleEmitter::frameOffset(uint32_t index, uint32_t local) const { return facts[index].frame.offsets[local]; }
+
+// ---------------------------------------------------------------- entries and frame sizes
+
+void ModuleEmitter::emitEntry(uint32_t index) {
+    auto* type = llvm::FunctionType::get(voidType, {ptr, ptr, i32}, false);
+    auto* entry = llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage, "plc.entry." + std::to_string(index), *module);
+    addAttributes(*entry);
+    llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", entry));
+    llvm::Value* ctx = entry->getArg(0);
+    const auto field = [&](size_t offset) { return b.CreateConstInBoundsGEP1_64(i8, ctx, offset); };
+    llvm::Value* frame = b.CreateLoad(i32, field(offsetof(RuntimeContext, frameTop)));
+    auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, frame, b.getInt32(0));
+    patchNeed(tooFar, 1, index);
+    auto* bad = llvm::BasicBlock::Create(context, "", entry);
+    auto* ok = llvm::BasicBlock::Create(context, "", entry);
+    b.CreateCondBr(tooFar, bad, ok);
+    b.SetInsertPoint(bad);
+    b.CreateCall(raise(), {ctx, b.getInt32(static_cast<uint32_t>(image::FaultCode::StackOverflow)), b.getInt32(0), b.getInt64(0), b.getInt64(0), b.getInt64(0)});
+    b.CreateUnreachable();
+    b.SetInsertPoint(ok);
+    // The outermost record: no site, the entry itself.
+    const size_t record = offsetof(RuntimeContext, calls);
+    b.CreateStore(b.getInt32(0), field(record + offsetof(image::CallRecord, site)));
+    b.CreateStore(b.getInt32(index), field(record + offsetof(image::CallRecord, function)));
+    b.CreateStore(entry->getArg(2), field(record + offsetof(image::CallRecord, instance)));
+    b.CreateStore(frame, field(record + offsetof(image::CallRecord, frame)));
+    b.CreateStore(b.getInt32(1), field(offsetof(RuntimeContext, depth)));
+    std::vector<llvm::Value*> arguments{ctx, entry->getArg(1), entry->getArg(2), frame};
+    llvm::FunctionType* called = abi(index).type;
+    for (unsigned i = 4; i < called->getNumParams(); ++i) arguments.push_back(llvm::Constant::getNullValue(called->getParamType(i)));
+    b.CreateCall(function(index), arguments);
+    b.CreateStore(b.getInt32(0), field(offsetof(RuntimeContext, depth)));
+    b.CreateRetVoid();
+}
+
+/// Bytes of frame area a call of `index` uses at most, calls into cycles left out (those check for themselves).
+uint32_t ModuleEmitter::need(uint32_t index) {
+    if (m_needs[index] != kUnknownNeed) return static_cast<uint32_t>(m_needs[index]);
+    m_needs[index] = frameSizes[index];
+    uint32_t deepest = 0;
+    for (const uint32_t callee : facts[index].callees)
+        if (!facts[callee].isUnbounded) deepest = std::max(deepest, need(callee));
+    m_needs[index] = frameSizes[index] + deepest;
+    return static_cast<uint32_t>(m_needs[index]);
+}
+
+void ModuleEmitter::resolvePatches() {
+    for (const SizePatch& patch : m_sizePatches) {
+        uint32_t value = frameSizes[patch.function];
+        if (patch.isNeed) {
+            const uint32_t wanted = need(patch.function);
+            value = wanted > program.layout.imageSize ? 0 : program.layout.imageSize - wanted;
+        }
+        patch.instruction->setOperand(patch.operand, llvm::ConstantInt::get(i32, value));
+    }
+}
+
+// ---------------------------------------------------------------- helpers and tables
+
+llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects) {
+    const llvm::FunctionCallee callee = module->getOrInsertFunction(name, llvm::FunctionType::get(result, parameters, false));
+    auto* f = llvm::cast<llvm::Function>(callee.getCallee());
+    if (f->doesNotThrow()) return callee;
+    f->setDoesNotThrow();
+    switch (effects) {
+    case Effects::None:
+        f->setDoesNotAccessMemory();
+        f->setWillReturn();
+        break;
+    case Effects::ReadsArguments:
+        f->setOnlyReadsMemory();
+        [[fallthrough]];
+    case Effects::WritesArguments:
+        f->setOnlyAccessesArgMemory();
+        f->setWillReturn();
+        for (unsigned i = 0; i < parameters.size(); ++i)
+            if (parameters[i]->isPointerTy()) f->addParamAttr(i, llvm::Attribute::NoCapture);
+        break;
+    case Effects::Any: break;
+    }
+    return callee;
+}
+
+llvm::Function* ModuleEmitter::raise() {
+    if (m_raise) return m_raise;
+    auto* type = llvm::FunctionType::get(voidType, {ptr, i32, i32, i64, i64, i64}, false);
+    m_raise = llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.raise", *module);
+    m_raise->addFnAttr(llvm::Attribute::NoInline);
+    m_raise->addFnAttr(llvm::Attribute::Cold);
+    m_raise->setDoesNotReturn();
+    m_raise->setDoesNotThrow();
+    llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", m_raise));
+    const auto put = [&](unsigned argument, size_t offset) { b.CreateStore(m_raise->getArg(argument), b.CreateConstInBoundsGEP1_64(i8, m_raise->getArg(0), offset)); };
+    put(1, offsetof(RuntimeContext, fault));
+    put(2, offsetof(RuntimeContext, faultSite));
+    for (unsigned i = 0; i < 3; ++i) put(3 + i, offsetof(RuntimeContext, faultDetail) + i * 8);
+    const llvm::FunctionCallee leave = helper("plc_fault", voidType, {ptr}, Effects::Any);
+    llvm::cast<llvm::Function>(leave.getCallee())->setDoesNotReturn();
+    b.CreateCall(leave, {m_raise->getArg(0)});
+    b.CreateUnreachable();
+    return m_raise;
+}
+
+llvm::FunctionCallee ModuleEmitter::budgetUsedUp() {
+    const llvm::FunctionCallee callee = helper("plc_budget_used_up", voidType, {ptr}, Effects::Any);
+    llvm::cast<llvm::Function>(callee.getCallee())->addFnAttr(llvm::Attribute::Cold);
+    return callee;
+}
+
+llvm::GlobalVariable* ModuleEmitter::constantBytes(std::string bytes, uint32_t align) {
+    llvm::GlobalVariable*& global = m_constants[bytes];
+    if (global) {
+        if (global->getAlign().valueOrOne().value() < align) global->setAlignment(llvm::Align(align));
+        return global;
+    }
+    llvm::Constant* value = llvm::ConstantDataArray::getString(context, bytes, false);
+    global = new llvm::GlobalVariable(*module, value->getType(), true, llvm::GlobalValue::PrivateLinkage, value, "plc.c");
+    global->setAlignment(llvm::Align(align));
+    global->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+    return global;
+}
+
+/// {code, function number, size of the block} for every block number; code null where the block does not fit.
+llvm::GlobalVariable* ModuleEmitter::dispatchTable(uint32_t method) {
+    llvm::GlobalVariable*& table = m_dispatchTables[method];
+    if (table) return table;
+    llvm::StructType* row = llvm::StructType::get(context, {ptr, i32, i32});
+    std::vector<llvm::Constant*> rows(std::max(1u, facts.blockCount()), llvm::Constant::getNullValue(row));
+    for (const Target& target : facts.targetsOf(method)) {
+        const uint32_t f = target.function != 0 && abi(target.function).type == abi(method).type ? target.function : method;
+        if (!program.functions[f].isAbstract && !isQuick() && !facts[f].isReachable) continue;
+        if (f == method && !program.functions[f].isAbstract && target.function == 0) continue;
+        rows[target.blockNumber] =
+            llvm::ConstantStruct::get(row, {function(f), llvm::ConstantInt::get(i32, f), llvm::ConstantInt::get(i32, types()[target.block].size)});
+    }
+    llvm::ArrayType* type = llvm::ArrayType::get(row, rows.size());
+    table = new llvm::GlobalVariable(*module, type, true, llvm::GlobalValue::PrivateLinkage, llvm::ConstantArray::get(type, rows), "plc.dispatch");
+    return table;
+}
+
+llvm::GlobalVariable* ModuleEmitter::blockFlags(types::TypeId wanted, bool& any) {
+    std::string flags(std::max(1u, facts.blockCount()), '\0');
+    const bool isInterface = types().kind(wanted) == TypeKind::Interface;
+    any = false;
+    for (uint32_t n = 1; n < facts.blockCount(); ++n) {
+        const types::TypeId block = facts.blockType(n);
+        if (!block.isValid()) continue;
+        if (isInterface ? !types().implements(block, wanted) : !types().isDerivedFrom(block, wanted)) continue;
+        flags[n] = 1;
+        any = true;
+    }
+    llvm::GlobalVariable*& table = m_blockFlags[wanted.value];
+    if (!table) table = constantBytes(flags, 1);
+    return table;
+}
+
+// ---------------------------------------------------------------- alias nodes
+
+llvm::MDNode* ModuleEmitter::aliasTag(llvm::MDNode* node) {
+    llvm::MDNode*& tag = m_tags[node];
+    if (!tag) tag = llvm::MDBuilder(context).createTBAAStructTagNode(node, node, 0);
+    return tag;
+}
+
+llvm::MDNode* ModuleEmitter::contextTag() { return m_contextTag; }
+
+llvm::MDNode* ModuleEmitter::fieldNode(types::TypeId container, size_t field) {
+    // The type that declares the field stands for all that inherit it.
+    while (types()[container].base.isValid() && field < types()[types()[container].base].fields.size()) container = types()[container].base;
+    const types::Field& f = types()[container].fields[field];
+    if (f.bit >= 0) { // BIT members share their byte
+        while (field > 0 && types()[container].fields[field - 1].bit >= 0 && types()[container].fields[field - 1].offset == f.offset) --field;
+    }
+    llvm::MDNode*& node = m_fieldNodes[{container.value, static_cast<uint32_t>(field)}];
+    if (!node) node = llvm::MDBuilder(context).createTBAAScalarTypeNode("f" + std::to_string(container.value) + "." + std::to_string(field), m_imageNode);
+    return node;
+}
+
+llvm::MDNode* ModuleEmitter::rootNode(size_t root) {
+    llvm::MDNode*& node = m_rootNodes[root];
+    if (!node) node = llvm::MDBuilder(context).createTBAAScalarTypeNode("r" + std::to_string(root), m_imageNode);
+    return node;
+}
+
+int ModuleEmitter::rootAt(uint32_t offset) const {
+    auto it = std::upper_bound(m_rootsByOffset.begin(), m_rootsByOffset.end(), std::pair<uint32_t, size_t>{offset, SIZE_MAX});
+    if (it == m_rootsByOffset.begin()) return -1;
+    --it;
+    const image::Root& root = program.layout.roots[it->second];
+    return offset < root.offset + std::max(1u, types()[root.type].size) ? static_cast<int>(it->second) : -1;
+}
+
+/// Types whose storage may overlap other variables: members of unions, located variables, locals of functions (frames are
+/// reused). Their fields get no alias node of their own.
+void ModuleEmitter::taint() {
+    for (size_t t = 0; t < types().count(); ++t) {
+        const types::Type& type = types()[types::TypeId(t)];
+        if (type.kind == TypeKind::Union)
+            for (const types::Field& field : type.fields) taintType(field.type);
+    }
+    for (const tree::Function& function : program.functions)
+        for (const tree::Local& local : function.locals)
+            if (!local.isInOut) taintType(local.type);
+    const image::Layout& layout = program.layout;
+    for (size_t i = 0; i < layout.roots.size(); ++i) {
+        const image::Root& root = layout.roots[i];
+        const bool isOwn = (root.area == image::Area::Global || root.area == image::Area::Program) && root.address.empty() && root.bit < 0;
+        if (isOwn) m_rootsByOffset.push_back({root.offset, i});
+        else taintType(root.type);
+    }
+    std::sort(m_rootsByOffset.begin(), m_rootsByOffset.end());
+    // Two names of one storage (VAR_ACCESS and such): neither is precise.
+    std::vector<std::pair<uint32_t, size_t>> apart;
+    for (size_t i = 0; i < m_rootsByOffset.size(); ++i) {
+        const auto end = [&](size_t k) { return layout.roots[m_rootsByOffset[k].second].offset + types()[layout.roots[m_rootsByOffset[k].second].type].size; };
+        const bool overlaps = (i > 0 && end(i - 1) > m_rootsByOffset[i].first) || (i + 1 < m_rootsByOffset.size() && end(i) > m_rootsByOffset[i + 1].first);
+        if (overlaps) taintType(layout.roots[m_rootsByOffset[i].second].type);
+        else apart.push_back(m_rootsByOffset[i]);
+    }
+    m_rootsByOffset = std::move(apart);
+}
+
+void ModuleEmitter::taintType(types::TypeId id) {
+    const types::Type& type = types()[id];
+    if (type.kind == TypeKind::Array || type.kind == TypeKind::OpenArray) return taintType(type.element);
+    if (type.kind != TypeKind::Struct && type.kind != TypeKind::Union && type.kind != TypeKind::Block) return;
+    if (!m_tainted.insert(id.value).second) return;
+    if (type.base.isValid()) taintType(type.base);
+    for (const types::Field& field : type.fields) taintType(field.type);
+}
+
+std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const DebugMap& debug, const Options& options) {
+    return ModuleEmitter(context, program, debug, options).emit();
+}
+
+} // namespace plc::codegen
