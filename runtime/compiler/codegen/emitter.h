@@ -97,6 +97,7 @@ public:
     llvm::Type *f32, *f64, *voidType;
 
 private:
+    llvm::GlobalVariable* newConstant(const std::string& name, llvm::Constant* value);
     void taint();
     void taintType(types::TypeId type);
     void emitEntry(uint32_t function);
@@ -192,30 +193,41 @@ private:
     Value* compare(library::BinaryOp op, Value* a, Value* c, types::TypeId type);
     Value* shortCircuit(const tree::Expr& expr);
     Value* conditional(const tree::Expr& expr);
+    void sequence(const tree::Expr& expr);
     Value* bound(const tree::Expr& expr);
     Value* tryCast(const tree::Expr& expr);
     Address aggregate(const tree::Expr& expr);
     void aggregateInto(const tree::Expr& expr, const Address& target);
     Range rangeOf(const tree::Expr& expr);
     void storeOk(const tree::Expr& expr, Value* ok);
-    void fault(Value* status); // of a helper: 2 = division by zero
 
     // conversions.cpp
     Value* convert(Value* value, types::TypeId from, types::TypeId to, Value** ok = nullptr);
     Value* convertExpr(const tree::Expr& expr);
-    Value* toBits(Value* value, types::TypeId type);
-    Value* fromBits(Value* bits, types::TypeId type);
+    Value* integerToReal(Value* value, types::TypeId from, llvm::Type* to);
+    Value* fitTime(Value* nanoseconds, types::TypeKind to);
+    Value* startOfDay(Value* nanoseconds);
+    Value* convertText(const tree::Expr& expr, types::TypeId to);
     Value* castInteger(Value* value, types::TypeId from, llvm::Type* to);
+    llvm::AllocaInst* m_ok = nullptr;
 
     // intrinsics.cpp
     Value* intrinsic(const tree::Expr& expr);
     Value* intrinsicByHelper(const tree::Expr& expr);
     Value* mathCall(const char* single, const char* wide, std::initializer_list<Value*> operands);
+    Value* mathFunction(const tree::Expr& expr);
+    Value* wholeNumber(const tree::Expr& expr, llvm::Intrinsic::ID round);
+    Value* absolute(const tree::Expr& expr);
     Value* shift(const tree::Expr& expr);
+    Value* better(Value* candidate, Value* best, types::TypeId type, bool isMaximum);
     Value* extreme(const tree::Expr& expr);
-    Value* limit(const tree::Expr& expr);
     Value* mux(const tree::Expr& expr);
-    Value* realToInteger(Value* real, types::TypeId to);
+    Value* durationTimes(const tree::Expr& expr, bool isDivision);
+    Value* sameBits(const tree::Expr& expr);
+    Value* headerField(size_t at, llvm::Type* stored, types::TypeId type);
+    Value* countOf(const tree::Expr& expr);           // i64; ULINT beyond the signed range is "very many"
+    Value* realToInteger(Value* whole, types::TypeId to);
+    Value* okSlot();
 
     // texts.cpp
     Text text(const tree::Expr& expr);
@@ -223,7 +235,11 @@ private:
     void textIntrinsicInto(const tree::Expr& expr, const Text& target);
     Text textTemporary(types::TypeId type);
     Value* textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments, bool writes);
-    std::vector<Text> textOperands(const tree::Expr& expr, size_t count);
+    std::vector<Text> textOperands(const tree::Expr& expr);
+    Text characterText(Value* code, bool isWide);
+    Text widened(const Text& narrow, uint32_t capacity);
+    Value* chooseText(const tree::Expr& expr, const Text& target);
+    [[nodiscard]] bool mayOverlap(const tree::Expr& expr, const tree::Place& target) const;
     Value* textCompare(library::BinaryOp op, const Text& a, const Text& c);
     Value* textIntrinsicScalar(const tree::Expr& expr);
     void assignText(const Text& to, const Text& from);
@@ -234,9 +250,11 @@ private:
         Value* frame = nullptr;       // i32 callee's frame: aggregate results lie at its begin
     };
     Returned call(const tree::Call& call);
-    Value* pushCall(Value* function, Value* self, Value* frame, bool checkDepth);
+    Value* pushCall(Value* function, Value* self, Value* frame);
+    void takeOutputs(const tree::Call& call, Value* returned, Value* frame);
+    std::vector<Value*> callArguments(const tree::Call& call);
     void popCall(Value* depth);
-    Value* resolveTarget(const tree::Call& call, Value* self, Value*& functionId);
+    Value* resolveTarget(const tree::Call& call, Value* self64, Value*& functionId);
 
     // statements.cpp, loops.cpp
     void body(const std::vector<tree::Stmt*>& statements);
@@ -248,8 +266,21 @@ private:
     void whileLoop(const tree::Stmt& stmt);
     void repeatLoop(const tree::Stmt& stmt);
     void forLoop(const tree::Stmt& stmt);
-    void countedLoop(const tree::Stmt& stmt, const Address& variable, Value* first, Value* last, Value* step);
-    void steppedLoop(const tree::Stmt& stmt, const Address& variable, Value* first, Value* last, Value* step);
+    struct ForLoop {
+        const tree::Stmt& stmt;
+        Address variable;
+        llvm::IntegerType* type;
+        bool isSigned;
+        Value *first, *last, *step; // of `type`
+        Value *first64, *last64, *step64;
+    };
+    void countedLoop(const ForLoop& loop);
+    void steppedLoop(const ForLoop& loop);
+    Value* widen(const ForLoop& loop, Value* value);
+    /// value + step, and whether that exists in the variable's type.
+    std::pair<Value*, Value*> stepped(const ForLoop& loop, Value* value);
+    void storeCounter(const ForLoop& loop, Value* value64);
+    Range counterRange(const ForLoop& loop) const;
     bool mayChange(const tree::Place& variable, const std::vector<tree::Stmt*>& body);
     void loopBody(const std::vector<tree::Stmt*>& statements, Block* exit, Block* next);
     Block* labelBlock(tree::LabelId label);

@@ -39,7 +39,7 @@ llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
     }
     case ExprKind::Conditional: return conditional(expr);
     case ExprKind::Sequence:
-        body(expr.statements);
+        sequence(expr);
         return expr.a ? scalar(*expr.a) : static_cast<Value*>(int64(0));
     case ExprKind::Bound: return bound(expr);
     case ExprKind::IsNull: return b.CreateICmpEQ(b.CreateZExtOrTrunc(scalar(*expr.a), m.i64), int64(0));
@@ -248,7 +248,7 @@ Address FunctionEmitter::aggregate(const Expr& expr) {
     }
     case ExprKind::Convert: return aggregate(*expr.a);
     case ExprKind::Sequence:
-        body(expr.statements);
+        sequence(expr);
         return aggregate(*expr.a);
     default: {
         const Address a = temporary(expr.type);
@@ -361,6 +361,12 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
     }
     default: return own;
     }
+}
+
+void FunctionEmitter::sequence(const Expr& expr) {
+    const uint32_t site = m_site; // what follows belongs to the statement around
+    body(expr.statements);
+    m_site = site;
 }
 
 void FunctionEmitter::storeOk(const Expr& expr, Value* ok) {

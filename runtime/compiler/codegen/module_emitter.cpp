@@ -203,7 +203,7 @@ void ModuleEmitter::resolvePatches() {
 // ---------------------------------------------------------------- helpers and tables
 
 llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects) {
-    const llvm::FunctionCallee callee = module->getOrInsertFunction(name, llvm::FunctionType::get(result, parameters, false));
+    llvm::FunctionCallee callee = module->getOrInsertFunction(name, llvm::FunctionType::get(result, parameters, false));
     auto* f = llvm::cast<llvm::Function>(callee.getCallee());
     if (f->doesNotThrow()) return callee;
     f->setDoesNotThrow();
@@ -239,7 +239,7 @@ llvm::Function* ModuleEmitter::raise() {
     put(1, offsetof(RuntimeContext, fault));
     put(2, offsetof(RuntimeContext, faultSite));
     for (unsigned i = 0; i < 3; ++i) put(3 + i, offsetof(RuntimeContext, faultDetail) + i * 8);
-    const llvm::FunctionCallee leave = helper("plc_fault", voidType, {ptr}, Effects::Any);
+    llvm::FunctionCallee leave = helper("plc_fault", voidType, {ptr}, Effects::Any);
     llvm::cast<llvm::Function>(leave.getCallee())->setDoesNotReturn();
     b.CreateCall(leave, {m_raise->getArg(0)});
     b.CreateUnreachable();
@@ -247,9 +247,17 @@ llvm::Function* ModuleEmitter::raise() {
 }
 
 llvm::FunctionCallee ModuleEmitter::budgetUsedUp() {
-    const llvm::FunctionCallee callee = helper("plc_budget_used_up", voidType, {ptr}, Effects::Any);
+    llvm::FunctionCallee callee = helper("plc_budget_used_up", voidType, {ptr}, Effects::Any);
     llvm::cast<llvm::Function>(callee.getCallee())->addFnAttr(llvm::Attribute::Cold);
     return callee;
+}
+
+llvm::GlobalVariable* ModuleEmitter::newConstant(const std::string& name, llvm::Constant* value) {
+    auto* global = llvm::cast<llvm::GlobalVariable>(module->getOrInsertGlobal(name, value->getType()));
+    global->setInitializer(value);
+    global->setConstant(true);
+    global->setLinkage(llvm::GlobalValue::PrivateLinkage);
+    return global;
 }
 
 llvm::GlobalVariable* ModuleEmitter::constantBytes(std::string bytes, uint32_t align) {
@@ -259,7 +267,7 @@ llvm::GlobalVariable* ModuleEmitter::constantBytes(std::string bytes, uint32_t a
         return global;
     }
     llvm::Constant* value = llvm::ConstantDataArray::getString(context, bytes, false);
-    global = new llvm::GlobalVariable(*module, value->getType(), true, llvm::GlobalValue::PrivateLinkage, value, "plc.c");
+    global = newConstant("plc.c." + std::to_string(m_constants.size()), value);
     global->setAlignment(llvm::Align(align));
     global->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
     return global;
@@ -279,7 +287,7 @@ llvm::GlobalVariable* ModuleEmitter::dispatchTable(uint32_t method) {
             llvm::ConstantStruct::get(row, {function(f), llvm::ConstantInt::get(i32, f), llvm::ConstantInt::get(i32, types()[target.block].size)});
     }
     llvm::ArrayType* type = llvm::ArrayType::get(row, rows.size());
-    table = new llvm::GlobalVariable(*module, type, true, llvm::GlobalValue::PrivateLinkage, llvm::ConstantArray::get(type, rows), "plc.dispatch");
+    table = newConstant("plc.dispatch." + std::to_string(method), llvm::ConstantArray::get(type, rows));
     return table;
 }
 

@@ -73,6 +73,8 @@ void FunctionEmitter::store(const Address& a, Value* value) {
         return;
     }
     if (value->getType() == m.i1) value = b.CreateZExt(value, m.i8);
+    llvm::Type* wanted = m.memoryType(a.type);
+    if (value->getType() != wanted && value->getType()->isIntegerTy() && wanted->isIntegerTy()) value = b.CreateZExtOrTrunc(value, wanted);
     tag(b.CreateAlignedStore(value, pointer(a), alignOf(a).valueOrOne()), a);
 }
 

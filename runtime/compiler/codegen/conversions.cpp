@@ -1,0 +1,127 @@
+// X_TO_Y as types::convert means it, inline for scalars.
+#include "runtime/compiler/codegen/emitter.h"
+
+namespace plc::codegen {
+
+using tree::Expr;
+using types::Family;
+using types::TypeKind;
+
+namespace {
+constexpr int64_t kSecond = 1'000'000'000;
+constexpr int64_t kDay = 86'400 * kSecond;
+
+bool isTime(Family f) { return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime; }
+bool isSigned(Family f) { return f == Family::Signed || isTime(f); }
+
+/// Nanoseconds that one count of the number stands for.
+int64_t unitOf(TypeKind kind) {
+    switch (kind) {
+    case TypeKind::Time:
+    case TypeKind::Tod: return 1'000'000;
+    case TypeKind::Date:
+    case TypeKind::Dt: return kSecond;
+    default: return 1;
+    }
+}
+} // namespace
+
+llvm::Value* FunctionEmitter::castInteger(Value* value, types::TypeId from, llvm::Type* to) {
+    if (value->getType() == to) return value;
+    return isSigned(m.types().family(from)) ? b.CreateSExtOrTrunc(value, to) : b.CreateZExtOrTrunc(value, to);
+}
+
+llvm::Value* FunctionEmitter::integerToReal(Value* value, types::TypeId from, llvm::Type* to) {
+    return isSigned(m.types().family(from)) ? b.CreateSIToFP(value, to) : b.CreateUIToFP(value, to);
+}
+
+llvm::Value* FunctionEmitter::startOfDay(Value* nanoseconds) {
+    Value* rest = b.CreateSRem(nanoseconds, int64(kDay));
+    Value* below = b.CreateSelect(b.CreateICmpSLT(rest, int64(0)), int64(kDay), int64(0));
+    return b.CreateSub(b.CreateSub(nanoseconds, rest), below);
+}
+
+llvm::Value* FunctionEmitter::fitTime(Value* nanoseconds, TypeKind to) {
+    const Family family = types::familyOf(to);
+    if (family == Family::Date) return startOfDay(nanoseconds);
+    if (family == Family::TimeOfDay) return b.CreateSub(nanoseconds, startOfDay(nanoseconds));
+    return nanoseconds;
+}
+
+/// A whole (already rounded) real as an integer: saturating, NaN gives 0.
+llvm::Value* FunctionEmitter::realToInteger(Value* whole, types::TypeId to) {
+    if (m.types().storageKind(to) == TypeKind::Bool) return b.CreateFCmpONE(whole, llvm::Constant::getNullValue(whole->getType()));
+    const bool s = isSigned(m.types().family(to));
+    return b.CreateIntrinsic(s ? llvm::Intrinsic::fptosi_sat : llvm::Intrinsic::fptoui_sat, {m.scalarType(to), whole->getType()}, {whole});
+}
+
+llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::TypeId to, Value**) {
+    const TypeKind source = m.types().storageKind(from), target = m.types().storageKind(to);
+    llvm::Type* wanted = m.scalarType(to);
+    if (source == target) return value;
+    const Family fromFamily = m.types().family(from), toFamily = m.types().family(to);
+    if (fromFamily == Family::Real) {
+        if (toFamily == Family::Real) return b.CreateFPCast(value, wanted);
+        if (isTime(toFamily)) {
+            Value* wide = b.CreateFPExt(value, m.f64);
+            return b.CreateCall(m.helper("plc_real_to_time", m.i64, {m.f64, m.i32}, ModuleEmitter::Effects::None), {wide, int32(static_cast<uint32_t>(target))});
+        }
+        if (target == TypeKind::Bool) return realToInteger(value, to);
+        return realToInteger(b.CreateUnaryIntrinsic(llvm::Intrinsic::roundeven, value), to);
+    }
+    if (isTime(fromFamily)) {
+        if (isTime(toFamily)) return fitTime(value, target);
+        if (target == TypeKind::Bool) return b.CreateICmpNE(value, int64(0));
+        const int64_t unit = unitOf(source);
+        Value* count = unit == 1 ? value : b.CreateSDiv(value, int64(unit));
+        if (toFamily == Family::Real) return b.CreateSIToFP(count, wanted);
+        return b.CreateTrunc(count, wanted);
+    }
+    // Integers, bits, BOOL, characters, pointers.
+    if (toFamily == Family::Real) return integerToReal(value, from, wanted);
+    if (isTime(toFamily)) {
+        const int64_t unit = unitOf(target);
+        Value* count = castInteger(value, from, m.i64);
+        return fitTime(unit == 1 ? count : b.CreateMul(count, int64(unit)), target);
+    }
+    if (target == TypeKind::Bool) return b.CreateICmpNE(value, llvm::Constant::getNullValue(value->getType()));
+    return castInteger(value, from, wanted);
+}
+
+llvm::Value* FunctionEmitter::convertExpr(const Expr& expr) {
+    if (m.types().isText(expr.a->type)) {
+        Value* result = convertText(*expr.a, expr.type);
+        if (expr.ok) storeOk(expr, b.CreateICmpNE(b.CreateLoad(m.i8, okSlot()), b.getInt8(0)));
+        return result;
+    }
+    // The counter of a FOR is kept in 64 bits: widening its variable costs nothing.
+    if (expr.a->kind == tree::ExprKind::Load && m.scalarType(expr.type) == m.i64 && types::isInteger(m.types().family(expr.type)))
+        if (const Counter* counter = counterOf(*expr.a->place)) return b.CreateLoad(m.i64, counter->value);
+    Value* result = convert(scalar(*expr.a), expr.a->type, expr.type);
+    storeOk(expr, b.getTrue());
+    return result;
+}
+
+llvm::Value* FunctionEmitter::okSlot() {
+    if (!m_ok) m_ok = newSlot(m.i8, "ok");
+    return m_ok;
+}
+
+/// STRING_TO_X; `expr` is the text.
+llvm::Value* FunctionEmitter::convertText(const Expr& expr, types::TypeId to) {
+    const Text from = text(expr);
+    Value* ok = okSlot();
+    Value* kind = int32(static_cast<uint32_t>(m.types().storageKind(to)));
+    const std::string prefix = from.isWide ? "plc_wtext_" : "plc_text_";
+    if (m.types().family(to) == Family::Real) {
+        Value* real = b.CreateCall(m.helper((prefix + "to_real").c_str(), m.f64, {m.ptr, m.i32, m.i32, m.ptr}, ModuleEmitter::Effects::WritesArguments),
+                                   {from.pointer, from.capacity, kind, ok});
+        return b.CreateFPCast(real, m.scalarType(to));
+    }
+    Value* integer = b.CreateCall(m.helper((prefix + "to_integer").c_str(), m.i64, {m.ptr, m.i32, m.i32, m.ptr}, ModuleEmitter::Effects::WritesArguments),
+                                  {from.pointer, from.capacity, kind, ok});
+    if (m.scalarType(to) == m.i1) return b.CreateICmpNE(integer, int64(0));
+    return b.CreateTrunc(integer, m.scalarType(to));
+}
+
+} // namespace plc::codegen

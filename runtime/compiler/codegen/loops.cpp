@@ -1,0 +1,321 @@
+// Loops, each pass paid from the budget. A FOR whose variable its body leaves alone is counted: the number of passes is
+// known on entry and charged in portions, and the variable is a counter in a register.
+#include "runtime/compiler/codegen/emitter.h"
+
+namespace plc::codegen {
+
+using tree::ExprKind;
+using tree::Place;
+using tree::PlaceKind;
+using tree::Stmt;
+using types::TypeKind;
+
+namespace {
+/// Passes charged at once: few enough for a watchdog to be asked now and then, enough to cost nothing.
+constexpr int64_t kPortion = 65'536;
+/// 64-bit loops longer than this never end anyway.
+constexpr int64_t kEndless = int64_t(1) << 62;
+} // namespace
+
+void FunctionEmitter::loopBody(const std::vector<Stmt*>& statements, Block* exit, Block* next) {
+    m_loops.push_back({exit, next});
+    body(statements);
+    m_loops.pop_back();
+    jump(next);
+}
+
+void FunctionEmitter::whileLoop(const Stmt& stmt) {
+    Block* head = newBlock("while");
+    Block* pass = newBlock("pass");
+    Block* done = newBlock("done");
+    b.CreateBr(head);
+    enter(head);
+    setSite(stmt); // every pass: a breakpoint on the condition stops each time
+    Value* condition = scalar(*stmt.a);
+    b.CreateCondBr(condition, pass, done);
+    enter(pass);
+    charge(int64(1));
+    loopBody(stmt.body, done, head);
+    enter(done);
+}
+
+void FunctionEmitter::repeatLoop(const Stmt& stmt) {
+    const uint32_t site = m_site;
+    Block* pass = newBlock("repeat");
+    Block* until = newBlock("until");
+    Block* done = newBlock("done");
+    b.CreateBr(pass);
+    enter(pass);
+    charge(int64(1));
+    loopBody(stmt.body, done, until);
+    enter(until);
+    m_site = site;
+    Value* condition = scalar(*stmt.a);
+    b.CreateCondBr(condition, done, pass);
+    enter(done);
+}
+
+// ---------------------------------------------------------------- FOR
+
+namespace {
+/// Looks for anything in a loop's body that could write the loop's variable.
+class WriteFinder : public Walker {
+public:
+    WriteFinder(const tree::Program& program, const tree::Function& function, const Place& variable) : m_program(program), m_function(function), m_root(rootOf(variable)) {
+        m_isLocal = m_root.kind == PlaceKind::Local && !m_function.locals[m_root.local].isInOut;
+        m_size = extent(variable, m_begin) ? std::max(1u, program.types->operator[](variable.type).size) : 0;
+    }
+    bool found = false;
+    /// Static extent of a place: offset from its root's base; the whole of an indexed array.
+    bool extent(const Place& place, uint32_t& begin) const {
+        begin = 0;
+        for (const Place* p = &place; p; p = p->base) {
+            if (p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex) {
+                begin = 0;
+                continue;
+            }
+            begin += p->offset;
+        }
+        return true;
+    }
+
+protected:
+    void onPlace(const Place& place, Use use) override {
+        if (use == Use::Read) return;
+        const Place& root = rootOf(place);
+        if (m_isLocal) {
+            // Its address never leaves (then it is no counter): only a direct write counts.
+            if (root.kind == PlaceKind::Local && root.local == m_root.local) found = true;
+            return;
+        }
+        if (root.kind == PlaceKind::Local && !m_function.locals[root.local].isInOut) return;
+        if (root.kind != m_root.kind || use == Use::Address) {
+            found = true;
+            return;
+        }
+        uint32_t begin = 0, end = 0;
+        writtenRange(place, begin, end);
+        if (begin < m_begin + m_size && m_begin < end) found = true;
+    }
+    void onExpr(const tree::Expr& expr) override {
+        if (expr.kind == ExprKind::Call && !m_isLocal) found = true;
+    }
+
+private:
+    void writtenRange(const Place& place, uint32_t& begin, uint32_t& end) const {
+        // The outermost part without an index below it.
+        const Place* whole = &place;
+        for (const Place* p = &place; p; p = p->base)
+            if ((p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex || p->kind == PlaceKind::Bit) && p->base) whole = p->base;
+        extent(*whole, begin);
+        end = begin + std::max(1u, (*m_program.types)[whole->type].size);
+    }
+    const tree::Program& m_program;
+    const tree::Function& m_function;
+    const Place& m_root;
+    bool m_isLocal = false;
+    uint32_t m_begin = 0, m_size = 0;
+};
+} // namespace
+
+bool FunctionEmitter::mayChange(const Place& variable, const std::vector<Stmt*>& statements) {
+    for (const Place* p = &variable; p; p = p->base)
+        if (p->kind != PlaceKind::Absolute && p->kind != PlaceKind::Instance && p->kind != PlaceKind::Local && p->kind != PlaceKind::Field) return true;
+    if (variable.bit >= 0) return true;
+    const Place& root = rootOf(variable);
+    if (root.kind == PlaceKind::Local) {
+        const tree::Local& local = m_tree.locals[root.local];
+        if (local.isInOut) return true;
+        if (m.isQuick() ? local.isAddressTaken : m_facts.frame.offsets[root.local] != kNoFrame && local.isAddressTaken) return true;
+        if (!m.isScalar(local.type)) return true;
+    }
+    WriteFinder finder(m.program, m_tree, variable);
+    finder.walkBody(statements);
+    return finder.found;
+}
+
+const FunctionEmitter::Counter* FunctionEmitter::counterOf(const Place& place) const {
+    for (auto it = m_counters.rbegin(); it != m_counters.rend(); ++it) {
+        const Place* a = it->variable;
+        const Place* c = &place;
+        while (a && c && a->kind == c->kind && a->offset == c->offset && a->local == c->local && a->bit == c->bit) {
+            a = a->base;
+            c = c->base;
+        }
+        if (!a && !c) return &*it;
+    }
+    return nullptr;
+}
+
+llvm::Value* FunctionEmitter::widen(const ForLoop& loop, Value* value) {
+    return loop.isSigned ? b.CreateSExt(value, m.i64) : b.CreateZExt(value, m.i64);
+}
+
+void FunctionEmitter::forLoop(const Stmt& stmt) {
+    const types::TypeId type = stmt.place->type;
+    const types::TypeId operand = stmt.operandType.isValid() ? stmt.operandType : type;
+    auto* narrow = llvm::cast<llvm::IntegerType>(m.scalarType(type));
+    const types::Family family = m.types().family(type);
+    const bool isSigned = family == types::Family::Signed || family == types::Family::Duration;
+    const auto value = [&](const tree::Expr* expr) -> Value* {
+        if (!expr) return llvm::ConstantInt::get(narrow, 1);
+        return castInteger(scalar(*expr), expr->type.isValid() ? expr->type : operand, narrow);
+    };
+    ForLoop loop{stmt, {}, narrow, isSigned, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+    loop.first = value(stmt.a);
+    loop.last = value(stmt.b);
+    loop.step = value(stmt.c);
+    loop.first64 = widen(loop, loop.first);
+    loop.last64 = widen(loop, loop.last);
+    loop.step64 = widen(loop, loop.step);
+    // BY -1 with an unsigned variable still goes down.
+    if (stmt.c && stmt.c->kind == ExprKind::Constant && std::holds_alternative<int64_t>(stmt.c->value.data)) loop.step64 = int64(stmt.c->value.integer());
+    else if (stmt.c && m.types().family(stmt.c->type) == types::Family::Signed && !isSigned) loop.step64 = b.CreateSExt(loop.step, m.i64);
+    loop.variable = address(*stmt.place);
+    store(loop.variable, loop.first);
+    if (mayChange(*stmt.place, stmt.body)) steppedLoop(loop);
+    else countedLoop(loop);
+}
+
+std::pair<llvm::Value*, llvm::Value*> FunctionEmitter::stepped(const ForLoop& loop, Value* value64) {
+    if (loop.type->getBitWidth() < 64) {
+        Value* next = b.CreateAdd(value64, loop.step64);
+        const unsigned bits = loop.type->getBitWidth();
+        const int64_t low = loop.isSigned ? -(int64_t(1) << (bits - 1)) : 0;
+        const int64_t high = loop.isSigned ? (int64_t(1) << (bits - 1)) - 1 : (int64_t(1) << bits) - 1;
+        return {next, b.CreateICmpULE(b.CreateSub(next, int64(low)), int64(high - low))};
+    }
+    Value* next = b.CreateAdd(value64, loop.step64);
+    Value* isUp = b.CreateICmpSGT(loop.step64, int64(0));
+    using P = llvm::CmpInst;
+    Value* above = b.CreateICmp(loop.isSigned ? P::ICMP_SGT : P::ICMP_UGT, next, value64);
+    Value* below = b.CreateICmp(loop.isSigned ? P::ICMP_SLT : P::ICMP_ULT, next, value64);
+    return {next, b.CreateSelect(isUp, above, below)};
+}
+
+void FunctionEmitter::storeCounter(const ForLoop& loop, Value* value64) { store(loop.variable, b.CreateTrunc(value64, loop.type)); }
+
+Range FunctionEmitter::counterRange(const ForLoop& loop) const {
+    Range range;
+    const unsigned bits = loop.type->getBitWidth();
+    if (bits < 64) {
+        range.low = loop.isSigned ? -(int64_t(1) << (bits - 1)) : 0;
+        range.high = loop.isSigned ? (int64_t(1) << (bits - 1)) - 1 : (int64_t(1) << bits) - 1;
+    } else if (!loop.isSigned) {
+        return range;
+    }
+    const auto* step = llvm::dyn_cast<llvm::ConstantInt>(loop.step64);
+    if (!step) return range;
+    const bool isUp = !step->isNegative();
+    const auto* low = llvm::dyn_cast<llvm::ConstantInt>(isUp ? loop.first64 : loop.last64);
+    const auto* high = llvm::dyn_cast<llvm::ConstantInt>(isUp ? loop.last64 : loop.first64);
+    if (low) range.low = low->getSExtValue();
+    if (high) range.high = high->getSExtValue();
+    return range;
+}
+
+void FunctionEmitter::countedLoop(const ForLoop& loop) {
+    using P = llvm::CmpInst;
+    Value* isUp = b.CreateICmpSGT(loop.step64, int64(0));
+    Value* isZero = b.CreateICmpEQ(loop.step64, int64(0));
+    Value* upwards = b.CreateICmp(loop.isSigned ? P::ICMP_SLE : P::ICMP_ULE, loop.first64, loop.last64);
+    Value* downwards = b.CreateICmp(loop.isSigned ? P::ICMP_SGE : P::ICMP_UGE, loop.first64, loop.last64);
+    Value* enters = b.CreateAnd(b.CreateSelect(isUp, upwards, downwards), b.CreateNot(isZero));
+    Value* distance = b.CreateSelect(isUp, b.CreateSub(loop.last64, loop.first64), b.CreateSub(loop.first64, loop.last64));
+    Value* pace = b.CreateSelect(isUp, loop.step64, b.CreateNeg(loop.step64));
+    const auto* knownPace = llvm::dyn_cast<llvm::ConstantInt>(pace);
+    // Passes behind the first one.
+    Value* more = knownPace && knownPace->isOne() ? distance : b.CreateUDiv(distance, b.CreateSelect(isZero, int64(1), pace));
+    if (loop.type->getBitWidth() == 64) more = b.CreateSelect(b.CreateICmpULT(more, int64(kEndless)), more, int64(kEndless));
+
+    llvm::AllocaInst* counter = newSlot(m.i64, "counter");
+    llvm::AllocaInst* left = newSlot(m.i64, "left");   // in this portion
+    llvm::AllocaInst* later = newSlot(m.i64, "later"); // behind it
+    const auto* known = llvm::dyn_cast<llvm::ConstantInt>(more);
+    const bool inPortions = !known || known->getZExtValue() >= static_cast<uint64_t>(kPortion);
+
+    Block* portion = newBlock("portion");
+    Block* pass = newBlock("for");
+    Block* next = newBlock("next");
+    Block* again = newBlock("again");
+    Block* finished = newBlock("finished");
+    Block* done = newBlock("done");
+    b.CreateStore(loop.first64, counter);
+    b.CreateStore(more, later);
+    b.CreateCondBr(enters, portion, done);
+
+    enter(portion);
+    Value* behind = b.CreateLoad(m.i64, later);
+    Value* taken = behind;
+    if (inPortions) taken = b.CreateSelect(b.CreateICmpULT(behind, int64(kPortion)), behind, int64(kPortion - 1));
+    else taken = more;
+    b.CreateStore(taken, left);
+    if (inPortions) b.CreateStore(b.CreateSub(behind, taken), later);
+    charge(b.CreateAdd(taken, int64(1)));
+    b.CreateBr(pass);
+
+    enter(pass);
+    if (!m.isQuick()) m_counters.push_back({loop.stmt.place, counter, counterRange(loop)});
+    loopBody(loop.stmt.body, done, next);
+    if (!m.isQuick()) m_counters.pop_back();
+
+    enter(next);
+    Value* remaining = b.CreateLoad(m.i64, left);
+    Block* portionEnd = inPortions ? newBlock("portion_end") : finished;
+    b.CreateCondBr(b.CreateICmpSLE(remaining, int64(0)), portionEnd, again);
+    enter(again);
+    b.CreateStore(b.CreateSub(remaining, int64(1)), left);
+    Value* following = b.CreateAdd(b.CreateLoad(m.i64, counter), loop.step64);
+    b.CreateStore(following, counter);
+    storeCounter(loop, following);
+    b.CreateBr(pass);
+    if (inPortions) {
+        enter(portionEnd);
+        Value* rest = b.CreateLoad(m.i64, later);
+        Block* more2 = newBlock("next_portion");
+        b.CreateCondBr(b.CreateICmpSLE(rest, int64(0)), finished, more2);
+        enter(more2);
+        b.CreateStore(b.CreateSub(rest, int64(1)), later);
+        Value* first = b.CreateAdd(b.CreateLoad(m.i64, counter), loop.step64);
+        b.CreateStore(first, counter);
+        storeCounter(loop, first);
+        b.CreateBr(portion);
+    }
+
+    // One step past the limit, where the type has such a value.
+    enter(finished);
+    Value* lastValue = b.CreateLoad(m.i64, counter);
+    auto [past, exists] = stepped(loop, lastValue);
+    storeCounter(loop, b.CreateSelect(exists, past, lastValue));
+    b.CreateBr(done);
+    enter(done);
+}
+
+/// The body (or something it calls) may write the variable: every pass reads it again and is charged by itself.
+void FunctionEmitter::steppedLoop(const ForLoop& loop) {
+    using P = llvm::CmpInst;
+    Block* head = newBlock("for");
+    Block* pass = newBlock("pass");
+    Block* next = newBlock("next");
+    Block* advance = newBlock("advance");
+    Block* done = newBlock("done");
+    b.CreateCondBr(b.CreateICmpEQ(loop.step64, int64(0)), done, head);
+    enter(head);
+    Value* current = widen(loop, load(loop.variable));
+    Value* isUp = b.CreateICmpSGT(loop.step64, int64(0));
+    Value* upwards = b.CreateICmp(loop.isSigned ? P::ICMP_SLE : P::ICMP_ULE, current, loop.last64);
+    Value* downwards = b.CreateICmp(loop.isSigned ? P::ICMP_SGE : P::ICMP_UGE, current, loop.last64);
+    b.CreateCondBr(b.CreateSelect(isUp, upwards, downwards), pass, done);
+    enter(pass);
+    charge(int64(1));
+    loopBody(loop.stmt.body, done, next);
+    enter(next);
+    auto [past, exists] = stepped(loop, widen(loop, load(loop.variable)));
+    b.CreateCondBr(exists, advance, done);
+    enter(advance);
+    storeCounter(loop, past);
+    b.CreateBr(head);
+    enter(done);
+}
+
+} // namespace plc::codegen

@@ -1,0 +1,202 @@
+#include "runtime/compiler/codegen/emitter.h"
+
+namespace plc::codegen {
+
+using tree::Stmt;
+using tree::StmtKind;
+using types::TypeKind;
+
+void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
+    for (const Stmt* stmt : statements)
+        if (stmt) statement(*stmt);
+}
+
+void FunctionEmitter::statement(const Stmt& stmt) {
+    const uint32_t top = m_temporaryTop;
+    if (stmt.kind != StmtKind::Block && stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
+    switch (stmt.kind) {
+    case StmtKind::Assign: assign(stmt); break;
+    case StmtKind::Bind: bind(stmt); break;
+    case StmtKind::Evaluate:
+        if (stmt.a) {
+            if (m.types().kind(stmt.a->type) == TypeKind::Void || stmt.a->kind == tree::ExprKind::Call) {
+                if (stmt.a->kind == tree::ExprKind::Call) call(*stmt.a->call);
+                else scalar(*stmt.a);
+            } else if (m.types().isText(stmt.a->type)) {
+                text(*stmt.a);
+            } else if (m.isScalar(stmt.a->type)) {
+                scalar(*stmt.a);
+            } else {
+                aggregate(*stmt.a);
+            }
+        }
+        break;
+    case StmtKind::If: ifStatement(stmt); break;
+    case StmtKind::Case: caseStatement(stmt); break;
+    case StmtKind::While: whileLoop(stmt); break;
+    case StmtKind::Repeat: repeatLoop(stmt); break;
+    case StmtKind::For: forLoop(stmt); break;
+    case StmtKind::Exit:
+    case StmtKind::Continue:
+        if (!m_loops.empty()) {
+            b.CreateBr(stmt.kind == StmtKind::Exit ? m_loops.back().exit : m_loops.back().next);
+            enter(newBlock("dead"));
+        }
+        break;
+    case StmtKind::Return:
+        b.CreateBr(m_return);
+        enter(newBlock("dead"));
+        break;
+    case StmtKind::Label: {
+        Block* block = labelBlock(stmt.label);
+        jump(block);
+        enter(block);
+        if (stmt.label.index() < m_labelPlaced.size()) m_labelPlaced[stmt.label.index()] = true;
+        break;
+    }
+    case StmtKind::Jump: {
+        Block* skip = stmt.a ? newBlock("no_jump") : nullptr;
+        if (stmt.a) {
+            Value* condition = scalar(*stmt.a);
+            Block* take = newBlock("jump");
+            b.CreateCondBr(condition, take, skip);
+            enter(take);
+        }
+        Block* target = labelBlock(stmt.label);
+        if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()]) charge(int64(1)); // backwards: a loop
+        b.CreateBr(target);
+        enter(skip ? skip : newBlock("dead"));
+        break;
+    }
+    case StmtKind::Block: body(stmt.body); break;
+    }
+    m_temporaryTop = top;
+}
+
+FunctionEmitter::Block* FunctionEmitter::labelBlock(tree::LabelId label) {
+    if (label.index() >= m_labels.size()) {
+        m_labels.resize(label.index() + 1, nullptr);
+        m_labelPlaced.resize(label.index() + 1, false);
+    }
+    if (!m_labels[label.index()]) m_labels[label.index()] = newBlock("label");
+    return m_labels[label.index()];
+}
+
+void FunctionEmitter::assign(const Stmt& stmt) {
+    const tree::Place& place = *stmt.place;
+    if (m.types().isText(place.type)) {
+        if (mayOverlap(*stmt.a, place)) {
+            const Text made = textTemporary(place.type);
+            textInto(*stmt.a, made);
+            assignText(textAt(address(place)), made);
+        } else {
+            textInto(*stmt.a, textAt(address(place)));
+        }
+        return;
+    }
+    if (m.isScalar(place.type)) {
+        Value* value = scalar(*stmt.a);
+        store(address(place), value);
+        return;
+    }
+    aggregateInto(*stmt.a, address(place));
+}
+
+void FunctionEmitter::bind(const Stmt& stmt) {
+    const tree::Place& place = *stmt.place;
+    Value* at = int64(0);
+    std::vector<std::pair<Value*, Value*>> bounds;
+    const bool isOpen = m.types().kind(place.type) == TypeKind::OpenArray;
+    if (stmt.target) {
+        const Address target = address(*stmt.target);
+        at = target.isImage ? offset(target) : int64(0);
+        if (isOpen) bounds = boundsOf(target);
+    } else if (isOpen) {
+        bounds.assign(m.types()[place.type].dimensions.size(), {int64(0), int64(-1)});
+    }
+    if (place.kind == tree::PlaceKind::Local && m_tree.locals[place.local].isInOut) {
+        b.CreateStore(at, m_locals[place.local]);
+        for (size_t d = 0; d < bounds.size() && d < m_localBounds[place.local].size(); ++d) {
+            b.CreateStore(bounds[d].first, m_localBounds[place.local][d].first);
+            b.CreateStore(bounds[d].second, m_localBounds[place.local][d].second);
+        }
+        if (m_facts.frame.offsets[place.local] == kNoFrame) return;
+        Address slot;
+        slot.base = m_framePointer;
+        slot.constant = m_facts.frame.offsets[place.local];
+        b.CreateAlignedStore(at, pointer(slot), llvm::Align(1));
+        return;
+    }
+    Address slot = place.kind == tree::PlaceKind::InOutSlot ? slotAddress(place) : address(place);
+    b.CreateAlignedStore(at, pointer(slot), llvm::Align(1));
+    for (auto [low, high] : bounds)
+        for (Value* value : {low, high}) {
+            slot.constant += 8;
+            b.CreateAlignedStore(value, pointer(slot), llvm::Align(1));
+        }
+}
+
+void FunctionEmitter::ifStatement(const Stmt& stmt) {
+    Value* condition = scalar(*stmt.a);
+    Block* yes = newBlock("then");
+    Block* done = newBlock("done");
+    Block* no = stmt.elseBody.empty() ? done : newBlock("else");
+    b.CreateCondBr(condition, yes, no);
+    enter(yes);
+    body(stmt.body);
+    jump(done);
+    if (no != done) {
+        enter(no);
+        body(stmt.elseBody);
+        jump(done);
+    }
+    enter(done);
+}
+
+void FunctionEmitter::caseStatement(const Stmt& stmt) {
+    constexpr uint64_t kExpanded = 64; // wider ranges are compared
+    Value* selector = castInteger(scalar(*stmt.a), stmt.a->type, m.i64);
+    const bool isUnsigned = m.types().family(stmt.a->type) == types::Family::Unsigned || m.types().family(stmt.a->type) == types::Family::Bits;
+    Block* otherwise = newBlock("else");
+    Block* done = newBlock("done");
+    llvm::SwitchInst* choice = b.CreateSwitch(selector, otherwise);
+    std::vector<Block*> arms;
+    struct Wide {
+        const tree::CaseRange* range;
+        Block* arm;
+    };
+    std::vector<Wide> wide;
+    std::set<int64_t> taken;
+    for (const tree::CaseArm& arm : stmt.arms) {
+        arms.push_back(newBlock("arm"));
+        for (const tree::CaseRange& range : arm.ranges) {
+            const uint64_t count = static_cast<uint64_t>(range.high) - static_cast<uint64_t>(range.low);
+            if (isUnsigned ? static_cast<uint64_t>(range.high) < static_cast<uint64_t>(range.low) : range.high < range.low) continue;
+            if (count >= kExpanded) {
+                wide.push_back({&range, arms.back()});
+                continue;
+            }
+            for (uint64_t i = 0; i <= count; ++i) {
+                const auto value = static_cast<int64_t>(static_cast<uint64_t>(range.low) + i);
+                if (taken.insert(value).second) choice->addCase(b.getInt64(static_cast<uint64_t>(value)), arms.back());
+            }
+        }
+    }
+    enter(otherwise);
+    for (const Wide& w : wide) {
+        Value* span = int64(static_cast<int64_t>(static_cast<uint64_t>(w.range->high) - static_cast<uint64_t>(w.range->low)));
+        Block* next = newBlock("range");
+        b.CreateCondBr(b.CreateICmpULE(b.CreateSub(selector, int64(w.range->low)), span), w.arm, next);
+        enter(next);
+    }
+    body(stmt.elseBody);
+    jump(done);
+    for (size_t i = 0; i < stmt.arms.size(); ++i) {
+        enter(arms[i]);
+        body(stmt.arms[i].body);
+        jump(done);
+    }
+    enter(done);
+}
+
+} // namespace plc::codegen
