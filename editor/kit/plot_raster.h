@@ -1,0 +1,27 @@
+// Draws a curve as one vertical span per pixel column, with soft ends, straight into an image: ten million samples cost as much
+// as there are columns. Pure picture work, any thread.
+#pragma once
+
+#include <QColor>
+#include <QImage>
+
+#include <span>
+
+namespace plc::kit {
+
+/// Rows covered in one pixel column, fractions count; top > bottom: nothing.
+struct ColumnSpan {
+    float top = 1, bottom = 0;
+
+    [[nodiscard]] bool isEmpty() const { return top > bottom; }
+    void add(float y) {
+        if (isEmpty()) top = bottom = y;
+        else if (y < top) top = y;
+        else if (y > bottom) bottom = y;
+    }
+};
+
+/// `image` is ARGB32 premultiplied; span i lies in column i and is widened by half of `width` at both ends.
+void fillColumns(QImage& image, std::span<const ColumnSpan> spans, float width, const QColor& color);
+
+} // namespace plc::kit
