@@ -23,6 +23,7 @@ struct ScanStamp {
 };
 
 /// After going back, recording continues on a new branch: [first, …) follows `parent` (the scan it was resumed from).
+inline constexpr Position kNoParent = ~Position(0); // of a branch that begins anew (reset to the origin)
 struct Branch {
     Position first = 0;
     Position parent = 0;
@@ -67,14 +68,19 @@ public:
     void mark(int kind, std::string text, Nanoseconds time);
 
     // --- any thread
+    /// What the program was built from; saved with a recording. Told before beginProgram().
+    void describeProgram(std::shared_ptr<const image::CompiledProgram> program, std::vector<std::pair<std::string, std::string>> sources, std::vector<std::string> libraries);
     void setBudget(size_t bytes);
+    /// Versions of the program that recorded scans were made by, oldest first.
+    [[nodiscard]] std::vector<std::shared_ptr<const image::CompiledProgram>> programs() const;
     [[nodiscard]] Statistics statistics() const;
     [[nodiscard]] std::vector<Branch> branches() const;
     [[nodiscard]] std::vector<Mark> marks() const;
     /// The whole image after that scan (data part, frame area zero); empty when evicted. `program` receives its version.
     [[nodiscard]] std::vector<std::byte> seek(Position position, std::shared_ptr<const image::CompiledProgram>* program = nullptr) const;
     [[nodiscard]] std::optional<ScanStamp> stamp(Position position) const;
-    /// The last position at or before that PLC time on the newest branch.
+    /// The last position at or before that PLC time on the newest branch (what was recorded between a branch's parent and its first
+    /// scan does not belong to it).
     [[nodiscard]] std::optional<Position> positionAt(Nanoseconds time) const;
     /// Position of PLC scan number on the newest branch.
     [[nodiscard]] std::optional<Position> positionOfScan(uint64_t scan) const;
