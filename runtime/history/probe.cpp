@@ -68,7 +68,7 @@ std::optional<double> Probe::number(std::span<const std::byte> image) const {
     return m_place ? scalar(m_kind, image.data() + m_place->offset, m_place->bit) : m_expression.number(image);
 }
 
-bool Probe::isTrue(std::span<const std::byte> image) const { return m_place ? number(image) != 0.0 : m_expression.isTrue(image); }
+bool Probe::isTrue(std::span<const std::byte> image) const { return m_place && m_kind == TypeKind::Bool ? number(image) != 0.0 : m_expression.isTrue(image); }
 
 std::string Probe::fingerprint(std::span<const std::byte> image) const {
     std::string print;

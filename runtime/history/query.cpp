@@ -97,10 +97,13 @@ std::optional<Position> search(const State& state, Probes& probes, Position from
         std::optional<Value> before;
         if (const std::optional<Position> previous = scanBefore(branches, s.first + first)) before = valueAt(state, probes, *previous, read);
         bool isKnown = before.has_value() || state.oldest() < s.first + first;
-        if (!probe) return;
+        if (!probe) { // the path does not exist here
+            if (isKnown && differs(before, std::optional<Value>())) found = s.first + first;
+            return;
+        }
         const std::span<std::byte> image = probes.image(s);
         (void)replay(s, probe->watched(), first, end, image.data(), [&](uint32_t begin, uint32_t) {
-            Value now = read(*probe, image);
+            std::optional<Value> now = read(*probe, image);
             if (isKnown && differs(before, now)) found = s.first + begin;
             before = std::move(now);
             isKnown = true;
@@ -167,14 +170,14 @@ std::optional<Position> History::find(const expression::Expression& expression, 
     Probes probes(expression, recompile);
     return search(
         *m, probes, from, direction, [](const Probe& probe, std::span<const std::byte> image) { return probe.isTrue(image); },
-        [](const std::optional<bool>& before, bool now) { return now && !before.value_or(false); });
+        [](const std::optional<bool>& before, const std::optional<bool>& now) { return now.value_or(false) && !before.value_or(false); });
 }
 
 std::optional<Position> History::findChange(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const {
     Probes probes(expression, recompile);
     return search(
         *m, probes, from, direction, [](const Probe& probe, std::span<const std::byte> image) { return probe.fingerprint(image); },
-        [](const std::optional<std::string>& before, const std::string& now) { return !before || *before != now; });
+        [](const std::optional<std::string>& before, const std::optional<std::string>& now) { return before != now; });
 }
 
 } // namespace plc::history
