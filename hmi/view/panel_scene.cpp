@@ -1,0 +1,246 @@
+#include "hmi/view/panel_scene.h"
+
+#include <QTransform>
+
+namespace plc::hmi {
+
+PanelScene::PanelScene(QObject* parent) : QObject(parent), m_theme(&PanelTheme::of(PanelThemeKind::Light)), m_texts(&m_noTexts), m_language(QStringLiteral("en")) {}
+
+PanelScene::~PanelScene() = default;
+
+void PanelScene::setPanel(const Panel& panel) {
+    m_panel = panel;
+    rebuild();
+}
+
+void PanelScene::rebuild() {
+    m_theme = &PanelTheme::named(m_panel.text("theme"));
+    // A button that is held while its panel goes away must come up.
+    if (ElementView* held = std::exchange(m_pressed, nullptr)) held->release(QPointF(-1e6, -1e6), false);
+    m_lastRects.clear();
+    m_byId.clear();
+    m_views.clear();
+    for (const Element& element : m_panel.elements()) {
+        m_views.push_back(makeElementView(element, *this));
+        m_byId.insert(element.id(), m_views.back().get());
+    }
+    prepareAll();
+}
+
+void PanelScene::prepareAll() {
+    for (const auto& view : m_views) view->prepare();
+    m_allDirty = true;
+    m_revision = 0;
+    emit dirtied();
+}
+
+void PanelScene::follow(const Panel& panel, const Touched& touched) {
+    if (touched.panel || touched.structure) {
+        setPanel(panel);
+        return;
+    }
+    m_panel = panel;
+    for (const ElementId& id : touched.elements) {
+        const int index = m_panel.indexOf(id);
+        ElementView* old = view(id);
+        if (index < 0 || !old) continue;
+        addDirty(*old, shownRect(*old));
+        m_lastRects.remove(old);
+        if (m_pressed == old) {
+            m_pressed = nullptr;
+            old->release(QPointF(-1e6, -1e6), false);
+        }
+        auto& place = m_views[static_cast<size_t>(index)];
+        place = makeElementView(m_panel.elements()[static_cast<size_t>(index)], *this);
+        m_byId[id] = place.get();
+        place->prepare();
+        place->refresh();
+        // What lies in a group may be hidden or moved by it.
+        if (place->element().isContainer()) m_allDirty = true;
+        else markDirty(*place);
+    }
+    m_revision = 0;
+    emit dirtied();
+}
+
+void PanelScene::setValues(ValueSource* values) {
+    m_values = values;
+    prepareAll();
+}
+
+void PanelScene::setTexts(const TextCatalog* texts) {
+    m_texts = texts ? texts : &m_noTexts;
+    prepareAll();
+}
+
+void PanelScene::setAlarms(AlarmBook* alarms) {
+    if (m_alarms) m_alarms->disconnect(this);
+    m_alarms = alarms;
+    if (m_alarms)
+        connect(m_alarms, &AlarmBook::changed, this, [this] {
+            for (const auto& view : m_views)
+                if (view->element().kind() == ElementKind::AlarmList || view->element().kind() == ElementKind::AlarmBanner) markDirty(*view);
+        });
+    prepareAll();
+}
+
+void PanelScene::setLanguage(const QString& tag) {
+    if (tag == m_language) return;
+    m_language = tag;
+    prepareAll();
+}
+
+void PanelScene::setDesigning(bool designing) {
+    if (designing == m_designing) return;
+    m_designing = designing;
+    prepareAll();
+}
+
+void PanelScene::setAlarmPosition(std::optional<quint64> position) {
+    if (position == m_alarmPosition) return;
+    m_alarmPosition = position;
+    for (const auto& view : m_views)
+        if (view->element().descriptor().category == ElementCategory::Alarms) markDirty(*view);
+}
+
+QRegion PanelScene::refresh(qint64 milliseconds) {
+    const quint64 revision = m_values ? m_values->revision() : 1;
+    if (revision != m_revision || m_allDirty) {
+        m_revision = revision;
+        for (const auto& view : m_views) {
+            const Appearance before = view->appearance();
+            if (!view->refresh()) continue;
+            const Appearance& now = view->appearance();
+            // A container that moves or hides takes all that lies in it along.
+            if (view->element().isContainer() && before != now) m_allDirty = true;
+            if (!m_allDirty) markDirty(*view);
+        }
+    }
+    const bool lit = (milliseconds / 500) % 2 == 0;
+    const bool turned = lit != m_lit;
+    m_lit = lit;
+    m_frame = milliseconds;
+    for (const auto& view : m_views)
+        if (view->tick(milliseconds) && !m_allDirty) markDirty(*view);
+    if (turned)
+        for (const auto& view : m_views)
+            if (view->m_blinking || view->appearance().blinks) markDirty(*view);
+    QRegion out = std::exchange(m_dirty, QRegion());
+    if (std::exchange(m_allDirty, false)) out = QRegion(QRect(QPoint(), size()));
+    return out;
+}
+
+QTransform PanelScene::transformOf(const ElementView& view) const {
+    QTransform transform;
+    QPointF offset = view.rect().topLeft() + QPointF(view.appearance().moveX, view.appearance().moveY);
+    int guard = 0;
+    for (const ElementView* outer = this->view(view.element().parent()); outer && guard < 32; outer = this->view(outer->element().parent()), ++guard)
+        offset += QPointF(outer->appearance().moveX, outer->appearance().moveY);
+    transform.translate(offset.x(), offset.y());
+    const double angle = view.element().number("angle") + view.appearance().rotation;
+    if (angle != 0) {
+        transform.translate(view.rect().width() / 2, view.rect().height() / 2);
+        transform.rotate(angle);
+        transform.translate(-view.rect().width() / 2, -view.rect().height() / 2);
+    }
+    return transform;
+}
+
+bool PanelScene::isShown(const ElementView& view) const {
+    if (!view.appearance().visible && !m_designing) return false;
+    const ElementView* inner = &view;
+    for (int guard = 0; guard < 32; ++guard) {
+        const ElementView* outer = this->view(inner->element().parent());
+        if (!outer) return true;
+        if (!outer->appearance().visible && !m_designing) return false;
+        if (outer->currentPage() >= 0 && inner->element().integer("page") != outer->currentPage()) return false;
+        inner = outer;
+    }
+    return true;
+}
+
+QRectF PanelScene::shownRect(const ElementView& view) const {
+    const double over = view.overhang();
+    return transformOf(view).mapRect(QRectF(QPointF(), view.rect().size()).adjusted(-over, -over, over, over));
+}
+
+void PanelScene::addDirty(const ElementView&, const QRectF& rect) { m_dirty += rect.toAlignedRect(); }
+
+void PanelScene::markDirty(const ElementView& view) {
+    const QRectF now = shownRect(view);
+    const auto last = m_lastRects.constFind(&view);
+    if (last != m_lastRects.constEnd() && *last != now) addDirty(view, *last);
+    addDirty(view, now);
+    m_lastRects.insert(&view, now);
+    emit dirtied();
+}
+
+void PanelScene::paint(QPainter& painter, const QRectF& clip) {
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
+    const QColor ground = m_theme->color(m_panel.text("background"));
+    painter.fillRect(clip & QRectF(QPointF(), size()), ground.isValid() ? ground : m_theme->color("background"));
+    for (const auto& view : m_views) {
+        if (!shownRect(*view).intersects(clip) || !isShown(*view)) continue;
+        painter.save();
+        painter.setTransform(transformOf(*view), true);
+        view->paint(painter);
+        painter.restore();
+    }
+}
+
+QImage PanelScene::picture(double scale) {
+    refresh(m_frame < 0 ? 0 : m_frame);
+    QImage image((QSizeF(size()) * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.scale(scale, scale);
+    paint(painter, QRectF(QPointF(), size()));
+    return image;
+}
+
+ElementView* PanelScene::viewAt(QPointF at, bool anyKind) const {
+    for (size_t i = m_views.size(); i-- > 0;) {
+        ElementView* view = m_views[i].get();
+        if (!anyKind && !view->isInteractive()) continue;
+        if (!isShown(*view)) continue;
+        const QPointF local = transformOf(*view).inverted().map(at);
+        if ((anyKind ? QRectF(QPointF(), view->rect().size()) : view->touchArea()).contains(local)) return view;
+    }
+    return nullptr;
+}
+
+ElementView* PanelScene::view(const ElementId& id) const { return id.isEmpty() ? nullptr : m_byId.value(id, nullptr); }
+
+void PanelScene::press(QPointF at) {
+    if (m_designing || m_pressed) return;
+    ElementView* view = viewAt(at);
+    if (!view || !view->appearance().enabled) return;
+    m_pressed = view;
+    view->setPressed(true);
+    view->press(transformOf(*view).inverted().map(at));
+}
+
+void PanelScene::move(QPointF at) {
+    if (m_pressed) m_pressed->move(transformOf(*m_pressed).inverted().map(at));
+}
+
+void PanelScene::release(QPointF at) {
+    ElementView* view = std::exchange(m_pressed, nullptr);
+    if (!view) return;
+    const QPointF local = transformOf(*view).inverted().map(at);
+    view->setPressed(false);
+    view->release(local, view->touchArea().contains(local));
+}
+
+void PanelScene::wheel(QPointF at, double steps) {
+    if (m_designing) return;
+    ElementView* view = viewAt(at);
+    if (view && view->appearance().enabled) view->wheel(steps);
+}
+
+void PanelScene::request(const WriteRequest& write, const QString& confirm) {
+    if (confirm.isEmpty()) emit writeRequested(write);
+    else emit confirmRequested(ConfirmRequest{confirm, write});
+}
+
+} // namespace plc::hmi

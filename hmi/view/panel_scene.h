@@ -1,0 +1,108 @@
+// A panel ready to be painted and operated: element views over a value source, texts and alarms. No widget, so the same
+// scene draws in the designer, the player, a test and a picture file. Owned by its widget or test; main thread.
+#pragma once
+#include "hmi/alarms/alarm_book.h"
+#include "hmi/model/edit.h"
+#include "hmi/view/element_view.h"
+
+#include <QImage>
+#include <QObject>
+#include <QRegion>
+
+namespace plc::hmi {
+
+class PanelScene final : public QObject {
+    Q_OBJECT
+public:
+    explicit PanelScene(QObject* parent = nullptr);
+    ~PanelScene() override;
+
+    void setPanel(const Panel& panel);
+    /// Follows an edit of the same panel: only what was touched is made anew.
+    void follow(const Panel& panel, const Touched& touched);
+    /// The source must outlive the scene or be replaced before it goes; null: nothing has a value.
+    void setValues(ValueSource* values);
+    void setTexts(const TextCatalog* texts);
+    void setAlarms(AlarmBook* alarms);
+    void setLanguage(const QString& tag);
+    /// Folder to which image files are relative (the project's).
+    void setFolder(const QString& folder) { m_folder = folder; }
+    /// Unbound elements show sample values, and nothing reacts to being pressed.
+    void setDesigning(bool designing);
+    /// Position of the recording that alarm lists show; none: the present.
+    void setAlarmPosition(std::optional<quint64> position);
+
+    const Panel& panel() const { return m_panel; }
+    QSize size() const { return m_panel.size(); }
+    const PanelTheme& theme() const { return *m_theme; }
+    ValueSource* values() const { return m_values; }
+    const TextCatalog& texts() const { return *m_texts; }
+    AlarmBook* alarms() const { return m_alarms; }
+    std::optional<quint64> alarmPosition() const { return m_alarmPosition; }
+    const QString& language() const { return m_language; }
+    const QString& folder() const { return m_folder; }
+    bool isDesigning() const { return m_designing; }
+    bool isLit() const { return m_lit; }
+
+    /// Reads all values at a time in ms (any epoch); returns what must be painted anew. At most one repaint per frame.
+    QRegion refresh(qint64 milliseconds);
+    void paint(QPainter& painter, const QRectF& clip);
+    QImage picture(double scale = 1);
+
+    void press(QPointF at);
+    void move(QPointF at);
+    void release(QPointF at);
+    void wheel(QPointF at, double steps);
+    /// The element drawn at a point, or null; `anyKind` also finds what does not react.
+    ElementView* viewAt(QPointF at, bool anyKind = false) const;
+    ElementView* view(const ElementId& id) const;
+    const std::vector<std::unique_ptr<ElementView>>& views() const { return m_views; }
+    ElementView* pressedView() const { return m_pressed; }
+    /// Where the element is drawn now, motion included.
+    QRectF shownRect(const ElementView& view) const;
+    bool isShown(const ElementView& view) const;
+
+    // Called by element views.
+    void markDirty(const ElementView& view);
+    void request(const WriteRequest& write, const QString& confirm);
+    void request(const EntryRequest& entry) { emit entryRequested(entry); }
+    void request(const ChoiceRequest& choice) { emit choiceRequested(choice); }
+    void request(const AcknowledgeRequest& acknowledge) { emit acknowledgeRequested(acknowledge); }
+    void requestPanel(const QString& name) { emit panelRequested(name); }
+    void requestLanguage(const QString& tag) { emit languageRequested(tag); }
+
+signals:
+    void writeRequested(const plc::hmi::WriteRequest& write);
+    void confirmRequested(const plc::hmi::ConfirmRequest& confirm);
+    void entryRequested(const plc::hmi::EntryRequest& entry);
+    void choiceRequested(const plc::hmi::ChoiceRequest& choice);
+    void acknowledgeRequested(const plc::hmi::AcknowledgeRequest& acknowledge);
+    void panelRequested(const QString& name);
+    void languageRequested(const QString& tag);
+    void dirtied();
+
+private:
+    void rebuild();
+    void prepareAll();
+    QTransform transformOf(const ElementView& view) const;
+    void addDirty(const ElementView& view, const QRectF& before);
+
+    Panel m_panel;
+    const PanelTheme* m_theme;
+    ValueSource* m_values = nullptr;
+    TextCatalog m_noTexts;
+    const TextCatalog* m_texts;
+    AlarmBook* m_alarms = nullptr;
+    QString m_language, m_folder;
+    bool m_designing = false, m_lit = true, m_allDirty = true;
+    std::optional<quint64> m_alarmPosition;
+    std::vector<std::unique_ptr<ElementView>> m_views;
+    QHash<ElementId, ElementView*> m_byId;
+    ElementView* m_pressed = nullptr;
+    QRegion m_dirty;
+    QHash<const ElementView*, QRectF> m_lastRects; // of those that move
+    qint64 m_frame = -1;
+    quint64 m_revision = 0;
+};
+
+} // namespace plc::hmi
