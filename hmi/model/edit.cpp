@@ -34,12 +34,12 @@ Edit applyOne(Panel& panel, const SetField& edit, Touched& touched) {
     if (edit.key == "kind" && !edit.element.isEmpty()) {
         // Another kind has another descriptor, so the element is made anew from its fields.
         Element& element = static_cast<Element&>(*properties);
-        element.write(edit.key, edit.value, place);
+        element.setField(edit.key, edit.value, place);
         element = Element(element.fields());
         touched.structure = true;
         return {inverse};
     }
-    properties->write(edit.key, edit.value, place);
+    properties->setField(edit.key, edit.value, place);
     return {inverse};
 }
 

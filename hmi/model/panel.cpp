@@ -66,7 +66,7 @@ size_t Properties::place(std::string_view key) const {
     return own ? best : index;
 }
 
-void Properties::write(std::string_view key, const std::optional<Json>& value, size_t place) {
+void Properties::setField(std::string_view key, const std::optional<Json>& value, size_t place) {
     const std::string name(key);
     auto& fields = m_fields.get_ref<Json::object_t&>();
     const auto found = fields.find(name);
@@ -159,7 +159,7 @@ Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
             return errorAt(place, QStringLiteral("The kind of element %1 is not a text.").arg(number));
         const Element raw{item};
         Element element{inCanonicalOrder(item, raw.descriptor())};
-        if (element.id().isEmpty()) element.write("id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
+        if (element.id().isEmpty()) element.setField("id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
         if (ids.contains(element.id()))
             return errorAt(place, QStringLiteral("Two elements have the id \"%1\"; give one of them another.").arg(element.id()));
         ids += element.id();

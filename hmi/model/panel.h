@@ -35,7 +35,8 @@ public:
     /// Where `key` stands or would be inserted in the canonical order.
     size_t place(std::string_view key) const;
     /// Writes or (without a value) removes the field; a new one is put at `place`.
-    void write(std::string_view key, const std::optional<Json>& value, size_t place);
+    void setField(std::string_view key, const std::optional<Json>& value, size_t place);
+    void set(std::string_view key, const Json& value) { setField(key, value, place(key)); }
 
 protected:
     Json m_fields = Json::object();
