@@ -129,6 +129,12 @@ bool isRightToLeft(const QString& tag) { return localeOf(tag).textDirection() ==
 QString nativeName(const QString& tag) {
     if (tag.compare(kPseudoTag, Qt::CaseInsensitive) == 0) return pseudoText(QStringLiteral("Pseudo"));
     const QLocale locale(tag);
+    // Without a region Qt names the variant of the largest country ("American English").
+    if (!tag.contains(u'-')) {
+        if (locale.language() == QLocale::English) return QStringLiteral("English");
+        if (locale.language() == QLocale::Spanish) return QStringLiteral("Español");
+        if (locale.language() == QLocale::Portuguese) return QStringLiteral("Português");
+    }
     QString name = locale.nativeLanguageName();
     if (name.isEmpty() || locale.language() == QLocale::C) return tag;
     name[0] = name[0].toUpper();

@@ -158,7 +158,7 @@ void ArrayTableView::draw(QPainter& painter) {
     painter.drawRect(box());
     painter.fillRect(QRectF(1, 1, width() - 2, row - 1), theme().color("surface"));
     const int first = element().integer("first");
-    for (int i = 0; i < static_cast<int>(m_cells.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(m_cells.size()) && !m_columns.empty(); ++i) {
         const QRectF line(1, (i + 1) * row, width() - 2, row);
         const bool isSelected = m_top + i == m_selected;
         if (isSelected) painter.fillRect(line, theme().color("accent"));

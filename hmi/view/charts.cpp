@@ -55,7 +55,7 @@ void ChartView::drawVerticalAxis(QPainter& painter, const QRectF& plot, const Ax
     }
 }
 
-void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format) const {
+void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format, const QString& unitOfLast) const {
     const double size = fontSize();
     const std::vector<double> steps = roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.width() / (size * 5))));
     const QString pattern = format.isEmpty() ? stepFormat(steps) : format;
@@ -64,7 +64,9 @@ void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const 
         painter.setPen(QPen(theme().color("faint"), 1));
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(formatValue(Value::ofReal(step), pattern, locale()), QRectF(x - 50, plot.bottom() + 2, 100, size * 1.5), size, TextAlign::Center, ""));
+        QString words = formatValue(Value::ofReal(step), pattern, locale());
+        if (step == steps.back() && !unitOfLast.isEmpty()) words += QChar(0x00A0) + unitOfLast;
+        drawText(painter, textBox(words, QRectF(x - 50, plot.bottom() + 2, 100, size * 1.5), size, TextAlign::Center, ""));
     }
 }
 
@@ -273,7 +275,7 @@ bool TrendChartView::advance(qint64 milliseconds) {
 QRectF TrendChartView::plot() const {
     const double size = fontSize(), top = text("title").isEmpty() && text("unit").isEmpty() ? 8 : size * 2;
     const double bottom = size * 1.9 + (flag("legend") ? size * 1.7 : 0);
-    return QRectF(size * 3.8, top, width() - size * 3.8 - 12, height() - top - bottom);
+    return QRectF(size * 3.8, top, width() - size * 3.8 - 18, height() - top - bottom);
 }
 
 TextBox TrendChartView::legend(size_t index, const QString& forTag) const {
@@ -304,13 +306,12 @@ void TrendChartView::draw(QPainter& painter) {
     const Axis x{-seconds, 0}, shownX{-seconds * factor, 0};
     drawGround(painter, area);
     drawVerticalAxis(painter, area, y, {});
-    drawHorizontalAxis(painter, area, shownX, {});
+    drawHorizontalAxis(painter, area, shownX, {}, factor == 1 ? QStringLiteral("s") : factor < 0.001 ? QStringLiteral("h") : QStringLiteral("min"));
     painter.setPen(theme().color("text"));
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
     painter.setPen(theme().color("muted"));
     const QString unitText = text("unit");
     if (!unitText.isEmpty()) drawText(painter, textBox(unitText, QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));
-    drawText(painter, textBox(factor == 1 ? QStringLiteral("s") : factor < 0.001 ? QStringLiteral("h") : QStringLiteral("min"), QRectF(0, area.bottom() + 2, area.left() - 6, fontSize() * 1.5), fontSize(), TextAlign::End, ""));
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
     painter.setBrush(Qt::NoBrush);

@@ -126,8 +126,9 @@ QRegion PanelScene::refresh(qint64 milliseconds) {
         for (const auto& view : m_views)
             if (view->m_blinking || view->appearance().blinks) markDirty(*view);
     QRegion out = std::exchange(m_dirty, QRegion());
-    if (std::exchange(m_allDirty, false)) out = QRegion(QRect(QPoint(), size()));
-    return out;
+    if (!std::exchange(m_allDirty, false)) return out;
+    for (const auto& view : m_views) m_lastRects.insert(view.get(), shownRect(*view));
+    return QRegion(QRect(QPoint(), size()));
 }
 
 QTransform PanelScene::transformOf(const ElementView& view) const {

@@ -229,7 +229,19 @@ void ComboBoxView::collectTexts(const QString& forTag, std::vector<TextBox>& out
 
 QStringList LanguageSelectorView::tags() const { return scene().texts().settings().languages; }
 
-QString LanguageSelectorView::nameOf(const QString& one) const { return text("names") == QStringLiteral("tag") ? one.toUpper() : nativeName(one); }
+QString LanguageSelectorView::nameOf(const QString& one) const {
+    if (text("names") == QStringLiteral("tag") || (m_short && text("style") != QStringLiteral("menu"))) return one.section(u'-', 0, 0).toUpper();
+    return nativeName(one);
+}
+
+void LanguageSelectorView::setUp() {
+    // Where one of the names has no room, all are shown by their tags.
+    m_short = false;
+    if (text("style") == QStringLiteral("menu")) return;
+    bool tooLong = false;
+    for (qsizetype i = 0; i < tags().size(); ++i) tooLong |= !fits(label(i));
+    m_short = tooLong;
+}
 
 QRectF LanguageSelectorView::cell(qsizetype index) const {
     if (text("style") == QStringLiteral("menu")) return box();

@@ -81,10 +81,11 @@ public:
     void collectTexts(const QString& tag, std::vector<TextBox>& out) const override;
 
 protected:
-    void setUp() override {}
+    void setUp() override;
     void draw(QPainter& painter) override;
 
 private:
+    bool m_short = false;
     QStringList tags() const;
     QString nameOf(const QString& tag) const;
     QRectF cell(qsizetype index) const;

@@ -119,7 +119,7 @@ TEST(EveryKind, AsksTheValueSourceForEachOfItsBindings) {
 TEST(EveryKind, LooksDifferentWhenItsValueChanges) {
     for (const ElementDescriptor& kind : elementDescriptors()) {
         const char* property = nullptr;
-        for (const char* candidate : {"value", "target", "level", "state", "flow", "x"})
+        for (const char* candidate : {"value", "target", "state", "level", "flow", "x"})
             if (!property && kind.property(candidate)) property = candidate;
         if (!property || kind.kind == ElementKind::Button) continue;
         HeldValues values;
