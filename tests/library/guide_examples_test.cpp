@@ -23,13 +23,13 @@ std::pair<double, double> sineOf(Bench& bench, const std::string& path, double h
 }
 
 const char* pidDeclarations =
-    "VAR wave : GEN; controller_ : FB_PID; system1, system2 : Filter_PT1; parameters : stPid; mode : GEN_MODE := GEN_MODE.RECTANGLE; END_VAR";
+    "VAR wave : GEN; loop : FB_PID; system1, system2 : Filter_PT1; parameters : stPid; mode : GEN_MODE := GEN_MODE.RECTANGLE; END_VAR";
 const char* pidBody =
     "parameters.xActValType := TRUE; parameters.rTargCyclTime := 50.0; parameters.rLowLim := -2000.0; parameters.rHighLim := 2000.0;\n"
     "wave(MODE := mode, BASE := TRUE, PERIOD := T#1s, AMPLITUDE := 100);\n"
     "system1(i_xEn := TRUE, i_rInput := INT_TO_REAL(wave.OUT), i_tCyclTime := T#50ms, i_rKp := 1.0, i_tFltrTime := T#500ms);\n"
-    "controller_(i_xEn := TRUE, i_rSp := INT_TO_REAL(wave.OUT), i_rPv1 := system2.q_rOput, i_rKp := 7.5, i_rTn := 44.0, i_rTv := 0.0, i_rTd := 60.0, i_stPid := parameters);\n"
-    "system2(i_xEn := TRUE, i_rInput := controller_.q_rPidOput, i_tCyclTime := T#50ms, i_rKp := 1.0, i_tFltrTime := T#500ms);";
+    "loop(i_xEn := TRUE, i_rSp := INT_TO_REAL(wave.OUT), i_rPv1 := system2.q_rOput, i_rKp := 7.5, i_rTn := 44.0, i_rTv := 0.0, i_rTd := 60.0, i_stPid := parameters);\n"
+    "system2(i_xEn := TRUE, i_rInput := loop.q_rPidOput, i_tCyclTime := T#50ms, i_rKp := 1.0, i_tFltrTime := T#500ms);";
 
 TEST(GuidePid, ClosedLoopBeatsOpenLoopOnARectangle) {
     Bench bench(pidDeclarations, pidBody, {"toolbox", "util"}, 50ms);

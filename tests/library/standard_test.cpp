@@ -26,7 +26,7 @@ TEST(Timers, FollowTheTimingDiagrams) {
         EXPECT_EQ(series(off, "x", "0110000001001111000", "t.Q"),
                                    "0111110001111111111");
         EXPECT_EQ(series(pulse, "x", "0100000111111101011100", "t.Q"),
-                                     "0111000111000011100000");
+                                     "0111000111000001110000");
     }
     Bench shortened("VAR t : LTON; x : BOOL; END_VAR", "t(IN := x, PT := LTIME#300ms);", {}, 100ms);
     EXPECT_EQ(series(shortened, "x", "0111110", "t.Q"), "0000110");
