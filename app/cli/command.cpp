@@ -19,7 +19,8 @@ namespace {
 volatile std::sig_atomic_t g_interrupts = 0;
 
 extern "C" void onInterrupt(int) {
-    if (++g_interrupts > 1) std::_Exit(130);
+    g_interrupts = g_interrupts + 1;
+    if (g_interrupts > 1) std::_Exit(130);
 }
 
 std::string overview() {
