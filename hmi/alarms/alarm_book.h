@@ -33,6 +33,10 @@ public:
     const std::vector<AlarmDefinition>& definitions() const { return m_definitions; }
     const std::vector<AlarmClass>& classes() const { return m_classes; }
 
+    /// The controller's calendar at PLC time 0, in nanoseconds since 1970.
+    void setClockAtZero(qint64 nanoseconds) { m_clockAtZero = nanoseconds; }
+    qint64 clockAtZero() const { return m_clockAtZero; }
+
     /// Values of an alarm's text at the scan of an event.
     using ValuesOf = std::function<std::vector<std::pair<QString, Value>>(size_t alarm, const AlarmInstant& at)>;
     /// One recorded scan. `values` is asked for alarms that are raised.
@@ -69,6 +73,7 @@ private:
     std::vector<AlarmClass> m_classes;
     AlarmLifeCycle m_lifeCycle;
     AlarmStore m_store;
+    qint64 m_clockAtZero = 946684800000000000; // 2000-01-01, where virtual time begins
     std::vector<AlarmEvent> m_events;    // of this run, oldest first
     std::vector<AlarmRecord> m_records;  // beside each event, for values at a past scan
 };

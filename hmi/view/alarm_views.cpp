@@ -121,9 +121,7 @@ void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row)
     const double size = num("fontSize"), timeWidth = size * 10.5;
     const bool isGone = entry.state == AlarmState::Returned || entry.state == AlarmState::Normal;
     painter.setPen(theme().color("muted"));
-    const qint64 clockNow = scene().values() ? scene().values()->clock() : 0;
-    Q_UNUSED(clockNow)
-    drawText(painter, textBox(alarmTime(entry, locale(), 946684800000000000), QRectF(rtl ? width() - mark - timeWidth : mark, top, timeWidth - 6, h), size * 0.92, TextAlign::Start, ""));
+    drawText(painter, textBox(alarmTime(entry, locale(), scene().alarms() ? scene().alarms()->clockAtZero() : 0), QRectF(rtl ? width() - mark - timeWidth : mark, top, timeWidth - 6, h), size * 0.92, TextAlign::Start, ""));
     painter.setPen(isGone ? theme().color("muted") : inkColor(theme().color("text")));
     drawText(painter, textBox(AlarmBook::render(entry, scene().texts(), tag()), textArea(row), size, TextAlign::Start, "", isOpen));
     const bool canAcknowledge = !isHistory() && flag("buttons") && (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();

@@ -24,7 +24,7 @@ void drawKey(QPainter& painter, const QRectF& rect, double radius, const QColor&
         body.addRoundedRect(inner.adjusted(0, 0, 0, -2.5), r, r);
         painter.fillPath(key.subtracted(body), ground.darker(theme.isDark() ? 150 : 122));
     }
-    painter.setPen(QPen(theme.isDark() ? ground.lighter(140) : theme.color("line").lighter(125), 1));
+    painter.setPen(QPen(theme.isDark() ? theme.color("line").darker(150) : theme.color("line").lighter(125), 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(inner, r, r);
 }

@@ -214,7 +214,9 @@ QFont ElementView::font(double pixelSize, bool bold, const QString& forTag) cons
 QString ElementView::shown(const QString& reference, const QString& forTag) const {
     return m_scene.texts().fill(reference, forTag.isEmpty() ? tag() : forTag, [&](const QString& name) {
         for (const auto& [key, slot] : m_textValues)
-            if (key == name) return value(slot).isNone() && isDesigning() ? Value::ofReal(0) : value(slot);
+            if (key == name && !value(slot).isNone()) return value(slot);
+        if (m_scene.isMeasuring()) return Value::ofReal(888.8);
+        if (isDesigning()) return Value::ofReal(0);
         return Value();
     });
 }

@@ -176,12 +176,14 @@ void PanelScene::markDirty(const ElementView& view) {
     emit dirtied();
 }
 
-void PanelScene::paint(QPainter& painter, const QRectF& clip) {
+void PanelScene::paint(QPainter& painter, const QRectF& clip, const QRegion* region, const QTransform& toDevice) {
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
     const QColor ground = m_theme->color(m_panel.text("background"));
     painter.fillRect(clip & QRectF(QPointF(), size()), ground.isValid() ? ground : m_theme->color("background"));
     for (const auto& view : m_views) {
-        if (!shownRect(*view).intersects(clip) || !isShown(*view)) continue;
+        const QRectF shown = shownRect(*view);
+        if (!shown.intersects(clip) || !isShown(*view)) continue;
+        if (region && !region->intersects(toDevice.mapRect(shown).toAlignedRect())) continue;
         painter.save();
         painter.setTransform(transformOf(*view), true);
         view->paint(painter);

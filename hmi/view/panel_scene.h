@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QObject>
 #include <QRegion>
+#include <QTransform>
 
 namespace plc::hmi {
 
@@ -42,11 +43,15 @@ public:
     const QString& language() const { return m_language; }
     const QString& folder() const { return m_folder; }
     bool isDesigning() const { return m_designing; }
+    /// Placeholders without a value are filled with wide figures, for the check of sizes.
+    void setMeasuring(bool measuring) { m_measuring = measuring; }
+    bool isMeasuring() const { return m_measuring; }
     bool isLit() const { return m_lit; }
 
     /// Reads all values at a time in ms (any epoch); returns what must be painted anew. At most one repaint per frame.
     QRegion refresh(qint64 milliseconds);
-    void paint(QPainter& painter, const QRectF& clip);
+    /// Paints what lies in `clip`; with a region (in device coordinates of `toDevice`) only the elements that touch it.
+    void paint(QPainter& painter, const QRectF& clip, const QRegion* region = nullptr, const QTransform& toDevice = {});
     QImage picture(double scale = 1);
 
     void press(QPointF at);
@@ -94,7 +99,7 @@ private:
     const TextCatalog* m_texts;
     AlarmBook* m_alarms = nullptr;
     QString m_language, m_folder;
-    bool m_designing = false, m_lit = true, m_allDirty = true;
+    bool m_designing = false, m_measuring = false, m_lit = true, m_allDirty = true;
     std::optional<quint64> m_alarmPosition;
     std::vector<std::unique_ptr<ElementView>> m_views;
     QHash<ElementId, ElementView*> m_byId;

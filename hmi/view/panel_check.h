@@ -1,0 +1,53 @@
+// What is wrong with panels, texts and alarms before the operator sees it: keys, translations, placeholders, texts that do
+// not fit (measured in every language with the real font), glyphs, bindings. Functions; main thread (fonts).
+#pragma once
+#include "hmi/alarms/alarm_file.h"
+#include "hmi/texts/catalog.h"
+#include "hmi/view/panel_scene.h"
+
+namespace plc::hmi {
+
+enum class FindingKind {
+    MissingKey, MissingTranslation, OrphanKey, PlaceholderMismatch, MissingValue, BadPlaceholder, TextTooLong, HardCodedText, MissingGlyph, MissingFont,
+    UnknownKind, WrongBinding, UnknownPanel, MissingImage, UnknownClass, UnknownLanguage, Outside, BadFormat,
+};
+
+struct Finding {
+    FindingKind kind{};
+    bool isError = false;
+    QString file;     // "hmi/main.panel.json", "hmi/texts.csv", "hmi/alarms.json"
+    int line = 0;     // of texts.csv
+    ElementId element;
+    QString property; // "states[2].text"
+    QString language;
+    QString message;  // a whole sentence in the studio's language
+    /// "H1004", for lists and documentation.
+    QString code() const;
+    QString text() const; // "hmi/main.panel.json: button1.text [de]: …"
+};
+
+struct NamedPanel {
+    QString name; // file name without ".panel.json"
+    Panel panel;
+};
+
+/// What the checker says to a binding: nothing, or why it is wrong (with the near match).
+using BindingCheck = std::function<QString(const QString& expression, std::string_view wanted, bool isTarget)>;
+
+struct CheckInput {
+    std::vector<NamedPanel> panels;
+    TextCatalog texts;
+    AlarmFile alarms;
+    bool hasAlarms = false;
+    QString folder;            // of the project, for image files
+    QStringList languages;     // to measure in; empty: all of the project
+    QStringList keysUsedElsewhere;
+    BindingCheck checkBinding; // may be empty
+};
+
+std::vector<Finding> checkPanels(const CheckInput& input);
+/// Only what concerns one panel, for the designer while it is edited.
+std::vector<Finding> checkPanel(const CheckInput& input, const NamedPanel& panel);
+std::vector<Finding> checkFit(const CheckInput& input, const NamedPanel& panel);
+
+} // namespace plc::hmi
