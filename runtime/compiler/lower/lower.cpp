@@ -1,6 +1,7 @@
 #include "runtime/compiler/lower/lower.h"
 
 #include "runtime/base/text.h"
+#include "runtime/compiler/chart/chart.h"
 #include "runtime/compiler/lower/chart.h"
 #include "runtime/compiler/lower/instruction_list.h"
 
@@ -78,6 +79,7 @@ private:
                 m_sink.emit(pou.name.range, diagnostics::Kind::NotAllowedHere, {"A chart", pou.kind == PouKind::Function ? "a FUNCTION" : "a METHOD"});
                 return;
             }
+            chart::check(chart::build(*body.chart), m_sink);
             const SourceRange place = body.chart->steps.empty() ? pou.name.range : body.chart->steps[0]->name.range;
             body.statements = lowerChart(*body.chart, place, charts, m_builder, m_sink);
         }
