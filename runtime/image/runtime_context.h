@@ -48,6 +48,7 @@ struct RuntimeContext {
     uint8_t* siteFlags = nullptr;
     void* owner = nullptr;      // the Controller
     CallRecord calls[kMaximumDepth];
+    uint64_t stackLimit = 0;    // set by each entry: recursive functions do not go below it on the thread's own stack
 };
 
 /// Entry of a program, function block body or task part: runs to its end or leaves through plcFault.

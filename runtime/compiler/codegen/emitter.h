@@ -67,6 +67,7 @@ public:
     enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Any };
     llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects);
     llvm::Function* raise();                      // stores code, site and details, leaves
+    llvm::Function* siteCheck();                  // quick tier: notes the statement, stops when flagged
     llvm::FunctionCallee budgetUsedUp();
     llvm::GlobalVariable* constantBytes(std::string bytes, uint32_t align);
     llvm::GlobalVariable* dispatchTable(uint32_t method);
@@ -119,7 +120,7 @@ private:
     std::map<uint32_t, llvm::Function*> m_abstractCalls;
     std::set<uint32_t> m_tainted;
     std::vector<std::pair<uint32_t, size_t>> m_rootsByOffset;
-    llvm::Function* m_raise = nullptr;
+    llvm::Function *m_raise = nullptr, *m_siteCheck = nullptr;
     llvm::MDNode *m_imageNode = nullptr, *m_contextTag = nullptr;
     std::map<std::pair<uint32_t, uint32_t>, llvm::MDNode*> m_fieldNodes;
     std::map<size_t, llvm::MDNode*> m_rootNodes;

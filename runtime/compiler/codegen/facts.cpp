@@ -54,53 +54,83 @@ FrameLayout layFrameOut(const types::TypeTable& types, const Function& function,
 // ---------------------------------------------------------------- sites
 
 namespace {
+bool isPlaced(const Stmt& stmt) { return stmt.range.file.isValid(); }
+
 class SiteCollector : public Walker {
 public:
-    std::vector<const Stmt*> visible, hidden;
+    struct Found {
+        const Stmt* stmt;
+        bool stops;
+    };
+    std::vector<Found> visible;
+    std::vector<const Stmt*> hidden;
 
 protected:
     void onStmt(const Stmt& stmt) override {
-        if (!stmt.range.file.isValid() || stmt.kind == StmtKind::Block || stmt.kind == StmtKind::Label) return;
-        (stmt.isHidden ? hidden : visible).push_back(&stmt);
+        const Stmt* const before = m_before; // the sibling in front
+        m_parents.push_back(&stmt);
+        m_before = nullptr;
+        if (!isPlaced(stmt) || stmt.kind == StmtKind::Label) return;
+        if (stmt.isHidden) {
+            hidden.push_back(&stmt);
+            return;
+        }
+        if (stmt.kind == StmtKind::Block && !standsForOne(stmt)) return;
+        bool isRepeated = before && before->range == stmt.range && !before->isHidden;
+        for (size_t i = 0; i + 1 < m_parents.size(); ++i) isRepeated = isRepeated || (m_parents[i]->range == stmt.range && !m_parents[i]->isHidden);
+        visible.push_back({&stmt, !isRepeated});
     }
+    void afterStmt(const Stmt& stmt) override {
+        m_parents.pop_back();
+        m_before = &stmt;
+    }
+
+private:
+    static bool standsForOne(const Stmt& block) {
+        return std::any_of(block.body.begin(), block.body.end(), [&](const Stmt* s) { return s && !s->isHidden && s->range == block.range; });
+    }
+    std::vector<const Stmt*> m_parents;
+    const Stmt* m_before = nullptr;
 };
+
+using RangeKey = std::tuple<uint32_t, uint32_t, uint32_t>;
+RangeKey keyOf(const SourceRange& range) { return {range.file.value, range.begin, range.end}; }
 } // namespace
 
 SiteTable::SiteTable(const tree::Program& program) : sites(1) {
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
         SiteCollector collector;
         collector.walkFunction(program.functions[f]);
-        std::map<std::tuple<uint32_t, uint32_t, uint32_t>, uint32_t> byRange;
-        const auto add = [&](const Stmt* stmt) {
-            sites.push_back({f, stmt->range});
-            const auto site = static_cast<uint32_t>(sites.size() - 1);
-            byRange.emplace(std::tuple(stmt->range.file.value, stmt->range.begin, stmt->range.end), site);
-            return m_siteOf[stmt] = site;
+        std::map<RangeKey, uint32_t> byRange;
+        const auto siteFor = [&](const Stmt& stmt) {
+            const auto [it, isNew] = byRange.emplace(keyOf(stmt.range), static_cast<uint32_t>(sites.size()));
+            if (isNew) sites.push_back({f, stmt.range});
+            return it->second;
         };
-        for (const Stmt* stmt : collector.visible) add(stmt);
-        // Made statements share the site of the text they stand for; faults in them are reported there.
+        for (const SiteCollector::Found& found : collector.visible) m_places[found.stmt] = {siteFor(*found.stmt), found.stops};
+        // Made statements belong to the text they stand for, or else to the narrowest statement around: faults in them are shown there.
         for (const Stmt* stmt : collector.hidden) {
-            const auto it = byRange.find(std::tuple(stmt->range.file.value, stmt->range.begin, stmt->range.end));
-            if (it != byRange.end()) {
-                m_siteOf[stmt] = it->second;
-                continue;
-            }
             uint32_t best = 0;
-            for (const Stmt* other : collector.visible) {
-                if (other->range.file != stmt->range.file || other->range.begin > stmt->range.begin || other->range.end < stmt->range.end) continue;
-                const uint32_t site = m_siteOf[other];
-                if (best == 0 || sites[site].range.length() > other->range.length()) best = site;
-                if (sites[best].range.length() > other->range.length()) best = site;
+            if (const auto it = byRange.find(keyOf(stmt->range)); it != byRange.end()) {
+                best = it->second;
+            } else {
+                for (auto around = byRange.upper_bound({stmt->range.file.value, stmt->range.begin, UINT32_MAX}); around != byRange.begin();) {
+                    --around;
+                    const auto [file, begin, end] = around->first;
+                    if (file != stmt->range.file.value) break;
+                    if (end < stmt->range.end) continue;
+                    best = around->second; // the last to begin in front of it and hold it
+                    break;
+                }
             }
-            if (best != 0) m_siteOf[stmt] = best;
-            else add(stmt);
+            m_places[stmt] = {best != 0 ? best : siteFor(*stmt), false};
         }
     }
 }
 
-uint32_t SiteTable::siteOf(const Stmt& stmt) const {
-    const auto it = m_siteOf.find(&stmt);
-    return it == m_siteOf.end() ? 0 : it->second;
+SiteTable::Place SiteTable::at(const Stmt& stmt) const {
+    const auto it = m_places.find(&stmt);
+    return it == m_places.end() ? Place{} : it->second;
 }
 
 DebugMap makeDebugMap(const tree::Program& program) {

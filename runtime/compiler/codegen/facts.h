@@ -18,15 +18,21 @@ inline constexpr uint32_t kNoFrame = 0xffffffffu;
 [[nodiscard]] FrameLayout layFrameOut(const types::TypeTable& types, const tree::Function& function, const std::vector<bool>& inMemory);
 [[nodiscard]] uint32_t slotSize(const types::TypeTable& types, const tree::Local& local);
 
-/// Statement → site, in the order of DebugMap::sites.
+/// Statement → site, in the order of DebugMap::sites. Statements of one text share a site; it is asked for a stop once, where the
+/// outermost (or first) of them begins. A Block that stands for a written statement (a block call) is such a statement.
 class SiteTable {
 public:
     explicit SiteTable(const tree::Program& program);
-    [[nodiscard]] uint32_t siteOf(const tree::Stmt& stmt) const; // 0 = none
-    std::vector<image::Site> sites;                              // 0 unused
+    struct Place {
+        uint32_t site = 0;    // 0 = none
+        bool stops = false;   // asks whether to stop
+    };
+    [[nodiscard]] Place at(const tree::Stmt& stmt) const;
+    [[nodiscard]] uint32_t siteOf(const tree::Stmt& stmt) const { return at(stmt).site; }
+    std::vector<image::Site> sites; // 0 unused
 
 private:
-    std::unordered_map<const tree::Stmt*, uint32_t> m_siteOf;
+    std::unordered_map<const tree::Stmt*, Place> m_places;
 };
 
 struct FunctionFacts {

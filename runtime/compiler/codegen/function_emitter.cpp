@@ -75,20 +75,11 @@ void FunctionEmitter::storeContext(Value* value, size_t at) {
 }
 
 void FunctionEmitter::setSite(const tree::Stmt& stmt) {
-    const uint32_t site = m.facts.sites().siteOf(stmt);
+    const auto [site, stops] = m.facts.sites().at(stmt);
     if (site == 0) return;
     m_site = site;
-    if (!m.isQuick() || stmt.isHidden) return;
-    storeContext(int32(site), offsetof(RuntimeContext, currentSite));
-    Value* flags = loadContext(m.ptr, offsetof(RuntimeContext, siteFlags));
-    Value* flag = b.CreateLoad(m.i8, b.CreateConstInBoundsGEP1_64(m.i8, flags, site));
-    Block* stop = newBlock("stop");
-    Block* go = newBlock("go");
-    b.CreateCondBr(b.CreateICmpNE(flag, b.getInt8(0)), stop, go);
-    enter(stop);
-    b.CreateCall(m.helper("plc_at_site", m.voidType, {m.ptr, m.i32, m.i32, m.i32}, ModuleEmitter::Effects::Any), {m_context, int32(site), m_this, m_frame});
-    b.CreateBr(go);
-    enter(go);
+    if (!m.isQuick() || !stops) return;
+    b.CreateCall(m.siteCheck(), {m_context, int32(site)});
 }
 
 void FunctionEmitter::emitPrologue() {
@@ -132,6 +123,10 @@ void FunctionEmitter::emitPrologue() {
         auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame, int32(0));
         m.patchNeed(tooFar, 1, m_index);
         guard(tooFar, image::FaultCode::StackOverflow);
+    }
+    if (m_facts.inCycle) {
+        Value* here = b.CreatePtrToInt(b.CreateIntrinsic(llvm::Intrinsic::frameaddress, {m.ptr}, {int32(0)}), m.i64);
+        guard(b.CreateICmpULT(here, loadContext(m.i64, offsetof(RuntimeContext, stackLimit))), image::FaultCode::StackOverflow);
     }
 
     unsigned argument = 4;

@@ -13,7 +13,7 @@ void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
 
 void FunctionEmitter::statement(const Stmt& stmt) {
     const uint32_t top = m_temporaryTop;
-    if (stmt.kind != StmtKind::Block && stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
+    if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
     switch (stmt.kind) {
     case StmtKind::Assign: assign(stmt); break;
     case StmtKind::Bind: bind(stmt); break;

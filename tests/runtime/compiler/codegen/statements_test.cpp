@@ -206,6 +206,30 @@ TEST(Codegen, TheQuickTierStopsAtFlaggedSites) {
     EXPECT_EQ(3u, t.context.currentSite);
 }
 
+TEST(Codegen, ABlockCallIsOneSiteThatStopsBeforeItsInputsAreAssigned) {
+    Bench t;
+    const auto dint = of(TypeKind::Dint);
+    const uint32_t a = t.global(dint), c = t.global(dint);
+    const uint32_t body = t.function("Body");
+    t.add(body, t.assign(t.at(c, dint), t.load(t.at(a, dint))));
+    const uint32_t main = t.function("Main");
+    Stmt* block = t.statement(StmtKind::Block);
+    Stmt* input = t.assign(t.at(a, dint), t.binary(BinaryOp::Divide, t.constant(dint, 1), t.load(t.at(a, dint))));
+    input->range = {};
+    Stmt* call = t.statement(StmtKind::Evaluate, t.call(body));
+    call->range = block->range;
+    block->body = {input, call};
+    t.add(main, t.assign(t.at(c, dint), t.constant(dint, 3)));
+    t.add(main, block);
+    EXPECT_EQ(FaultCode::DivisionByZero, t.runBoth(main)); // in the input: shown at the call
+    ASSERT_EQ(4u, t.debug.sites.size());
+    EXPECT_EQ(3u, t.context.faultSite);
+    EXPECT_EQ(block->range, t.debug.sites[3].range);
+    t.flags[3] = 1;
+    EXPECT_EQ(FaultCode::DivisionByZero, t.run(main, codegen::Tier::Quick));
+    EXPECT_EQ(1u, t.stops.size());
+}
+
 TEST(Codegen, QuickLocalsLieWhereTheDebugMapSays) {
     Bench t;
     const auto dint = of(TypeKind::Dint), real = of(TypeKind::Real);
