@@ -2,6 +2,7 @@
 #include "app/cli/run_output.h"
 
 #include "projects/session/session.h"
+#include "projects/session/value_text.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
@@ -59,7 +60,7 @@ struct RunPlan {
 Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write) {
     const auto place = controller.program().layout.find(write.path);
     if (!place) return place.error();
-    return parseValue(checked, place->type, write.text, write.path);
+    return session::parseValue(checked, place->type, write.text, write.path);
 }
 
 Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write) {

@@ -16,8 +16,6 @@ struct Watch {
 
 /// Every variable of programs and globals that is not hidden or a constant, in order of declaration.
 [[nodiscard]] std::vector<Watch> allVariables(const driver::Built& built);
-/// An ST value ("TRUE", "5", "T#1s", "Red", "'text'") for a variable of `type`; the error names `path`.
-[[nodiscard]] Result<types::Value> parseValue(const driver::Checked& checked, types::TypeId type, const std::string& text, const std::string& path);
 /// "DT#…" → nanoseconds since 1970; none for an empty text.
 [[nodiscard]] Result<std::optional<int64_t>> calendarStart(const std::string& text);
 /// Times and enums as in JSON, text without quotes, REAL shortest: what a CSV cell holds.

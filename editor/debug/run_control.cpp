@@ -1,0 +1,375 @@
+#include "editor/debug/run_control.h"
+
+#include "projects/session/value_text.h"
+#include "runtime/base/text.h"
+#include "runtime/types/conversion.h"
+
+#include <QDir>
+
+#include <algorithm>
+
+namespace plc::editor {
+
+namespace {
+constexpr int kFrameMs = 33;
+QString text(const std::string& s) { return QString::fromStdString(s); }
+} // namespace
+
+RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent), m_workspace(workspace) {
+    m_timer.setInterval(kFrameMs);
+    connect(&m_timer, &QTimer::timeout, this, &RunControl::tick);
+    connect(&workspace, &Workspace::closed, this, &RunControl::disconnectSession);
+}
+
+RunControl::~RunControl() {
+    if (m_builder.joinable()) m_builder.join();
+}
+
+bool RunControl::isRunning() const { return m_session && (m_status.state == controller::State::Running || m_status.state == controller::State::Paused || m_status.state == controller::State::Halted); }
+
+QString RunControl::retainFile() const { return m_workspace.folder().isEmpty() ? QString() : m_workspace.folder() + "/.stepwise/retain.json"; }
+
+// ------------------------------------------------------------------ building
+
+void RunControl::build(std::function<void(bool)> then) {
+    if (m_isBuilding || !m_workspace.isOpen()) return;
+    m_isBuilding = true;
+    emit buildStarted();
+    if (m_builder.joinable()) m_builder.join();
+    m_builder = std::thread([this, input = m_workspace.buildInput(), then = std::move(then)] {
+        auto built = std::make_shared<driver::Built>(driver::build(input));
+        QMetaObject::invokeMethod(
+            this,
+            [this, built, then] {
+                m_isBuilding = false;
+                const bool good = built->program != nullptr;
+                size_t errors = 0;
+                for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics) errors += d.severity == diagnostics::Severity::Error;
+                if (good) adopt(built, false);
+                emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
+                                              : !built->failure.empty() ? text(built->failure) : tr("%n error(s): the program was not built", nullptr, static_cast<int>(errors)));
+                if (then) then(good);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning) {
+    if (changeRunning && m_session) {
+        m_session->changeProgram(*built, [this](const controller::OnlineChangeReport& report) {
+            const QString summary = tr("Online change: %1 kept, %2 new, %3 lost").arg(report.kept.size()).arg(report.initialised.size()).arg(report.lost.size());
+            QMetaObject::invokeMethod(this, [this, summary] { emit onlineChangeFinished(summary); }, Qt::QueuedConnection);
+        });
+        return;
+    }
+    m_viewed.reset();
+    session::Settings settings;
+    if (!retainFile().isEmpty()) {
+        QDir().mkpath(m_workspace.folder() + "/.stepwise");
+        settings.retainFile = retainFile().toStdString();
+    }
+    m_session = std::make_unique<session::Session>(*built, settings);
+    postBreakpoints();
+    m_timer.start();
+    tick();
+    emit sessionChanged();
+}
+
+void RunControl::disconnectSession() {
+    m_timer.stop();
+    m_session.reset();
+    m_viewed.reset();
+    m_image.clear();
+    m_imageProgram.reset();
+    m_status = {};
+    emit sessionChanged();
+    emit statusChanged();
+    emit refreshed();
+}
+
+// ------------------------------------------------------------------ commands
+
+void RunControl::start() {
+    view(std::nullopt);
+    if (m_session && m_status.state == controller::State::Halted) return resume();
+    if (m_session && m_status.state == controller::State::Paused) return m_session->start();
+    build([this](bool good) {
+        if (good) m_session->startThread(m_mode);
+        tick();
+    });
+}
+
+void RunControl::pause() {
+    if (m_session) m_session->pause();
+}
+void RunControl::stop() {
+    if (m_session) m_session->stop();
+}
+void RunControl::resume() {
+    if (m_session) m_session->resume();
+}
+void RunControl::reset(controller::ResetKind kind) {
+    view(std::nullopt);
+    if (m_session) m_session->reset(kind);
+}
+
+void RunControl::singleScan() {
+    view(std::nullopt);
+    if (m_session && isRunning()) return m_session->singleScan();
+    build([this](bool good) {
+        if (!good) return;
+        m_session->startThread(m_mode);
+        m_session->pause();
+        m_session->singleScan();
+    });
+}
+
+void RunControl::step(session::StepKind kind) {
+    if (m_session) m_session->step(kind);
+}
+
+void RunControl::runTo(const QString& file, int line) {
+    if (!m_session) return;
+    const SourceSet& sources = m_session->program()->sources;
+    for (size_t i = 0; i < sources.files.size(); ++i)
+        if (text(sources.files[i].path()) == file) m_session->runTo(FileId(i), static_cast<uint32_t>(line));
+}
+
+void RunControl::onlineChange() {
+    if (!isRunning()) return start();
+    if (m_isBuilding) return;
+    m_isBuilding = true;
+    emit buildStarted();
+    if (m_builder.joinable()) m_builder.join();
+    m_builder = std::thread([this, input = m_workspace.buildInput()] {
+        auto built = std::make_shared<driver::Built>(driver::build(input));
+        QMetaObject::invokeMethod(
+            this,
+            [this, built] {
+                m_isBuilding = false;
+                if (built->program) adopt(built, true);
+                emit buildFinished(built->program != nullptr, built->program ? tr("The change waits for the end of the scan") : tr("The program has errors; the controller goes on with the old one"));
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void RunControl::setMode(session::RunMode mode) {
+    m_mode = mode;
+    if (m_session) m_session->setMode(mode);
+}
+
+// ------------------------------------------------------------------ breakpoints
+
+void RunControl::setBreakpoints(std::vector<EditorBreakpoint> breakpoints) {
+    m_breakpoints = std::move(breakpoints);
+    postBreakpoints();
+    emit breakpointsChanged();
+}
+
+void RunControl::toggleBreakpoint(const QString& file, int line) {
+    const auto it = std::find_if(m_breakpoints.begin(), m_breakpoints.end(), [&](const EditorBreakpoint& b) { return b.file == file && b.line == line; });
+    if (it != m_breakpoints.end()) m_breakpoints.erase(it);
+    else m_breakpoints.push_back({file, line});
+    postBreakpoints();
+    emit breakpointsChanged();
+}
+
+void RunControl::postBreakpoints() {
+    if (!m_session) return;
+    std::vector<session::Breakpoint> posted;
+    const SourceSet& sources = m_session->program()->sources;
+    for (const EditorBreakpoint& each : m_breakpoints)
+        for (size_t i = 0; i < sources.files.size(); ++i)
+            if (text(sources.files[i].path()) == each.file)
+                posted.push_back({FileId(i), static_cast<uint32_t>(each.line), each.condition.toStdString(), static_cast<uint32_t>(each.hitCount), each.instance.toStdString(), each.isEnabled});
+    m_session->setBreakpoints(std::move(posted));
+}
+
+// ------------------------------------------------------------------ the 30 Hz look
+
+void RunControl::tick() {
+    if (!m_session) return;
+    const controller::State before = m_status.state;
+    const uint64_t scansBefore = m_status.scans;
+    m_status = m_session->status();
+    for (const std::string& refusal : m_session->takeRefusals()) emit messageAdded(text(refusal), true);
+    m_forced.clear();
+    for (const controller::Forced& forced : m_session->forces()) m_forced.insert(foldCase(forced.path));
+    const bool stateChanged = before != m_status.state;
+    if (m_status.state == controller::State::Halted) m_frames = m_session->haltFrames();
+    else m_frames.clear();
+    if (!m_viewed) refreshImage();
+    if (stateChanged) {
+        emit statusChanged();
+        if (m_status.state == controller::State::Halted) emit halted();
+    } else if (scansBefore != m_status.scans) {
+        emit statusChanged();
+    }
+    emit refreshed();
+}
+
+void RunControl::refreshImage() {
+    if (!m_session) return;
+    if (m_viewed) {
+        m_image = m_session->history().seek(*m_viewed, &m_imageProgram);
+        return;
+    }
+    m_image = m_session->snapshot();
+    m_imageProgram = m_session->program();
+}
+
+// ------------------------------------------------------------------ values
+
+RunControl::Shown RunControl::value(const QString& expression, const QString& scope, types::NumberFormat format) const {
+    Shown shown;
+    if (!m_session || m_image.empty() || !m_imageProgram) return shown;
+    const auto compiled = m_session->expression(expression.toStdString(), scope.toStdString());
+    if (!compiled) {
+        shown.reason = text(compiled.error().message);
+        return shown;
+    }
+    // A recorded image of an older version has another layout: the expression is made anew for it.
+    expression::Expression present = *compiled;
+    if (m_imageProgram->version != m_session->program()->version) present = m_session->recompile(expression.toStdString(), scope.toStdString())(*m_imageProgram);
+    if (!present.isValid()) {
+        shown.reason = tr("did not exist in this scan");
+        return shown;
+    }
+    const expression::Outcome outcome = present.evaluate(m_image);
+    shown.type = present.type();
+    if (!outcome.hasValue()) {
+        shown.reason = text(outcome.reason);
+        return shown;
+    }
+    shown.value = outcome.value;
+    shown.text = text(types::toText(present.types(), outcome.value, format));
+    shown.isBool = present.types().storageKind(present.type()) == types::TypeKind::Bool;
+    shown.isTrue = shown.isBool && outcome.value.isTrue();
+    const std::string path = scope.isEmpty() ? expression.toStdString() : scope.toStdString() + "." + expression.toStdString();
+    shown.isForced = m_forced.contains(foldCase(path)) || m_forced.contains(foldCase(expression.toStdString()));
+    return shown;
+}
+
+std::vector<QString> RunControl::instancesOf(const QString& pou) const {
+    std::vector<QString> out;
+    if (!m_imageProgram) return out;
+    const image::Layout& layout = m_imageProgram->layout;
+    const std::string wanted = foldCase(pou.section('.', 0, 0).toStdString());
+    // Walks instances down to a few levels; arrays of blocks count their first elements.
+    const auto walk = [&](auto&& self, const std::string& path, types::TypeId type, int depth) -> void {
+        const types::Type& t = (*layout.types)[type];
+        if (t.kind == types::TypeKind::Array && depth < 6) {
+            const types::TypeKind element = layout.types->kind(t.element);
+            if ((element != types::TypeKind::Block && element != types::TypeKind::Struct) || t.dimensions.size() != 1) return;
+            for (int64_t i = t.dimensions[0].low; i <= t.dimensions[0].high && i < t.dimensions[0].low + 64; ++i) self(self, path + "[" + std::to_string(i) + "]", t.element, depth + 1);
+            return;
+        }
+        if (t.kind != types::TypeKind::Block && t.kind != types::TypeKind::Struct) return;
+        for (types::TypeId each = type; each.isValid(); each = (*layout.types)[each].base)
+            if (foldCase((*layout.types)[each].name) == wanted) {
+                out.push_back(text(path));
+                break;
+            }
+        if (depth >= 6) return;
+        for (const types::Field& field : t.fields)
+            if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External) self(self, path + "." + field.name, field.type, depth + 1);
+    };
+    for (const image::Root& root : layout.roots)
+        if (!root.isHidden) walk(walk, root.list.empty() ? root.name : root.list + "." + root.name, root.type, 0);
+    return out;
+}
+
+void RunControl::setPreferredInstance(const QString& pou, const QString& instance) {
+    m_preferredInstance[pou.toLower()] = instance;
+    emit refreshed();
+}
+
+QString RunControl::preferredInstance(const QString& pou) const {
+    const QString block = pou.section('.', 0, 0);
+    const auto it = m_preferredInstance.find(block.toLower());
+    if (it != m_preferredInstance.end()) return it->second;
+    const std::vector<QString> all = instancesOf(block);
+    return all.empty() ? QString() : all.front();
+}
+
+RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) const {
+    if (!m_frames.empty() && !m_viewed) // halted: the locals of a frame of this POU come first
+        for (size_t i = 0; i < m_frames.size(); ++i) {
+            if (text(m_frames[i].function).compare(pou, Qt::CaseInsensitive) != 0) continue;
+            for (const auto& [local, value] : m_session->frameVariables(i))
+                if (text(local).compare(name, Qt::CaseInsensitive) == 0 && m_imageProgram) {
+                    Shown shown;
+                    shown.value = value;
+                    shown.text = text(types::toText(*m_imageProgram->layout.types, value));
+                    shown.isBool = value.type.isValid() && m_imageProgram->layout.types->storageKind(value.type) == types::TypeKind::Bool;
+                    shown.isTrue = shown.isBool && value.isTrue();
+                    return shown;
+                }
+            if (!m_frames[i].instance.empty()) return value(name, text(m_frames[i].instance));
+        }
+    const QString instance = pou.isEmpty() ? QString() : preferredInstance(pou);
+    return value(name, instance);
+}
+
+Result<types::Value> RunControl::parse(const QString& path, const QString& valueText) const {
+    if (!m_session) return Error{"The controller is not running", ""};
+    const auto place = m_session->program()->layout.find(path.toStdString());
+    if (!place) return place.error();
+    return session::parseValue(m_session->built().checked, place->type, valueText.toStdString(), path.toStdString());
+}
+
+Result<void> RunControl::write(const QString& path, const QString& valueText) {
+    const auto value = parse(path, valueText);
+    if (!value) return value.error();
+    if (m_viewed) return Error{"The past can not be written; resume from here first", path.toStdString()};
+    m_session->write(path.toStdString(), *value);
+    return {};
+}
+
+Result<void> RunControl::force(const QString& path, const QString& valueText) {
+    const auto value = parse(path, valueText);
+    if (!value) return value.error();
+    m_session->force(path.toStdString(), *value);
+    return {};
+}
+
+void RunControl::unforce(const QString& path) {
+    if (m_session) m_session->unforce(path.toStdString());
+}
+
+// ------------------------------------------------------------------ time
+
+void RunControl::view(std::optional<history::Position> position) {
+    if (m_viewed == position) return;
+    if (position && m_session) {
+        const history::Statistics statistics = m_session->history().statistics();
+        if (statistics.end == statistics.first) return;
+        position = std::clamp(*position, statistics.first, statistics.end - 1);
+    }
+    m_viewed = position;
+    refreshImage();
+    emit viewedChanged();
+    emit refreshed();
+}
+
+void RunControl::stepView(int scans) {
+    if (!m_session) return;
+    const history::Statistics statistics = m_session->history().statistics();
+    if (statistics.end == statistics.first) return;
+    const auto from = static_cast<int64_t>(m_viewed.value_or(statistics.end - 1));
+    const int64_t to = from + scans;
+    if (to >= static_cast<int64_t>(statistics.end)) return view(std::nullopt);
+    if (!m_viewed && isRunning() && m_status.state == controller::State::Running) pause();
+    view(static_cast<history::Position>(std::max<int64_t>(to, static_cast<int64_t>(statistics.first))));
+}
+
+Result<void> RunControl::resumeFromView() {
+    if (!m_session || !m_viewed) return {};
+    const history::Position from = *m_viewed;
+    if (auto resumed = m_session->resumeFrom(from); !resumed) return resumed;
+    view(std::nullopt);
+    return {};
+}
+
+} // namespace plc::editor

@@ -1,0 +1,125 @@
+// The running controller as the window sees it: builds in the background, owns the Session, looks at it 30 times a second, and decides
+// which image everybody shows: the live one or, while the time slider stands in the past, a recorded one. Owned by the main
+// window; GUI thread. Views connect to `refreshed` and read through `value()`; none of them reaches into the scan.
+#pragma once
+#include "editor/analysis/workspace.h"
+#include "projects/session/session.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <thread>
+
+namespace plc::editor {
+
+struct EditorBreakpoint {
+    QString file;
+    int line = 1; // 1-based
+    QString condition;
+    int hitCount = 0;
+    QString instance;
+    bool isEnabled = true;
+    bool operator==(const EditorBreakpoint&) const = default;
+};
+
+class RunControl : public QObject {
+    Q_OBJECT
+public:
+    explicit RunControl(Workspace& workspace, QObject* parent = nullptr);
+    ~RunControl() override;
+
+    [[nodiscard]] session::Session* session() { return m_session.get(); } // null: nothing built
+    [[nodiscard]] const session::Session* session() const { return m_session.get(); }
+    [[nodiscard]] const session::Status& status() const { return m_status; }
+    [[nodiscard]] bool isBuilding() const { return m_isBuilding; }
+    [[nodiscard]] bool isOnline() const { return m_session != nullptr; }
+    [[nodiscard]] bool isRunning() const;
+
+    // commands
+    void build(std::function<void(bool)> then = {}); // makes a session, keeps it stopped
+    void start();                                     // builds when needed
+    void pause();
+    void stop();
+    void singleScan();
+    void resume();
+    void step(session::StepKind kind);
+    void runTo(const QString& file, int line);
+    void reset(controller::ResetKind kind);
+    void onlineChange();                              // the edited program enters the running controller
+    void setMode(session::RunMode mode);
+    [[nodiscard]] session::RunMode mode() const { return m_mode; }
+    void disconnectSession();                         // project closes
+
+    // breakpoints, kept with the project
+    [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints; }
+    void setBreakpoints(std::vector<EditorBreakpoint> breakpoints);
+    void toggleBreakpoint(const QString& file, int line);
+
+    // values
+    struct Shown {
+        QString text;      // "" = no value
+        QString reason;
+        types::Value value;
+        types::TypeId type;
+        bool isBool = false, isTrue = false, isForced = false;
+    };
+    [[nodiscard]] Shown value(const QString& expression, const QString& scope = {}, types::NumberFormat format = types::NumberFormat::Decimal) const;
+    /// Live value of a name as written inside a POU: its halted frame, else its only instance.
+    [[nodiscard]] Shown valueIn(const QString& name, const QString& pou) const;
+    [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const;
+    void setPreferredInstance(const QString& pou, const QString& instance);
+    [[nodiscard]] QString preferredInstance(const QString& pou) const;
+    Result<void> write(const QString& path, const QString& text);
+    Result<void> force(const QString& path, const QString& text);
+    void unforce(const QString& path);
+    [[nodiscard]] Result<types::Value> parse(const QString& path, const QString& text) const;
+
+    // time
+    /// None: live.
+    [[nodiscard]] std::optional<history::Position> viewed() const { return m_viewed; }
+    void view(std::optional<history::Position> position);
+    void stepView(int scans);
+    Result<void> resumeFromView();
+    [[nodiscard]] const std::vector<std::byte>& image() const { return m_image; }
+    [[nodiscard]] const image::CompiledProgram* imageProgram() const { return m_imageProgram.get(); }
+
+signals:
+    void buildStarted();
+    void buildFinished(bool good, const QString& message);
+    void sessionChanged();        // another Session, or none
+    void statusChanged();
+    void refreshed();             // 30 times a second while something may have changed
+    void viewedChanged();
+    void halted();
+    void breakpointsChanged();
+    void messageAdded(const QString& text, bool isError);
+    void onlineChangeFinished(const QString& summary);
+
+private:
+    void tick();
+    void adopt(std::shared_ptr<driver::Built> built, bool changeRunning);
+    void postBreakpoints();
+    void refreshImage();
+    [[nodiscard]] QString retainFile() const;
+
+    Workspace& m_workspace;
+    std::unique_ptr<session::Session> m_session;
+    session::Status m_status;
+    session::RunMode m_mode{session::Pace::Real, 1.0};
+    std::vector<EditorBreakpoint> m_breakpoints;
+    std::vector<session::HaltFrame> m_frames;
+    std::map<QString, QString> m_preferredInstance; // POU → instance path
+    std::optional<history::Position> m_viewed;
+    std::vector<std::byte> m_image;
+    std::shared_ptr<const image::CompiledProgram> m_imageProgram;
+    std::set<std::string> m_forced; // folded paths
+    QTimer m_timer;
+    bool m_isBuilding = false;
+    std::thread m_builder;
+};
+
+} // namespace plc::editor
