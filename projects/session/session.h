@@ -93,6 +93,7 @@ public:
     void unforceAll();
     [[nodiscard]] std::vector<controller::Forced> forces() const;
     [[nodiscard]] std::vector<controller::TaskStatistics> taskStatistics() const;
+    void resetTaskStatistics();
     [[nodiscard]] std::vector<controller::Event> eventsSince(size_t index) const;
     /// Refusals of posted commands (unknown path, wrong type, forced): text per command, oldest first, taken once.
     [[nodiscard]] std::vector<std::string> takeRefusals();

@@ -1,0 +1,302 @@
+#include "editor/debug/debug_views.h"
+
+#include "editor/kit/icons.h"
+#include "editor/kit/theme.h"
+
+#include <QHeaderView>
+#include <QMenu>
+#include <QPainter>
+#include <QSplitter>
+#include <QTime>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace plc::editor {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QTreeWidget* makeTree(QWidget* parent, const QStringList& headers, const QString& name) {
+    auto* tree = new QTreeWidget(parent);
+    tree->setHeaderLabels(headers);
+    tree->setRootIsDecorated(false);
+    tree->setAlternatingRowColors(true);
+    tree->setUniformRowHeights(true);
+    tree->setAccessibleName(name);
+    tree->header()->setStretchLastSection(true);
+    return tree;
+}
+
+QToolBar* makeBar(QWidget* parent) {
+    auto* bar = new QToolBar(parent);
+    bar->setIconSize({16, 16});
+    return bar;
+}
+
+void stack(QWidget* parent, std::initializer_list<QWidget*> parts) {
+    auto* layout = new QVBoxLayout(parent);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    for (QWidget* part : parts) layout->addWidget(part);
+}
+
+QString timeText(controller::Nanoseconds time) { return text(types::durationText(time.count())).mid(2); }
+
+QString nanosecondsText(double ns) {
+    if (ns < 1e3) return QString("%1 ns").arg(ns, 0, 'f', 0);
+    if (ns < 1e6) return QString("%1 µs").arg(ns / 1e3, 0, 'f', 1);
+    return QString("%1 ms").arg(ns / 1e6, 0, 'f', 2);
+}
+
+} // namespace
+
+// ------------------------------------------------------------------ forces
+
+ForceView::ForceView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
+    QToolBar* bar = makeBar(this);
+    m_tree = makeTree(this, {tr("Variable"), tr("Forced value")}, tr("Forced variables"));
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setColumnWidth(0, 240);
+    connect(bar->addAction(kit::icon(kit::Icon::Unforce), tr("Release selected")), &QAction::triggered, this, [this] {
+        for (QTreeWidgetItem* item : m_tree->selectedItems()) m_control.unforce(item->text(0));
+    });
+    connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Release all")), &QAction::triggered, this, [this] {
+        if (m_control.session()) m_control.session()->unforceAll();
+    });
+    stack(this, {bar, m_tree});
+    connect(&control, &RunControl::refreshed, this, &ForceView::refresh);
+}
+
+void ForceView::refresh() {
+    if (!isVisible()) return;
+    const auto forces = m_control.session() ? m_control.session()->forces() : std::vector<controller::Forced>();
+    while (m_tree->topLevelItemCount() > static_cast<int>(forces.size())) delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
+    for (size_t i = 0; i < forces.size(); ++i) {
+        QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount() ? m_tree->topLevelItem(static_cast<int>(i)) : new QTreeWidgetItem(m_tree);
+        item->setText(0, text(forces[i].path));
+        item->setText(1, text(types::toText(*m_control.session()->program()->layout.types, forces[i].value)));
+        item->setIcon(0, kit::icon(kit::Icon::Force));
+    }
+}
+
+// ------------------------------------------------------------------ call path
+
+CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
+    m_frames = makeTree(this, {tr("Unit"), tr("Instance"), tr("Line")}, tr("Call path"));
+    m_values = makeTree(this, {tr("Variable"), tr("Value")}, tr("Values of the frame"));
+    auto* splitter = new QSplitter(this);
+    splitter->addWidget(m_frames);
+    splitter->addWidget(m_values);
+    stack(this, {splitter});
+    connect(&control, &RunControl::halted, this, &CallPathView::refresh);
+    connect(&control, &RunControl::statusChanged, this, [this] {
+        if (m_control.status().state != controller::State::Halted && m_control.status().state != controller::State::Fault) refresh();
+        else if (m_control.status().state == controller::State::Fault && m_frames->topLevelItemCount() == 0) refresh();
+    });
+    connect(m_frames, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        m_values->clear();
+        if (!item || !m_control.session()) return;
+        const auto frame = static_cast<size_t>(item->data(0, Qt::UserRole).toInt());
+        if (m_control.status().state == controller::State::Halted)
+            for (const auto& [name, value] : m_control.session()->frameVariables(frame))
+                new QTreeWidgetItem(m_values, {text(name), text(types::toText(*m_control.session()->program()->layout.types, value))});
+    });
+    connect(m_frames, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { emit placeRequested(item->data(1, Qt::UserRole).toString(), item->data(2, Qt::UserRole).toUInt()); });
+}
+
+void CallPathView::refresh() {
+    m_frames->clear();
+    m_values->clear();
+    if (!m_control.session()) return;
+    const auto program = m_control.session()->program();
+    const auto add = [&](const std::string& function, const std::string& instance, SourceRange range) {
+        auto* item = new QTreeWidgetItem(m_frames, {text(function), text(instance)});
+        item->setData(0, Qt::UserRole, m_frames->topLevelItemCount() - 1);
+        if (!range.file.isValid()) return;
+        const SourceText& file = program->sources[range.file];
+        item->setText(2, QString("%1:%2").arg(text(file.path())).arg(file.lineColumn(range.begin).line));
+        item->setData(1, Qt::UserRole, text(file.path()));
+        item->setData(2, Qt::UserRole, range.begin);
+    };
+    if (m_control.status().state == controller::State::Halted)
+        for (const session::HaltFrame& frame : m_control.session()->haltFrames()) add(frame.function, frame.instance, frame.range);
+    else if (m_control.status().fault)
+        for (const controller::FaultFrame& frame : m_control.status().fault->calls) add(frame.function, frame.instance, frame.range);
+    if (m_frames->topLevelItemCount()) m_frames->setCurrentItem(m_frames->topLevelItem(0));
+}
+
+// ------------------------------------------------------------------ breakpoints
+
+BreakpointView::BreakpointView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
+    QToolBar* bar = makeBar(this);
+    m_tree = makeTree(this, {tr("Place"), tr("Condition"), tr("Hit count"), tr("Instance")}, tr("Breakpoints"));
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setColumnWidth(0, 200);
+    m_tree->setColumnWidth(1, 200);
+    connect(bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove selected")), &QAction::triggered, this, [this] {
+        auto list = m_control.breakpoints();
+        for (QTreeWidgetItem* item : m_tree->selectedItems())
+            std::erase_if(list, [&](const EditorBreakpoint& b) { return b.file == item->data(0, Qt::UserRole).toString() && b.line == item->data(1, Qt::UserRole).toInt(); });
+        m_control.setBreakpoints(list);
+    });
+    connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Remove all")), &QAction::triggered, this, [this] { m_control.setBreakpoints({}); });
+    stack(this, {bar, m_tree});
+    connect(&control, &RunControl::breakpointsChanged, this, &BreakpointView::reload);
+    connect(m_tree, &QTreeWidget::itemChanged, this, &BreakpointView::takeEdits);
+    connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == 0) emit lineRequested(item->data(0, Qt::UserRole).toString(), item->data(1, Qt::UserRole).toInt());
+    });
+}
+
+void BreakpointView::reload() {
+    const QSignalBlocker blocker(m_tree);
+    m_tree->clear();
+    for (const EditorBreakpoint& each : m_control.breakpoints()) {
+        auto* item = new QTreeWidgetItem(m_tree, {QString("%1:%2").arg(each.file).arg(each.line), each.condition, each.hitCount ? QString::number(each.hitCount) : QString(), each.instance});
+        item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+        item->setCheckState(0, each.isEnabled ? Qt::Checked : Qt::Unchecked);
+        item->setData(0, Qt::UserRole, each.file);
+        item->setData(1, Qt::UserRole, each.line);
+    }
+}
+
+void BreakpointView::takeEdits(QTreeWidgetItem* item) {
+    auto list = m_control.breakpoints();
+    for (EditorBreakpoint& each : list)
+        if (each.file == item->data(0, Qt::UserRole).toString() && each.line == item->data(1, Qt::UserRole).toInt()) {
+            each.condition = item->text(1).trimmed();
+            each.hitCount = item->text(2).toInt();
+            each.instance = item->text(3).trimmed();
+            each.isEnabled = item->checkState(0) == Qt::Checked;
+        }
+    QMetaObject::invokeMethod(this, [this, list] { m_control.setBreakpoints(list); }, Qt::QueuedConnection);
+}
+
+// ------------------------------------------------------------------ tasks
+
+/// Execution times of the selected task, powers of two from 1 µs.
+class TaskMonitor::Histogram : public QWidget {
+public:
+    explicit Histogram(QWidget* parent) : QWidget(parent) {
+        setMinimumHeight(110);
+        setAccessibleName(TaskMonitor::tr("Histogram of execution times"));
+    }
+    void show(const std::vector<uint32_t>& bins) {
+        if (m_bins == bins) return;
+        m_bins = bins;
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const kit::ThemeColors& c = kit::colors();
+        painter.fillRect(rect(), c.base);
+        size_t last = m_bins.size();
+        while (last > 8 && m_bins[last - 1] == 0) --last;
+        const uint32_t highest = m_bins.empty() ? 0 : *std::max_element(m_bins.begin(), m_bins.end());
+        if (highest == 0) {
+            painter.setPen(c.muted);
+            painter.drawText(rect(), Qt::AlignCenter, TaskMonitor::tr("Execution times appear here while the controller runs"));
+            return;
+        }
+        const int base = height() - 20, left = 8, width = this->width() - 16;
+        const double column = static_cast<double>(width) / static_cast<double>(last);
+        QFont small = font();
+        small.setPointSizeF(small.pointSizeF() * 0.85);
+        painter.setFont(small);
+        for (size_t i = 0; i < last; ++i) {
+            const double share = std::log1p(m_bins[i]) / std::log1p(highest);
+            const QRectF bar(left + column * static_cast<double>(i) + 1.5, base - share * (base - 8), column - 3, share * (base - 8));
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(c.accent);
+            painter.drawRoundedRect(bar, 2, 2);
+            painter.setPen(c.muted);
+            const QString label = nanosecondsText(1e3 * std::pow(2.0, static_cast<double>(i)));
+            if (column > painter.fontMetrics().horizontalAdvance(label) + 4 || i % 4 == 0)
+                painter.drawText(QRectF(left + column * static_cast<double>(i) - 20, base + 2, column + 40, 16), Qt::AlignCenter, label);
+        }
+    }
+
+private:
+    std::vector<uint32_t> m_bins;
+};
+
+TaskMonitor::TaskMonitor(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
+    QToolBar* bar = makeBar(this);
+    m_tree = makeTree(this, {tr("Task"), tr("Runs"), tr("Last"), tr("Min"), tr("Mean"), tr("Max"), tr("Jitter"), tr("Overruns"), tr("Load")}, tr("Tasks"));
+    m_histogram = new Histogram(this);
+    connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Reset the statistics")), &QAction::triggered, this, [this] {
+        if (m_control.session()) m_control.session()->resetTaskStatistics();
+    });
+    for (int column = 1; column < 9; ++column) m_tree->setColumnWidth(column, 76);
+    m_tree->setColumnWidth(0, 110);
+    stack(this, {bar, m_tree, m_histogram});
+    connect(&control, &RunControl::refreshed, this, &TaskMonitor::refresh);
+}
+
+void TaskMonitor::refresh() {
+    if (!isVisible()) return;
+    const auto tasks = m_control.session() ? m_control.session()->taskStatistics() : std::vector<controller::TaskStatistics>();
+    while (m_tree->topLevelItemCount() > static_cast<int>(tasks.size())) delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
+    for (size_t i = 0; i < tasks.size(); ++i) {
+        const controller::TaskStatistics& task = tasks[i];
+        QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount() ? m_tree->topLevelItem(static_cast<int>(i)) : new QTreeWidgetItem(m_tree);
+        double interval = 0;
+        for (const image::Task& each : m_control.session()->program()->tasks)
+            if (each.name == task.name) interval = static_cast<double>(each.interval.count());
+        const QStringList columns{text(task.name), QString::number(task.count), nanosecondsText(static_cast<double>(task.lastNs)), nanosecondsText(static_cast<double>(task.minNs)), nanosecondsText(task.meanNs),
+                                  nanosecondsText(static_cast<double>(task.maxNs)), nanosecondsText(static_cast<double>(task.jitterNs)), QString::number(task.overruns),
+                                  interval > 0 ? QString("%1 %").arg(100 * task.meanNs / interval, 0, 'f', 2) : QString("–")};
+        for (int column = 0; column < columns.size(); ++column) {
+            item->setText(column, columns[column]);
+            if (column) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+        }
+        item->setForeground(7, task.overruns ? kit::colors().warning : kit::colors().text);
+    }
+    const int row = std::max(0, m_tree->indexOfTopLevelItem(m_tree->currentItem()));
+    m_histogram->show(row < static_cast<int>(tasks.size()) ? tasks[static_cast<size_t>(row)].histogram : std::vector<uint32_t>());
+}
+
+// ------------------------------------------------------------------ log
+
+EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
+    QToolBar* bar = makeBar(this);
+    m_tree = makeTree(this, {tr("Time"), tr("PLC time"), tr("Scan"), tr("Event")}, tr("Events"));
+    m_tree->setColumnWidth(0, 80);
+    m_tree->setColumnWidth(1, 110);
+    m_tree->setColumnWidth(2, 80);
+    connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Clear")), &QAction::triggered, m_tree, &QTreeWidget::clear);
+    stack(this, {bar, m_tree});
+    connect(&control, &RunControl::refreshed, this, &EventLog::refresh);
+    connect(&control, &RunControl::sessionChanged, this, [this] { m_seen = 0; });
+    connect(&control, &RunControl::messageAdded, this, &EventLog::addMessage);
+}
+
+void EventLog::addMessage(const QString& message, bool isError) {
+    auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), {}, {}, message});
+    item->setIcon(3, kit::icon(isError ? kit::Icon::Error : kit::Icon::Information));
+    if (m_tree->topLevelItemCount() > 5000) delete m_tree->topLevelItem(0);
+    m_tree->scrollToItem(item);
+}
+
+void EventLog::refresh() {
+    if (!m_control.session()) return;
+    const auto events = m_control.session()->eventsSince(m_seen);
+    m_seen += events.size();
+    for (const controller::Event& event : events) {
+        auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), timeText(event.time), QString::number(event.scan), text(event.text)});
+        using controller::EventKind;
+        const kit::Icon icon = event.kind == EventKind::Fault ? kit::Icon::Error : event.kind == EventKind::Force || event.kind == EventKind::Release ? kit::Icon::Force
+                             : event.kind == EventKind::OnlineChange ? kit::Icon::OnlineChange : event.kind == EventKind::Breakpoint ? kit::Icon::Breakpoint
+                             : event.kind == EventKind::SkippedScans ? kit::Icon::Warning : kit::Icon::Information;
+        item->setIcon(3, kit::icon(icon));
+        if (m_tree->topLevelItemCount() > 5000) delete m_tree->topLevelItem(0);
+    }
+    if (!events.empty()) m_tree->scrollToBottom();
+}
+
+} // namespace plc::editor

@@ -1,0 +1,81 @@
+// The smaller views on a running controller: forces, call path with each frame's values, breakpoints, tasks with histograms, and the log of
+// events. Each is owned by its dock; GUI thread; all read through RunControl.
+#pragma once
+#include "editor/debug/run_control.h"
+
+#include <QTreeWidget>
+#include <QWidget>
+
+namespace plc::editor {
+
+class ForceView : public QWidget {
+    Q_OBJECT
+public:
+    explicit ForceView(RunControl& control, QWidget* parent = nullptr);
+    void refresh();
+
+private:
+    RunControl& m_control;
+    QTreeWidget* m_tree;
+};
+
+class CallPathView : public QWidget {
+    Q_OBJECT
+public:
+    explicit CallPathView(RunControl& control, QWidget* parent = nullptr);
+    void refresh();
+
+signals:
+    void placeRequested(const QString& file, uint32_t offset);
+
+private:
+    RunControl& m_control;
+    QTreeWidget* m_frames;
+    QTreeWidget* m_values;
+};
+
+class BreakpointView : public QWidget {
+    Q_OBJECT
+public:
+    explicit BreakpointView(RunControl& control, QWidget* parent = nullptr);
+
+signals:
+    void lineRequested(const QString& file, int line);
+
+private:
+    void reload();
+    void takeEdits(QTreeWidgetItem* item);
+
+    RunControl& m_control;
+    QTreeWidget* m_tree;
+};
+
+class TaskMonitor : public QWidget {
+    Q_OBJECT
+public:
+    explicit TaskMonitor(RunControl& control, QWidget* parent = nullptr);
+    void refresh();
+
+private:
+    class Histogram;
+    RunControl& m_control;
+    QTreeWidget* m_tree;
+    Histogram* m_histogram;
+};
+
+class EventLog : public QWidget {
+    Q_OBJECT
+public:
+    explicit EventLog(RunControl& control, QWidget* parent = nullptr);
+    void addMessage(const QString& text, bool isError);
+    [[nodiscard]] int count() const { return m_tree->topLevelItemCount(); }
+
+private:
+    void refresh();
+
+    RunControl& m_control;
+    QTreeWidget* m_tree;
+    size_t m_seen = 0;
+};
+
+} // namespace plc::editor

@@ -1,0 +1,245 @@
+#include "editor/debug/watch_view.h"
+
+#include "editor/kit/icons.h"
+#include "editor/kit/theme.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QCompleter>
+#include <QDragEnterEvent>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QScrollBar>
+#include <QStringListModel>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace plc::editor {
+
+namespace {
+constexpr int kExpressionRole = Qt::UserRole;
+constexpr int kUnfoldedRole = Qt::UserRole + 1;
+} // namespace
+
+WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent) : QWidget(parent), m_control(control), m_workspace(workspace) {
+    m_tree = new QTreeWidget(this);
+    m_tree->setColumnCount(Column::Count);
+    m_tree->setHeaderLabels({tr("Expression"), tr("Value"), tr("Type"), tr("Prepared"), tr("Comment")});
+    m_tree->setAlternatingRowColors(true);
+    m_tree->setUniformRowHeights(true);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_tree->setAccessibleName(tr("Watch list"));
+    m_tree->header()->setStretchLastSection(true);
+    m_tree->setColumnWidth(Name, 190);
+    m_tree->setColumnWidth(Value, 120);
+    m_tree->setColumnWidth(Type, 80);
+    m_tree->setColumnWidth(Prepared, 90);
+    m_input = new QLineEdit(this);
+    m_input->setPlaceholderText(tr("Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done"));
+    m_input->setClearButtonEnabled(true);
+    m_input->setAccessibleName(tr("New watch expression"));
+    auto* completer = new QCompleter(new QStringListModel(this), this);
+    completer->setCaseSensitivity(Qt::CaseInsensitive);
+    completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
+    m_input->setCompleter(completer);
+
+    auto* bar = new QToolBar(this);
+    bar->setIconSize({16, 16});
+    const auto action = [&](kit::Icon icon, const QString& text, auto run) {
+        QAction* a = bar->addAction(kit::icon(icon), text);
+        connect(a, &QAction::triggered, this, run);
+        return a;
+    };
+    action(kit::Icon::Write, tr("Write prepared values"), &WatchView::writePrepared);
+    action(kit::Icon::Force, tr("Force prepared values"), &WatchView::forcePrepared);
+    action(kit::Icon::Unforce, tr("Release the selected forces"), [this] {
+        for (QTreeWidgetItem* item : m_tree->selectedItems()) m_control.unforce(expressionOf(item));
+    });
+    bar->addSeparator();
+    auto* format = new QComboBox(bar);
+    format->addItems({tr("Decimal"), tr("Hexadecimal"), tr("Binary")});
+    format->setAccessibleName(tr("Number format"));
+    bar->addWidget(format);
+    connect(format, &QComboBox::currentIndexChanged, this, [this](int index) { setFormat(static_cast<types::NumberFormat>(index)); });
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addWidget(m_tree);
+    layout->addWidget(m_input);
+    setAcceptDrops(true);
+
+    connect(m_input, &QLineEdit::returnPressed, this, [this] {
+        add(m_input->text());
+        m_input->clear();
+    });
+    connect(m_input, &QLineEdit::textEdited, this, [this, completer](const QString& typed) {
+        if (!m_workspace.model()) return;
+        const std::string text = typed.toStdString();
+        const analysis::Completion completion = m_workspace.model()->completePath(text, static_cast<uint32_t>(text.size()));
+        QStringList items;
+        for (const analysis::CompletionItem& item : completion.items) {
+            items << QString::fromStdString(text.substr(0, completion.replaceBegin) + item.text);
+            if (items.size() == 60) break;
+        }
+        static_cast<QStringListModel*>(completer->model())->setStringList(items);
+    });
+    connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &WatchView::showMenu);
+    connect(m_tree, &QTreeWidget::itemExpanded, this, &WatchView::unfold);
+    connect(m_tree, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == Name && !item->parent() && item->text(Name) != expressionOf(item)) {
+            item->setData(Name, kExpressionRole, item->text(Name).trimmed());
+            qDeleteAll(item->takeChildren());
+            item->setData(Name, kUnfoldedRole, false);
+            fillRow(item);
+            emit expressionsChanged();
+        }
+    });
+    connect(&control, &RunControl::refreshed, this, &WatchView::refresh);
+    connect(&control, &RunControl::sessionChanged, this, &WatchView::refresh);
+}
+
+QString WatchView::expressionOf(const QTreeWidgetItem* item) { return item->data(Name, kExpressionRole).toString(); }
+
+void WatchView::add(const QString& expression) {
+    const QString trimmed = expression.trimmed();
+    if (trimmed.isEmpty()) return;
+    auto* item = new QTreeWidgetItem(m_tree, {trimmed});
+    item->setData(Name, kExpressionRole, trimmed);
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    fillRow(item);
+    emit expressionsChanged();
+}
+
+QStringList WatchView::expressions() const {
+    QStringList out;
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) out << expressionOf(m_tree->topLevelItem(i));
+    return out;
+}
+
+void WatchView::setExpressions(const QStringList& expressions) {
+    m_tree->clear();
+    for (const QString& each : expressions) add(each);
+}
+
+void WatchView::setFormat(types::NumberFormat format) {
+    m_format = format;
+    refresh();
+}
+
+void WatchView::fillRow(QTreeWidgetItem* item) {
+    const QSignalBlocker blocker(m_tree);
+    const RunControl::Shown shown = m_control.value(expressionOf(item), {}, m_format);
+    const kit::ThemeColors& c = kit::colors();
+    const auto* program = m_control.imageProgram();
+    const bool known = program && shown.type.isValid();
+    const types::Type* type = known ? &(*program->layout.types)[shown.type] : nullptr;
+    const bool aggregate = known && program->layout.types->isAggregate(shown.type);
+    const QString text = !shown.reason.isEmpty() ? shown.reason : aggregate && type->kind == types::TypeKind::Block ? QString() : shown.text.left(300);
+    if (item->text(Value) != text) item->setText(Value, text);
+    if (type && item->text(Type) != QString::fromStdString(type->name)) item->setText(Type, QString::fromStdString(type->name));
+    item->setForeground(Value, !shown.reason.isEmpty() ? c.muted : shown.isForced ? c.forced : shown.isBool ? (shown.isTrue ? c.good : c.muted) : c.text);
+    item->setToolTip(Value, shown.reason.isEmpty() ? shown.text.left(2000) : shown.reason);
+    item->setIcon(Value, shown.isForced ? kit::icon(kit::Icon::Force) : QIcon());
+    item->setChildIndicatorPolicy(aggregate ? QTreeWidgetItem::ShowIndicator : QTreeWidgetItem::DontShowIndicator);
+}
+
+void WatchView::unfold(QTreeWidgetItem* item) {
+    if (item->data(Name, kUnfoldedRole).toBool()) return;
+    const auto* program = m_control.imageProgram();
+    const RunControl::Shown shown = m_control.value(expressionOf(item));
+    if (!program || !shown.type.isValid()) return;
+    const types::TypeTable& types = *program->layout.types;
+    const types::Type& type = types[shown.type];
+    const QSignalBlocker blocker(m_tree);
+    const auto child = [&](const QString& name, const QString& expression, const QString& comment) {
+        auto* row = new QTreeWidgetItem(item, {name});
+        row->setData(Name, kExpressionRole, expression);
+        row->setFlags(row->flags() | Qt::ItemIsEditable);
+        row->setText(Comment, comment);
+        fillRow(row);
+    };
+    const QString base = expressionOf(item);
+    if (type.kind == types::TypeKind::Array) {
+        std::vector<int64_t> index;
+        for (const types::Dimension& d : type.dimensions) index.push_back(d.low);
+        for (int shownRows = 0; shownRows < 1000 && !index.empty(); ++shownRows) {
+            QStringList parts;
+            for (const int64_t i : index) parts << QString::number(i);
+            child("[" + parts.join(", ") + "]", base + "[" + parts.join(", ") + "]", {});
+            size_t d = index.size();
+            while (d > 0 && ++index[d - 1] > type.dimensions[d - 1].high) index[d - 1] = type.dimensions[d - 1].low, --d;
+            if (d == 0) break;
+        }
+    } else {
+        for (const types::Field& field : type.fields)
+            if (!field.isPrivate) child(QString::fromStdString(field.name), base + "." + QString::fromStdString(field.name), QString::fromStdString(field.comment));
+    }
+    item->setData(Name, kUnfoldedRole, true);
+}
+
+void WatchView::refresh() {
+    if (!isVisible()) return;
+    // Only what is in the viewport is read.
+    QTreeWidgetItem* item = m_tree->itemAt(0, 0);
+    const int bottom = m_tree->viewport()->height();
+    while (item && m_tree->visualItemRect(item).top() <= bottom) {
+        fillRow(item);
+        item = m_tree->itemBelow(item);
+    }
+}
+
+void WatchView::applyPrepared(bool force) {
+    const auto apply = [&](auto&& self, QTreeWidgetItem* item) -> void {
+        if (const QString prepared = item->text(Prepared).trimmed(); !prepared.isEmpty()) {
+            const auto done = force ? m_control.force(expressionOf(item), prepared) : m_control.write(expressionOf(item), prepared);
+            const QSignalBlocker blocker(m_tree);
+            item->setToolTip(Prepared, done ? QString() : QString::fromStdString(done.error().text()));
+            item->setForeground(Prepared, done ? kit::colors().text : kit::colors().bad);
+            if (done) item->setText(Prepared, {});
+        }
+        for (int i = 0; i < item->childCount(); ++i) self(self, item->child(i));
+    };
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) apply(apply, m_tree->topLevelItem(i));
+}
+
+void WatchView::writePrepared() { applyPrepared(false); }
+void WatchView::forcePrepared() { applyPrepared(true); }
+
+void WatchView::showMenu(const QPoint& position) {
+    QTreeWidgetItem* item = m_tree->itemAt(position);
+    QMenu menu(this);
+    if (item) {
+        const RunControl::Shown shown = m_control.value(expressionOf(item));
+        if (shown.isBool) connect(menu.addAction(kit::icon(kit::Icon::Write), tr("Toggle")), &QAction::triggered, this, [this, item, shown] { (void)m_control.write(expressionOf(item), shown.isTrue ? "FALSE" : "TRUE"); });
+        connect(menu.addAction(kit::icon(kit::Icon::Force), tr("Force to %1").arg(shown.text.left(30))), &QAction::triggered, this, [this, item, shown] { (void)m_control.force(expressionOf(item), shown.text); });
+        connect(menu.addAction(kit::icon(kit::Icon::Unforce), tr("Release force")), &QAction::triggered, this, [this, item] { m_control.unforce(expressionOf(item)); });
+        connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this, [this, item] { emit traceRequested(expressionOf(item)); });
+        menu.addSeparator();
+        connect(menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove")), &QAction::triggered, this, [this] {
+            for (QTreeWidgetItem* each : m_tree->selectedItems())
+                if (!each->parent()) delete each;
+            emit expressionsChanged();
+        });
+    }
+    connect(menu.addAction(kit::icon(kit::Icon::Clear), tr("Remove all")), &QAction::triggered, this, [this] {
+        m_tree->clear();
+        emit expressionsChanged();
+    });
+    menu.exec(m_tree->viewport()->mapToGlobal(position));
+}
+
+void WatchView::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasText()) event->acceptProposedAction();
+}
+void WatchView::dropEvent(QDropEvent* event) {
+    for (const QString& line : event->mimeData()->text().split('\n', Qt::SkipEmptyParts)) add(line);
+    event->acceptProposedAction();
+}
+
+} // namespace plc::editor

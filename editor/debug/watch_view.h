@@ -1,0 +1,51 @@
+// The watch: any ST expression, structures and arrays unfold, values in the chosen format, prepared values written or forced in one
+// click. Owned by its dock; GUI thread; reads through RunControl at its pace, only the rows that are shown.
+#pragma once
+#include "editor/debug/run_control.h"
+
+#include <QTreeWidget>
+#include <QWidget>
+
+class QLineEdit;
+class QToolBar;
+
+namespace plc::editor {
+
+class WatchView : public QWidget {
+    Q_OBJECT
+public:
+    WatchView(RunControl& control, Workspace& workspace, QWidget* parent = nullptr);
+    void add(const QString& expression);
+    [[nodiscard]] QStringList expressions() const;
+    void setExpressions(const QStringList& expressions);
+    void setFormat(types::NumberFormat format);
+    [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
+
+    void refresh();
+    void writePrepared();
+    void forcePrepared();
+
+signals:
+    void expressionsChanged();
+    void traceRequested(const QString& expression);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    enum Column { Name, Value, Type, Prepared, Comment, Count };
+    void fillRow(QTreeWidgetItem* item);
+    void unfold(QTreeWidgetItem* item);
+    void applyPrepared(bool force);
+    void showMenu(const QPoint& position);
+    [[nodiscard]] static QString expressionOf(const QTreeWidgetItem* item);
+
+    RunControl& m_control;
+    Workspace& m_workspace;
+    QTreeWidget* m_tree;
+    QLineEdit* m_input;
+    types::NumberFormat m_format = types::NumberFormat::Decimal;
+};
+
+} // namespace plc::editor
