@@ -1,0 +1,42 @@
+// The declarations of a program unit as a table: section, name, address, type, initial value, comment, and the value while online. The text
+// stays the truth: an edit of a cell is a text edit of its declaration (D4). Owned by the tab; GUI thread.
+#pragma once
+#include "editor/text/st_editor.h"
+
+#include <QTableWidget>
+#include <QWidget>
+
+namespace plc::editor {
+
+class DeclarationTable : public QWidget {
+    Q_OBJECT
+public:
+    explicit DeclarationTable(StEditor& editor, QWidget* parent = nullptr);
+    /// Shows the unit around the editor's cursor, as of the newest analysis.
+    void setModel(std::shared_ptr<const analysis::CodeModel> model);
+    void setOnlineValues(OnlineValues values) { m_values = std::move(values); }
+    void refreshOnlineValues();
+    [[nodiscard]] QTableWidget& table() { return *m_table; }
+
+private:
+    enum Column { Section, Name, Address, Type, Initial, Comment, Value, Count };
+    struct Row {
+        const syntax::VarDecl* declaration = nullptr;
+        const syntax::VarSection* section = nullptr;
+        size_t nameIndex = 0;
+    };
+    void fill();
+    void takeEdit(int row, int column);
+    void addVariable();
+    void removeSelected();
+
+    StEditor& m_editor;
+    QTableWidget* m_table;
+    std::shared_ptr<const analysis::CodeModel> m_model;
+    const syntax::Pou* m_pou = nullptr;
+    std::vector<Row> m_rows;
+    OnlineValues m_values;
+    bool m_isFilling = false;
+};
+
+} // namespace plc::editor
