@@ -1,0 +1,48 @@
+// The project as a tree made from the parsed files: programs, blocks, functions, types, globals, tasks, libraries, panels, texts, traces,
+// tests, simulation. Owned by its dock; GUI thread.
+#pragma once
+#include "editor/analysis/workspace.h"
+
+#include <QTreeWidget>
+#include <QWidget>
+
+class QLineEdit;
+
+namespace plc::app {
+
+class ProjectTree : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProjectTree(editor::Workspace& workspace, QWidget* parent = nullptr);
+    void reload();
+    [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
+
+signals:
+    void placeRequested(const QString& file, uint32_t offset);
+    void panelRequested(const QString& name);
+    void traceRequested(const QString& name);
+    void textsRequested();
+    void alarmsRequested();
+    void testsRequested();
+    void chartRequested(const QString& file, const QString& pou);
+    void newUnitRequested();
+    void renameRequested(const QString& file, uint32_t offset);
+    void deleteRequested(const QString& file, uint32_t begin, uint32_t end, const QString& name);
+    void librariesRequested();
+
+private:
+    enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name };
+    QTreeWidgetItem* group(const QString& title, int icon, const QString& key);
+    void addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& unit, const QString& file);
+    void activate(QTreeWidgetItem* item);
+    void showMenu(const QPoint& position);
+    void filter(const QString& text);
+
+    editor::Workspace& m_workspace;
+    QTreeWidget* m_tree;
+    QLineEdit* m_filter;
+    QStringList m_collapsed;
+    QString m_shape; // what the tree shows now; an equal new one is not rebuilt
+};
+
+} // namespace plc::app
