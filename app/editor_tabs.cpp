@@ -1,0 +1,378 @@
+#include "app/editor_tabs.h"
+
+#include "editor/kit/icons.h"
+#include "editor/kit/theme.h"
+
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTabBar>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+namespace plc::app {
+
+using editor::StEditor;
+
+// ------------------------------------------------------------------ a page
+
+StPage::StPage(const QString& file, QWidget* parent) : QWidget(parent), m_file(file) {
+    m_splitter = new QSplitter(Qt::Vertical, this);
+    m_first = new StEditor(m_splitter);
+    m_first->setFile(file);
+    m_find = new editor::FindBar(*m_first, this);
+    m_table = new editor::DeclarationTable(*m_first, m_splitter);
+    m_splitter->addWidget(m_table);
+    m_splitter->addWidget(m_first);
+    m_splitter->setStretchFactor(1, 3);
+    m_table->hide();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_splitter);
+    layout->addWidget(m_find);
+    setFocusProxy(m_first);
+}
+
+void StPage::toggleSplit() {
+    if (m_second) {
+        m_second->deleteLater();
+        m_second = nullptr;
+        m_first->setFocus();
+        return;
+    }
+    m_second = new StEditor(m_splitter);
+    m_second->shareDocumentOf(*m_first);
+    m_splitter->addWidget(m_second);
+    emit editorMade(m_second);
+    m_second->setFocus();
+}
+
+void StPage::toggleTable() { m_table->setVisible(!m_table->isVisible()); }
+
+std::vector<StEditor*> StPage::editors() {
+    std::vector<StEditor*> out{m_first};
+    if (m_second) out.push_back(m_second);
+    return out;
+}
+
+// ------------------------------------------------------------------ the tabs
+
+EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control, Settings& settings, QWidget* parent)
+    : QTabWidget(parent), m_workspace(workspace), m_control(control), m_settings(settings) {
+    setDocumentMode(true);
+    setTabsClosable(true);
+    setMovable(true);
+    setAccessibleName(tr("Documents"));
+    tabBar()->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(this, &QTabWidget::tabCloseRequested, this, &EditorTabs::closePage);
+    connect(tabBar(), &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        const int index = tabBar()->tabAt(at);
+        if (index < 0) return;
+        QMenu menu(this);
+        connect(menu.addAction(tr("Close")), &QAction::triggered, this, [this, index] { closePage(index); });
+        connect(menu.addAction(tr("Close Others")), &QAction::triggered, this, [this, index] {
+            QWidget* keep = widget(index);
+            for (int i = count() - 1; i >= 0; --i)
+                if (widget(i) != keep && !closePage(i)) return;
+        });
+        menu.exec(tabBar()->mapToGlobal(at));
+    });
+    connect(&workspace, &editor::Workspace::analysed, this, [this](const std::shared_ptr<const analysis::CodeModel>& model) {
+        for (int i = 0; i < count(); ++i)
+            if (auto* page = qobject_cast<StPage*>(widget(i))) {
+                for (StEditor* editor : page->editors()) editor->setModel(model);
+                page->table().setModel(model);
+            }
+    });
+    connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
+        if (StPage* page = pageOf(file)) {
+            int line = 0, column = 0;
+            page->first().getCursorPosition(&line, &column);
+            page->first().load(m_workspace.text(file));
+            page->first().setCursorPosition(line, column);
+        }
+    });
+    connect(&workspace, &editor::Workspace::modificationChanged, this, &EditorTabs::markModified);
+    connect(&workspace, &editor::Workspace::saved, this, [this](const QString& file) {
+        if (StPage* page = pageOf(file)) page->first().setSavedText(m_workspace.text(file));
+    });
+    connect(&workspace, &editor::Workspace::changedOnDiskAndHere, this, &EditorTabs::askAboutDiskChange);
+    connect(&workspace, &editor::Workspace::filesChanged, this, [this] {
+        const QStringList files = m_workspace.files();
+        for (int i = count() - 1; i >= 0; --i)
+            if (auto* page = qobject_cast<StPage*>(widget(i)); page && !files.contains(page->file())) {
+                removeTab(i);
+                page->deleteLater();
+            }
+    });
+    connect(&workspace, &editor::Workspace::closed, this, [this] {
+        while (count()) {
+            QWidget* page = widget(0);
+            removeTab(0);
+            page->deleteLater();
+        }
+        m_back.clear();
+        m_forward.clear();
+    });
+    connect(&control, &editor::RunControl::breakpointsChanged, this, &EditorTabs::showBreakpoints);
+    connect(&control, &editor::RunControl::statusChanged, this, &EditorTabs::showExecutedLine);
+    connect(&control, &editor::RunControl::halted, this, &EditorTabs::showExecutedLine);
+    connect(&control, &editor::RunControl::refreshed, this, [this] {
+        if (StPage* page = currentPage()) {
+            for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
+            page->table().refreshOnlineValues();
+        }
+    });
+}
+
+StPage* EditorTabs::pageOf(const QString& file) const {
+    for (int i = 0; i < count(); ++i)
+        if (auto* page = qobject_cast<StPage*>(widget(i)); page && page->file() == file) return page;
+    return nullptr;
+}
+
+QStringList EditorTabs::openFiles() const {
+    QStringList out;
+    for (int i = 0; i < count(); ++i)
+        if (auto* page = qobject_cast<StPage*>(widget(i))) out << page->file();
+    return out;
+}
+
+StPage* EditorTabs::openFile(const QString& file) {
+    if (!m_workspace.files().contains(file)) return nullptr;
+    if (StPage* page = pageOf(file)) {
+        setCurrentWidget(page);
+        return page;
+    }
+    auto* page = new StPage(file, this);
+    page->first().load(m_workspace.text(file));
+    connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
+    connectEditor(&page->first());
+    page->table().setOnlineValues(onlineValues());
+    page->table().setModel(m_workspace.model());
+    const int index = addTab(page, kit::icon(m_workspace.isTestFile(file) ? kit::Icon::Test : kit::Icon::File), QFileInfo(file).fileName());
+    setTabToolTip(index, m_workspace.absolutePath(file));
+    setCurrentIndex(index);
+    markModified(file, m_workspace.isModified(file));
+    showBreakpoints();
+    return page;
+}
+
+void EditorTabs::connectEditor(StEditor* editor) {
+    editor->setSettings(m_settings.editor());
+    editor->setModel(m_workspace.model());
+    editor->setOnlineValues(onlineValues());
+    connect(editor, &StEditor::edited, this, [this, editor](const QString& file) {
+        if (!m_isApplying) m_workspace.setText(file, editor->utf8());
+    });
+    connect(editor, &StEditor::breakpointToggled, &m_control, &editor::RunControl::toggleBreakpoint);
+    connect(editor, &StEditor::cursorMoved, this, &EditorTabs::cursorMoved);
+    connect(editor, &StEditor::hoverRequested, this, [this, editor](const QString& file, uint32_t offset, const QPoint& at) {
+        if (!m_workspace.model()) return;
+        const auto& model = *m_workspace.model();
+        const auto id = model.fileOf(file.toStdString());
+        if (!id || editor->utf8() != model.sources()[*id].text()) return;
+        const auto hover = model.hover(*id, offset);
+        if (!hover) return QToolTip::hideText();
+        QString html = "<p style='white-space:pre'><b>" + QString::fromStdString(hover->declaration).toHtmlEscaped() + "</b></p>";
+        if (!hover->comment.empty()) html += "<p>" + QString::fromStdString(hover->comment).toHtmlEscaped().replace('\n', "<br>") + "</p>";
+        if (m_control.isOnline() && !hover->path.empty()) {
+            const auto shown = m_control.valueIn(QString::fromStdString(hover->path), hover->isRelative ? QString::fromStdString(hover->pou) : QString());
+            if (!shown.text.isEmpty()) html += "<p>= " + shown.text.left(400).toHtmlEscaped() + "</p>";
+        }
+        QToolTip::showText(at, html, editor);
+    });
+    emit editorMade(editor);
+}
+
+editor::OnlineValues EditorTabs::onlineValues() {
+    return [this](const std::vector<std::pair<QString, QString>>& names) {
+        std::vector<editor::OnlineValue> out;
+        if (!m_control.isOnline()) return out;
+        for (const auto& [name, pou] : names) {
+            const auto shown = m_control.valueIn(name, pou);
+            const auto* program = m_control.imageProgram();
+            if (shown.text.isEmpty() || !program || !shown.type.isValid() || program->layout.types->isAggregate(shown.type)) continue;
+            out.push_back({name, shown.text.left(40), shown.isBool, shown.isTrue, shown.isForced});
+        }
+        return out;
+    };
+}
+
+// ------------------------------------------------------------------ moving about
+
+void EditorTabs::rememberPlace() {
+    StEditor* editor = currentEditor();
+    if (!editor) return;
+    const Visited here{editor->file(), editor->cursorOffset()};
+    if (!m_back.empty() && m_back.back().file == here.file && m_back.back().offset == here.offset) return;
+    m_back.push_back(here);
+    if (m_back.size() > 100) m_back.pop_front();
+    m_forward.clear();
+}
+
+void EditorTabs::goTo(const QString& file, uint32_t offset, uint32_t length) {
+    rememberPlace();
+    if (StPage* page = openFile(file)) page->active().goTo(offset, length);
+}
+
+void EditorTabs::goToLine(const QString& file, int line) {
+    rememberPlace();
+    if (StPage* page = openFile(file)) page->active().goToLine(line);
+}
+
+void EditorTabs::goBack() {
+    if (m_back.empty()) return;
+    if (StEditor* editor = currentEditor()) m_forward.push_back({editor->file(), editor->cursorOffset()});
+    const Visited to = m_back.back();
+    m_back.pop_back();
+    if (StPage* page = openFile(to.file)) page->active().goTo(to.offset);
+}
+
+void EditorTabs::goForward() {
+    if (m_forward.empty()) return;
+    if (StEditor* editor = currentEditor()) m_back.push_back({editor->file(), editor->cursorOffset()});
+    const Visited to = m_forward.back();
+    m_forward.pop_back();
+    if (StPage* page = openFile(to.file)) page->active().goTo(to.offset);
+}
+
+// ------------------------------------------------------------------ pages of other kinds
+
+void EditorTabs::addPage(QWidget* page, const QString& title, const QIcon& icon, const QString& key) {
+    page->setProperty("pageKey", key);
+    setCurrentIndex(addTab(page, icon, title));
+}
+
+QWidget* EditorTabs::pageByKey(const QString& key) const {
+    for (int i = 0; i < count(); ++i)
+        if (widget(i)->property("pageKey").toString() == key) return widget(i);
+    return nullptr;
+}
+
+// ------------------------------------------------------------------ saving and closing
+
+void EditorTabs::markModified(const QString& file, bool modified) {
+    for (int i = 0; i < count(); ++i)
+        if (auto* page = qobject_cast<StPage*>(widget(i)); page && page->file() == file) setTabText(i, QFileInfo(file).fileName() + (modified ? " ●" : ""));
+}
+
+void EditorTabs::saveCurrent() {
+    StPage* page = currentPage();
+    if (!page) return emit saved();
+    if (m_settings.formatOnSave()) page->active().formatText();
+    if (auto done = m_workspace.save(page->file()); !done) return emit message(QString::fromStdString(done.error().text()), true);
+    emit saved();
+}
+
+void EditorTabs::saveAll() {
+    if (auto done = m_workspace.saveAll(); !done) return emit message(QString::fromStdString(done.error().text()), true);
+    emit saved();
+}
+
+bool EditorTabs::closePage(int index) {
+    QWidget* closing = widget(index);
+    if (auto* page = qobject_cast<StPage*>(closing); page && m_workspace.isModified(page->file())) {
+        const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(page->file()), QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+        if (answer == QMessageBox::Cancel) return false;
+        if (answer == QMessageBox::Save) {
+            if (auto done = m_workspace.save(page->file()); !done) {
+                emit message(QString::fromStdString(done.error().text()), true);
+                return false;
+            }
+        } else {
+            m_workspace.revert(page->file());
+        }
+    }
+    if (!closing->close()) return false;
+    removeTab(index);
+    closing->deleteLater();
+    return true;
+}
+
+bool EditorTabs::closeAll() {
+    const QStringList modified = m_workspace.isOpen() ? m_workspace.modifiedFiles() : QStringList();
+    if (!modified.isEmpty()) {
+        const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%n file(s) were changed: %1. Save them?", nullptr, static_cast<int>(modified.size())).arg(modified.join(", ")),
+                                                  QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel);
+        if (answer == QMessageBox::Cancel) return false;
+        if (answer == QMessageBox::SaveAll) {
+            if (auto done = m_workspace.saveAll(); !done) {
+                emit message(QString::fromStdString(done.error().text()), true);
+                return false;
+            }
+        }
+    }
+    for (int i = 0; i < count(); ++i)
+        if (!qobject_cast<StPage*>(widget(i)) && !widget(i)->close()) return false;
+    return true;
+}
+
+void EditorTabs::askAboutDiskChange(const QString& file) {
+    const auto answer = QMessageBox::question(this, tr("Changed outside"), tr("%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?").arg(file),
+                                              QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    if (answer == QMessageBox::Yes) m_workspace.revert(file);
+}
+
+void EditorTabs::applySettings() {
+    for (int i = 0; i < count(); ++i)
+        if (auto* page = qobject_cast<StPage*>(widget(i)))
+            for (StEditor* editor : page->editors()) editor->setSettings(m_settings.editor());
+}
+
+void EditorTabs::applyEdits(const std::vector<analysis::FileEdits>& edits, const SourceSet& sources) {
+    for (const analysis::FileEdits& each : edits) {
+        const QString file = QString::fromStdString(sources[each.file].path());
+        if (StPage* page = pageOf(file)) {
+            page->first().applyEdits(each.edits);
+            continue;
+        }
+        std::string text = m_workspace.text(file);
+        for (size_t i = each.edits.size(); i-- > 0;) text.replace(each.edits[i].range.begin, each.edits[i].range.length(), each.edits[i].text);
+        m_workspace.setText(file, text);
+    }
+    m_workspace.checkNow();
+}
+
+// ------------------------------------------------------------------ debugging marks
+
+void EditorTabs::showBreakpoints() {
+    for (int i = 0; i < count(); ++i) {
+        auto* page = qobject_cast<StPage*>(widget(i));
+        if (!page) continue;
+        std::set<int> lines, disabled;
+        for (const editor::EditorBreakpoint& b : m_control.breakpoints()) {
+            if (b.file != page->file()) continue;
+            lines.insert(b.line);
+            if (!b.isEnabled) disabled.insert(b.line);
+        }
+        for (StEditor* editor : page->editors()) editor->setBreakpoints(lines, disabled);
+    }
+}
+
+void EditorTabs::showExecutedLine() {
+    QString file;
+    int line = 0;
+    uint32_t offset = 0;
+    if (m_control.session() && m_control.status().state == controller::State::Halted) {
+        const auto frames = m_control.session()->haltFrames();
+        if (!frames.empty() && frames.front().range.file.isValid()) {
+            const SourceText& source = m_control.session()->program()->sources[frames.front().range.file];
+            file = QString::fromStdString(source.path());
+            offset = frames.front().range.begin;
+            line = static_cast<int>(source.lineColumn(offset).line);
+        }
+    }
+    static const char* const kShown = "executedPlace";
+    const QString place = file + ":" + QString::number(line);
+    const bool isNew = property(kShown).toString() != place;
+    setProperty(kShown, place);
+    if (line && isNew) openFile(file);
+    for (int i = 0; i < count(); ++i)
+        if (auto* page = qobject_cast<StPage*>(widget(i)))
+            for (StEditor* editor : page->editors()) editor->setExecutedLine(page->file() == file ? line : 0);
+    if (line && isNew && currentEditor()) currentEditor()->ensureLineVisible(line - 1);
+}
+
+} // namespace plc::app

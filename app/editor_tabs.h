@@ -1,0 +1,94 @@
+// The open documents: ST files with split view, find bar and declaration table, and whatever other pages the window adds (panels, charts,
+// traces). Keeps editors and workspace in step. Owned by the main window; GUI thread.
+#pragma once
+#include "app/settings.h"
+#include "editor/analysis/workspace.h"
+#include "editor/debug/run_control.h"
+#include "editor/text/declaration_table.h"
+#include "editor/text/find_bar.h"
+#include "editor/text/st_editor.h"
+
+#include <QSplitter>
+#include <QTabWidget>
+
+#include <deque>
+
+namespace plc::app {
+
+/// One ST file: editor, second view when split, find bar, table of declarations.
+class StPage : public QWidget {
+    Q_OBJECT
+public:
+    StPage(const QString& file, QWidget* parent);
+    [[nodiscard]] editor::StEditor& active() { return m_second && m_second->hasFocus() ? *m_second : *m_first; }
+    [[nodiscard]] editor::StEditor& first() { return *m_first; }
+    [[nodiscard]] editor::FindBar& findBar() { return *m_find; }
+    [[nodiscard]] editor::DeclarationTable& table() { return *m_table; }
+    [[nodiscard]] const QString& file() const { return m_file; }
+    void toggleSplit();
+    void toggleTable();
+    [[nodiscard]] std::vector<editor::StEditor*> editors();
+
+signals:
+    void editorMade(plc::editor::StEditor* editor);
+
+private:
+    QString m_file;
+    QSplitter* m_splitter;
+    editor::StEditor* m_first;
+    editor::StEditor* m_second = nullptr;
+    editor::FindBar* m_find;
+    editor::DeclarationTable* m_table;
+};
+
+class EditorTabs : public QTabWidget {
+    Q_OBJECT
+public:
+    EditorTabs(editor::Workspace& workspace, editor::RunControl& control, Settings& settings, QWidget* parent = nullptr);
+
+    StPage* openFile(const QString& file);
+    void goTo(const QString& file, uint32_t offset, uint32_t length = 0);
+    void goToLine(const QString& file, int line);
+    void goBack();
+    void goForward();
+    [[nodiscard]] StPage* currentPage() const { return qobject_cast<StPage*>(currentWidget()); }
+    [[nodiscard]] editor::StEditor* currentEditor() const { return currentPage() ? &currentPage()->active() : nullptr; }
+    [[nodiscard]] StPage* pageOf(const QString& file) const;
+    [[nodiscard]] QStringList openFiles() const;
+    void addPage(QWidget* page, const QString& title, const QIcon& icon, const QString& key);
+    [[nodiscard]] QWidget* pageByKey(const QString& key) const;
+    bool closePage(int index);
+    bool closeAll(); // asks for unsaved files; false = cancelled
+    void saveCurrent();
+    void saveAll();
+    void applySettings();
+    /// Edits of several files at once (rename): open ones through their editor, the others in the workspace.
+    void applyEdits(const std::vector<analysis::FileEdits>& edits, const SourceSet& sources);
+
+signals:
+    void editorMade(plc::editor::StEditor* editor);
+    void message(const QString& text, bool isError);
+    void saved();
+    void cursorMoved(const QString& file, int line, int column);
+
+private:
+    void connectEditor(editor::StEditor* editor);
+    void markModified(const QString& file, bool modified);
+    void showBreakpoints();
+    void showExecutedLine();
+    void rememberPlace();
+    void askAboutDiskChange(const QString& file);
+    [[nodiscard]] editor::OnlineValues onlineValues();
+
+    struct Visited {
+        QString file;
+        uint32_t offset = 0;
+    };
+    editor::Workspace& m_workspace;
+    editor::RunControl& m_control;
+    Settings& m_settings;
+    std::deque<Visited> m_back, m_forward;
+    bool m_isApplying = false;
+};
+
+} // namespace plc::app
