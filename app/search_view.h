@@ -1,0 +1,38 @@
+// Results of find in project, find all uses (cross reference: reads and writes), as lines to jump to; replaces in the whole project. Owned by its dock; GUI thread.
+#pragma once
+#include "editor/analysis/workspace.h"
+
+#include <QTreeWidget>
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+
+namespace plc::app {
+
+class SearchView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SearchView(editor::Workspace& workspace, QWidget* parent = nullptr);
+    void openSearch(const QString& text);
+    void search();
+    int replaceAll();
+    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources);
+    [[nodiscard]] QTreeWidget& results() { return *m_results; }
+
+signals:
+    void placeRequested(const QString& file, uint32_t offset, uint32_t length);
+    void message(const QString& text, bool isError);
+
+private:
+    void addLine(const QString& file, const SourceText& source, SourceRange range, const QString& kind);
+
+    editor::Workspace& m_workspace;
+    QLineEdit *m_text, *m_replacement;
+    QCheckBox *m_regex, *m_case;
+    QLabel* m_summary;
+    QTreeWidget* m_results;
+};
+
+} // namespace plc::app
