@@ -1,0 +1,342 @@
+#include "app/main_window.h"
+
+#include "app/editor_tabs.h"
+#include "app/problems_view.h"
+#include "app/project_tree.h"
+#include "app/search_view.h"
+#include "app/start_page.h"
+#include "app/tour.h"
+#include "editor/debug/debug_views.h"
+#include "editor/debug/watch_view.h"
+#include "editor/kit/command_palette.h"
+#include "editor/kit/icons.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <map>
+
+namespace plc::app {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    setObjectName("studio");
+    setWindowTitle("Stepwise");
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    resize(1440, 900);
+    m_workspace = new editor::Workspace(this);
+    m_control = new editor::RunControl(*m_workspace, this);
+    m_stack = new QStackedWidget(this);
+    m_startPage = new StartPage(m_settings, m_stack);
+    m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
+    m_stack->addWidget(m_startPage);
+    m_stack->addWidget(m_tabs);
+    setCentralWidget(m_stack);
+    makeDocks();
+    makeActions();
+    makeStatusLine();
+    connectParts();
+    m_defaultLayout = saveState();
+    for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(false);
+    updateActions();
+}
+
+MainWindow::~MainWindow() { m_control->disconnectSession(); }
+
+// ------------------------------------------------------------------ building the window
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(widget);
+    dock->setWindowIcon(kit::icon(static_cast<kit::Icon>(icon)));
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::makeDocks() {
+    using kit::Icon;
+    m_tree = new ProjectTree(*m_workspace);
+    m_problems = new ProblemsView(*m_workspace);
+    m_search = new SearchView(*m_workspace);
+    m_watch = new editor::WatchView(*m_control, *m_workspace);
+    m_forces = new editor::ForceView(*m_control);
+    m_callPath = new editor::CallPathView(*m_control);
+    m_breakpoints = new editor::BreakpointView(*m_control);
+    m_tasks = new editor::TaskMonitor(*m_control);
+    m_log = new editor::EventLog(*m_control);
+    const auto i = [](Icon icon) { return static_cast<int>(icon); };
+    addDock("project", tr("Project"), i(Icon::Project), m_tree, Qt::LeftDockWidgetArea);
+    QDockWidget* watch = addDock("watch", tr("Watch"), i(Icon::Watch), m_watch, Qt::RightDockWidgetArea);
+    QDockWidget* forces = addDock("forces", tr("Forces"), i(Icon::Force), m_forces, Qt::RightDockWidgetArea);
+    tabifyDockWidget(watch, forces);
+    QDockWidget* calls = addDock("callPath", tr("Call Path"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
+    QDockWidget* breakpoints = addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);
+    tabifyDockWidget(calls, breakpoints);
+    QDockWidget* problems = addDock("problems", tr("Problems"), i(Icon::Warning), m_problems, Qt::BottomDockWidgetArea);
+    QDockWidget* search = addDock("search", tr("Search"), i(Icon::Find), m_search, Qt::BottomDockWidgetArea);
+    QDockWidget* tasks = addDock("tasks", tr("Tasks"), i(Icon::TaskMonitor), m_tasks, Qt::BottomDockWidgetArea);
+    QDockWidget* log = addDock("log", tr("Log"), i(Icon::Log), m_log, Qt::BottomDockWidgetArea);
+    tabifyDockWidget(problems, search);
+    tabifyDockWidget(search, tasks);
+    tabifyDockWidget(tasks, log);
+    watch->raise();
+    calls->raise();
+    problems->raise();
+    resizeDocks({dock("project")}, {230}, Qt::Horizontal);
+    resizeDocks({watch}, {400}, Qt::Horizontal);
+    resizeDocks({problems}, {190}, Qt::Vertical);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+}
+
+QDockWidget* MainWindow::dock(const QString& name) const { return findChild<QDockWidget*>(name); }
+
+void MainWindow::showDock(const QString& name) {
+    if (QDockWidget* shown = dock(name)) {
+        shown->show();
+        shown->raise();
+    }
+}
+
+void MainWindow::makeActions() {
+    std::map<QString, QMenu*> menus;
+    for (const ActionSpec& spec : actionTable()) {
+        const QString menuName = tr(spec.menu);
+        QMenu*& menu = menus[menuName];
+        if (!menu) menu = menuBar()->addMenu(menuName);
+        auto* made = new QAction(tr(spec.text), this);
+        made->setObjectName(spec.id);
+        if (spec.icon >= 0) made->setIcon(kit::icon(static_cast<kit::Icon>(spec.icon)));
+        made->setShortcut(m_settings.shortcut(spec.id, QKeySequence(QString::fromLatin1(spec.shortcut), QKeySequence::PortableText)));
+        made->setToolTip(made->shortcut().isEmpty() ? made->text() : QString("%1 (%2)").arg(made->text(), made->shortcut().toString(QKeySequence::NativeText)));
+        const auto run = spec.run;
+        connect(made, &QAction::triggered, this, [this, run] { run(*this); });
+        // Cut, copy, paste, undo belong to whatever has the focus; the editor takes them itself.
+        const QString id = spec.id;
+        if (id == "edit.cut" || id == "edit.copy" || id == "edit.paste" || id == "edit.undo" || id == "edit.redo") made->setShortcutContext(Qt::WidgetShortcut);
+        menu->addAction(made);
+        addAction(made);
+        m_actions << made;
+        if (id == "file.open") m_recentMenu = menu->addMenu(tr("Recent Projects"));
+        for (const char* last : {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename", "edit.previousProblem", "run.stop", "run.scan", "run.breakpoint", "run.resetOrigin", "run.history", "run.releaseAll", "view.values", "view.zoomOut", "view.system"})
+            if (id == last) menu->addSeparator();
+    }
+    QMenu* view = menus[tr("View")];
+    view->addSeparator();
+    for (QDockWidget* each : findChildren<QDockWidget*>()) {
+        QAction* toggle = each->toggleViewAction();
+        toggle->setObjectName("dock." + each->objectName());
+        toggle->setIcon(each->windowIcon());
+        view->addAction(toggle);
+        m_actions << toggle;
+    }
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+
+    QToolBar* bar = addToolBar(tr("Main"));
+    bar->setObjectName("mainToolBar");
+    bar->setIconSize({20, 20});
+    bar->setMovable(false);
+    for (const char* id : {"file.save", "", "run.start", "run.pause", "run.stop", "run.scan", "run.change", "", "run.stepIn", "run.stepOver", "run.stepOut", "run.breakpoint", "", "time.back", "time.forward", "time.live", "", "run.tests", "view.palette"}) {
+        if (!*id) bar->addSeparator();
+        else bar->addAction(action(id));
+    }
+    m_palette = new kit::CommandPalette(this, [this] { return allActions(); });
+}
+
+QAction* MainWindow::action(const QString& id) const {
+    for (QAction* each : m_actions)
+        if (each->objectName() == id) return each;
+    return nullptr;
+}
+
+void MainWindow::makeStatusLine() {
+    const auto label = [&](int width) {
+        auto* made = new QLabel(this);
+        made->setMinimumWidth(width);
+        made->setContentsMargins(6, 0, 6, 0);
+        statusBar()->addPermanentWidget(made);
+        return made;
+    };
+    m_faultButton = new QToolButton(this);
+    m_faultButton->setAutoRaise(true);
+    m_faultButton->setIcon(kit::icon(kit::Icon::Error));
+    m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_faultButton->hide();
+    statusBar()->addPermanentWidget(m_faultButton);
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 0);
+    m_progress->setMaximumWidth(120);
+    m_progress->setMaximumHeight(12);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    statusBar()->addPermanentWidget(m_progress);
+    m_problemButton = new QToolButton(this);
+    m_problemButton->setAutoRaise(true);
+    m_problemButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_problemButton->setIcon(kit::icon(kit::Icon::Good));
+    statusBar()->addPermanentWidget(m_problemButton);
+    connect(m_problemButton, &QToolButton::clicked, this, [this] { showDock("problems"); });
+    m_cursorLabel = label(90);
+    m_historyLabel = label(80);
+    m_timeLabel = label(150);
+    m_loadLabel = label(130);
+    m_stateLabel = label(90);
+    QFont bold = m_stateLabel->font();
+    bold.setBold(true);
+    m_stateLabel->setFont(bold);
+    m_stateLabel->setAlignment(Qt::AlignCenter);
+    m_stateLabel->setAccessibleName(tr("State of the controller"));
+}
+
+void MainWindow::connectParts() {
+    connect(m_startPage, &StartPage::projectRequested, this, &MainWindow::openProject);
+    connect(m_startPage, &StartPage::newRequested, this, &MainWindow::newProject);
+    connect(m_startPage, &StartPage::openRequested, this, &MainWindow::chooseProject);
+    connect(m_startPage, &StartPage::tourRequested, this, &MainWindow::startTour);
+    connect(m_tree, &ProjectTree::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnit);
+    connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
+    connect(m_tree, &ProjectTree::deleteRequested, this, &MainWindow::deleteUnit);
+    connect(m_tree, &ProjectTree::librariesRequested, this, &MainWindow::chooseLibraries);
+    connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
+    connect(m_problems, &ProblemsView::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_problems, &ProblemsView::countsChanged, this, &MainWindow::updateStatus);
+    connect(m_search, &SearchView::placeRequested, this, [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
+    connect(m_search, &SearchView::message, this, &MainWindow::say);
+    connect(m_breakpoints, &editor::BreakpointView::lineRequested, this, [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
+    connect(m_callPath, &editor::CallPathView::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
+    connect(m_tabs, &EditorTabs::cursorMoved, this, [this](const QString&, int line, int column) { m_cursorLabel->setText(tr("%1 : %2").arg(line).arg(column)); });
+    connect(m_tabs, &EditorTabs::saved, this, [this] {
+        if (m_settings.changeOnSave() && m_control->isRunning()) m_control->onlineChange();
+    });
+    connect(m_tabs, &EditorTabs::editorMade, this, [this](editor::StEditor* made) {
+        connect(made, &editor::StEditor::definitionRequested, this, &MainWindow::findDefinition);
+        connect(made, &editor::StEditor::usesRequested, this, &MainWindow::findUses);
+        connect(made, &editor::StEditor::renameRequested, this, &MainWindow::renameSymbol);
+        connect(made, &editor::StEditor::watchRequested, this, [this, made](const QString& text) {
+            // A name inside a POU becomes the path of its instance.
+            const QString pou = m_workspace->model() ? QString::fromStdString(m_workspace->model()->pouAt(*m_workspace->model()->fileOf(made->file().toStdString()), made->cursorOffset())) : QString();
+            const QString instance = m_control->preferredInstance(pou);
+            const bool local = !instance.isEmpty() && m_control->value(text, instance).reason.isEmpty() && !m_control->value(text).reason.isEmpty();
+            m_watch->add(local ? instance + "." + text : text);
+            showDock("watch");
+        });
+    });
+    connect(m_control, &editor::RunControl::statusChanged, this, &MainWindow::updateStatus);
+    connect(m_control, &editor::RunControl::sessionChanged, this, &MainWindow::updateStatus);
+    connect(m_control, &editor::RunControl::viewedChanged, this, &MainWindow::updateStatus);
+    connect(m_control, &editor::RunControl::messageAdded, this, [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
+    connect(m_control, &editor::RunControl::onlineChangeFinished, this, [this](const QString& text) { say(text); });
+    connect(m_control, &editor::RunControl::buildStarted, this, [this] { m_progress->show(); });
+    connect(m_control, &editor::RunControl::buildFinished, this, [this](bool good, const QString& text) {
+        m_progress->hide();
+        say(text, !good);
+        if (!good) showDock("problems");
+    });
+    connect(m_control, &editor::RunControl::halted, this, [this] { showDock("callPath"); });
+    connect(m_faultButton, &QToolButton::clicked, this, [this] {
+        const auto& fault = m_control->status().fault;
+        if (!fault || !fault->range.file.isValid() || !m_control->session()) return;
+        m_tabs->goTo(QString::fromStdString(m_control->session()->program()->sources[fault->range.file].path()), fault->range.begin, fault->range.length());
+    });
+    connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
+    connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
+    connect(&kit::Theme::current(), &kit::Theme::changed, this, &MainWindow::updateStatus);
+}
+
+// ------------------------------------------------------------------ state
+
+void MainWindow::updateActions() {
+    const bool open = m_workspace->isOpen();
+    for (QAction* each : m_actions) {
+        const QString id = each->objectName();
+        const bool always = id.startsWith("help.") || id.startsWith("view.") || id == "file.new" || id == "file.open" || id == "file.settings" || id == "file.quit";
+        each->setEnabled(open || always);
+    }
+    updateStatus();
+}
+
+void MainWindow::updateStatus() {
+    using controller::State;
+    const session::Status& status = m_control->status();
+    const bool online = m_control->isOnline(), past = m_control->viewed().has_value();
+    const kit::ThemeColors& c = kit::colors();
+    QString state = tr("OFFLINE");
+    QColor ground = c.alternate, ink = c.muted;
+    if (online) {
+        switch (status.state) {
+        case State::Running: state = tr("RUN"), ground = c.good, ink = c.base; break;
+        case State::Paused: state = tr("PAUSE"), ground = c.warning, ink = c.base; break;
+        case State::Halted: state = tr("HALT"), ground = c.warning, ink = c.base; break;
+        case State::Fault: state = tr("FAULT"), ground = c.bad, ink = c.base; break;
+        case State::Stopped: state = tr("STOP"), ground = c.alternate, ink = c.text; break;
+        }
+        if (past) state = tr("PAST"), ground = c.info, ink = c.base;
+    }
+    m_stateLabel->setText(state);
+    m_stateLabel->setStyleSheet(QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }").arg(ground.name(), ink.name()));
+    m_timeLabel->setText(online ? tr("%1 · scan %2").arg(QString::fromStdString(types::durationText(status.time.count() / 1'000'000 * 1'000'000)).mid(2)).arg(status.scans) : QString());
+    m_loadLabel->setText(online ? tr("%1 µs · %2 % load").arg(static_cast<double>(status.lastScanNs) / 1e3, 0, 'f', 1).arg(100 * status.load, 0, 'f', 1) : QString());
+    if (online && m_control->session()) {
+        const auto statistics = m_control->session()->history().statistics();
+        m_historyLabel->setText(tr("%1 MB recorded").arg(statistics.bytes >> 20));
+        m_historyLabel->setToolTip(tr("%1 scans of %2 MB at most").arg(statistics.scans).arg(statistics.budget >> 20));
+    } else {
+        m_historyLabel->clear();
+    }
+    const auto& fault = status.fault ? status.fault : status.simulationFault;
+    m_faultButton->setVisible(online && fault.has_value());
+    if (fault) {
+        m_faultButton->setText(QString::fromStdString(fault->message));
+        m_faultButton->setToolTip(tr("Go to the line"));
+    }
+    const int errors = m_problems->errorCount(), warnings = m_problems->warningCount();
+    m_problemButton->setIcon(kit::icon(errors ? kit::Icon::Error : warnings ? kit::Icon::Warning : kit::Icon::Good));
+    m_problemButton->setText(errors || warnings ? QString("%1 / %2").arg(errors).arg(warnings) : tr("no problems"));
+    if (QAction* live = action("time.live")) live->setEnabled(past);
+    if (QAction* resume = action("time.resume")) resume->setEnabled(past);
+    for (const char* id : {"run.stepIn", "run.stepOver", "run.stepOut"})
+        if (QAction* each = action(id)) each->setEnabled(online && status.state == State::Halted);
+    for (const char* id : {"run.pause", "run.stop", "run.change"})
+        if (QAction* each = action(id)) each->setEnabled(m_control->isRunning());
+    for (const char* id : {"time.back", "time.forward"})
+        if (QAction* each = action(id)) each->setEnabled(online);
+}
+
+void MainWindow::say(const QString& text, bool isError) {
+    statusBar()->showMessage(text, isError ? 10000 : 4000);
+    m_log->addMessage(text, isError);
+}
+
+void MainWindow::openPalette() { m_palette->open(); }
+
+void MainWindow::resetLayout() {
+    restoreState(m_defaultLayout);
+    for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
+}
+
+void MainWindow::changeTheme(kit::ThemeChoice choice) {
+    m_settings.setTheme(choice);
+    kit::Theme::current().setChoice(choice);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_workspace->isOpen()) {
+        saveProjectState();
+        if (!m_tabs->closeAll()) return event->ignore();
+        m_workspace->discardRecovery();
+    }
+    event->accept();
+}
+
+} // namespace plc::app

@@ -1,0 +1,142 @@
+// The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and holds no logic of its
+// own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
+#pragma once
+#include "app/settings.h"
+#include "editor/analysis/workspace.h"
+#include "editor/debug/run_control.h"
+
+#include <QMainWindow>
+
+#include <functional>
+#include <vector>
+
+class QAction;
+class QDockWidget;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QToolButton;
+
+namespace plc::kit {
+class CommandPalette;
+}
+namespace plc::editor {
+class BreakpointView;
+class CallPathView;
+class EventLog;
+class ForceView;
+class TaskMonitor;
+class WatchView;
+}
+
+namespace plc::app {
+
+class EditorTabs;
+class ProblemsView;
+class ProjectTree;
+class SearchView;
+class StartPage;
+class Tour;
+
+/// One line of the action table: everything a menu, a toolbar, the palette and the shortcut editor need.
+struct ActionSpec {
+    const char* id;
+    const char* menu;     // "File", "Edit", … untranslated
+    const char* text;
+    const char* shortcut; // portable text
+    int icon;             // kit::Icon, -1 = none
+    void (*run)(class MainWindow&);
+};
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    bool openProject(const QString& folder);
+    void closeProject();
+    void startTour();
+
+    // the parts, for actions, pages and tests
+    [[nodiscard]] Settings& settings() { return m_settings; }
+    [[nodiscard]] editor::Workspace& workspace() { return *m_workspace; }
+    [[nodiscard]] editor::RunControl& control() { return *m_control; }
+    [[nodiscard]] EditorTabs& tabs() { return *m_tabs; }
+    [[nodiscard]] ProblemsView& problems() { return *m_problems; }
+    [[nodiscard]] ProjectTree& projectTree() { return *m_tree; }
+    [[nodiscard]] SearchView& search() { return *m_search; }
+    [[nodiscard]] editor::WatchView& watch() { return *m_watch; }
+    [[nodiscard]] editor::EventLog& log() { return *m_log; }
+    [[nodiscard]] StartPage& startPage() { return *m_startPage; }
+    [[nodiscard]] QAction* action(const QString& id) const;
+    [[nodiscard]] QList<QAction*> allActions() const { return m_actions; }
+    void showDock(const QString& name);
+    [[nodiscard]] QDockWidget* dock(const QString& name) const;
+    void say(const QString& text, bool isError = false);
+
+    // what actions do
+    void newProject();
+    void chooseProject();
+    void newUnit();
+    void goToLine();
+    void renameSymbol(const QString& file, uint32_t offset);
+    void renameAtCursor();
+    void definitionAtCursor();
+    void usesAtCursor();
+    void deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name);
+    void chooseLibraries();
+    void runTests();
+    void openSettings();
+    void openPalette();
+    void resetLayout();
+    void setSpeed();
+    void setHistoryBudget();
+    void changeTheme(kit::ThemeChoice choice);
+    void about();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    void makeActions();
+    void makeDocks();
+    void makeStatusLine();
+    void connectParts();
+    QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
+    void updateActions();
+    void updateStatus();
+    void saveProjectState();
+    void restoreProjectState();
+    void offerRecovery();
+    void findDefinition(const QString& file, uint32_t offset);
+    void findUses(const QString& file, uint32_t offset);
+    void fillRecentMenu();
+
+    Settings m_settings;
+    editor::Workspace* m_workspace;
+    editor::RunControl* m_control;
+    QStackedWidget* m_stack;
+    StartPage* m_startPage;
+    EditorTabs* m_tabs;
+    ProjectTree* m_tree = nullptr;
+    ProblemsView* m_problems = nullptr;
+    SearchView* m_search = nullptr;
+    editor::WatchView* m_watch = nullptr;
+    editor::ForceView* m_forces = nullptr;
+    editor::CallPathView* m_callPath = nullptr;
+    editor::BreakpointView* m_breakpoints = nullptr;
+    editor::TaskMonitor* m_tasks = nullptr;
+    editor::EventLog* m_log = nullptr;
+    kit::CommandPalette* m_palette = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    QList<QAction*> m_actions;
+    QByteArray m_defaultLayout;
+    QLabel *m_stateLabel = nullptr, *m_timeLabel = nullptr, *m_loadLabel = nullptr, *m_cursorLabel = nullptr, *m_historyLabel = nullptr;
+    QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;
+    QProgressBar* m_progress = nullptr;
+};
+
+[[nodiscard]] const std::vector<ActionSpec>& actionTable();
+
+} // namespace plc::app
