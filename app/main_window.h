@@ -95,6 +95,10 @@ public:
     void changeTheme(kit::ThemeChoice choice);
     void about();
 
+signals:
+    /// A variable was renamed in the code: panels and traces rename it in their bindings.
+    void renamed(const QString& path, const QString& oldName, const QString& newName);
+
 protected:
     void closeEvent(QCloseEvent* event) override;
 

@@ -1,0 +1,57 @@
+// stepwise: with a command it works without a display, else it opens the studio.
+#include "app/cli/command.h"
+#include "app/main_window.h"
+#include "app/settings.h"
+#include "app/translation.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/controller/controller.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace {
+
+bool isCommandLine(const std::vector<std::string>& words) {
+    if (words.empty()) return false;
+    const auto& commands = plc::cli::commands();
+    if (std::any_of(commands.begin(), commands.end(), [&](const auto& c) { return c.spec.name == words[0]; })) return true;
+    // A folder or project file opens the studio; anything else is a mistyped command and gets the help's answer.
+    const QFileInfo path(QString::fromStdString(words[0]));
+    return !path.isDir() && path.fileName() != "project.json";
+}
+
+int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        std::fprintf(stderr, "stepwise: there is no display for the studio; `stepwise --help` lists the commands that need none\n");
+        return 2;
+    }
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("Stepwise");
+    QApplication::setOrganizationName("Stepwise");
+    QApplication::setApplicationVersion("0.1.0");
+    plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols());
+    plc::app::Settings settings;
+    plc::app::installTranslation(application, settings.language());
+    plc::kit::Theme::install(application, settings.theme());
+    plc::app::MainWindow window;
+    window.show();
+    if (!words.empty()) {
+        QFileInfo path(QString::fromStdString(words[0]));
+        window.openProject(path.isDir() ? path.absoluteFilePath() : path.absolutePath());
+    }
+    if (!settings.sawTour()) QTimer::singleShot(400, &window, &plc::app::MainWindow::startTour);
+    return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (isCommandLine(words)) return plc::cli::runCommandLine(words);
+    return openStudio(argc, argv, words);
+}

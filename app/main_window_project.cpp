@@ -1,0 +1,349 @@
+// What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per project.
+#include "app/editor_tabs.h"
+#include "app/main_window.h"
+#include "app/new_project.h"
+#include "app/project_tree.h"
+#include "app/search_view.h"
+#include "app/settings_dialog.h"
+#include "app/start_page.h"
+#include "app/tour.h"
+#include "app/translation.h"
+#include "editor/debug/debug_views.h"
+#include "editor/debug/watch_view.h"
+#include "projects/testing/test_run.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <thread>
+
+namespace plc::app {
+
+// ------------------------------------------------------------------ open and close
+
+bool MainWindow::openProject(const QString& folder) {
+    if (m_workspace->isOpen()) {
+        if (!m_tabs->closeAll()) return false;
+        closeProject();
+    }
+    if (auto opened = m_workspace->open(folder); !opened) {
+        m_settings.removeRecent(folder);
+        m_startPage->reload();
+        say(QString::fromStdString(opened.error().text()), true);
+        QMessageBox::warning(this, tr("Open Project"), QString::fromStdString(opened.error().text()));
+        return false;
+    }
+    m_settings.addRecent(m_workspace->folder());
+    setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
+    m_stack->setCurrentWidget(m_tabs);
+    for (QDockWidget* each : findChildren<QDockWidget*>()) each->show();
+    restoreProjectState();
+    offerRecovery();
+    return true;
+}
+
+void MainWindow::closeProject() {
+    if (!m_workspace->isOpen()) return;
+    saveProjectState();
+    if (!m_tabs->closeAll()) return;
+    m_workspace->discardRecovery();
+    m_workspace->close();
+    for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
+    m_startPage->reload();
+    m_stack->setCurrentWidget(m_startPage);
+    setWindowTitle("Stepwise");
+}
+
+void MainWindow::saveProjectState() {
+    const QString folder = m_workspace->folder();
+    m_settings.setProjectValue(folder, "tabs", m_tabs->openFiles());
+    m_settings.setProjectValue(folder, "current", m_tabs->currentPage() ? m_tabs->currentPage()->file() : QString());
+    m_settings.setProjectValue(folder, "watches", m_watch->expressions());
+    m_settings.setProjectValue(folder, "layout", saveState());
+    QStringList breakpoints;
+    for (const editor::EditorBreakpoint& b : m_control->breakpoints())
+        breakpoints << QStringList{b.file, QString::number(b.line), b.condition, QString::number(b.hitCount), b.instance, b.isEnabled ? "1" : "0"}.join('\x1f');
+    m_settings.setProjectValue(folder, "breakpoints", breakpoints);
+}
+
+void MainWindow::restoreProjectState() {
+    const QString folder = m_workspace->folder();
+    if (const QByteArray layout = m_settings.projectValue(folder, "layout").toByteArray(); !layout.isEmpty()) restoreState(layout);
+    else restoreState(m_defaultLayout);
+    QStringList tabs = m_settings.projectValue(folder, "tabs").toStringList();
+    if (tabs.isEmpty() && m_workspace->files().contains("src/main.st")) tabs << "src/main.st";
+    if (tabs.isEmpty() && !m_workspace->files().isEmpty()) tabs << m_workspace->files().first();
+    for (const QString& file : tabs) m_tabs->openFile(file);
+    if (const QString current = m_settings.projectValue(folder, "current").toString(); !current.isEmpty()) m_tabs->openFile(current);
+    m_watch->setExpressions(m_settings.projectValue(folder, "watches").toStringList());
+    std::vector<editor::EditorBreakpoint> breakpoints;
+    for (const QString& text : m_settings.projectValue(folder, "breakpoints").toStringList()) {
+        const QStringList parts = text.split('\x1f');
+        if (parts.size() == 6) breakpoints.push_back({parts[0], parts[1].toInt(), parts[2], parts[3].toInt(), parts[4], parts[5] == "1"});
+    }
+    m_control->setBreakpoints(breakpoints);
+}
+
+void MainWindow::offerRecovery() {
+    const auto found = m_workspace->recoverable();
+    if (found.empty()) return;
+    QStringList names;
+    for (const auto& [file, text] : found) names << file;
+    const auto answer = QMessageBox::question(this, tr("Recovery"), tr("The studio ended without saving. Unsaved changes of %1 were kept. Restore them?").arg(names.join(", ")));
+    if (answer == QMessageBox::Yes)
+        for (const auto& [file, text] : found) {
+            m_workspace->setText(file, text);
+            emit m_workspace->textReplaced(file);
+        }
+    else m_workspace->discardRecovery();
+}
+
+void MainWindow::fillRecentMenu() {
+    m_recentMenu->clear();
+    for (const QString& folder : m_settings.recentProjects()) connect(m_recentMenu->addAction(folder), &QAction::triggered, this, [this, folder] { openProject(folder); });
+    m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
+}
+
+void MainWindow::newProject() {
+    NewProjectDialog dialog(this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    if (auto made = createProject(dialog.folder().toStdString(), dialog.name().toStdString(), dialog.templateId().toStdString()); !made) return say(QString::fromStdString(made.error().text()), true);
+    openProject(dialog.folder());
+}
+
+void MainWindow::chooseProject() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open Project"), m_workspace->isOpen() ? m_workspace->folder() : StartPage::examplesFolder());
+    if (!folder.isEmpty()) openProject(folder);
+}
+
+// ------------------------------------------------------------------ units and names
+
+void MainWindow::newUnit() {
+    if (!m_workspace->isOpen()) return;
+    NewUnitDialog dialog(m_workspace->files(), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const std::string text = unitText(dialog.templateId().toStdString(), dialog.name().toStdString());
+    const QString file = dialog.file();
+    if (m_workspace->files().contains(file)) {
+        const std::string old = m_workspace->text(file);
+        const auto at = static_cast<uint32_t>(old.size());
+        if (StPage* page = m_tabs->openFile(file)) {
+            page->first().applyEdits({{{FileId(), at, at}, (old.empty() || old.ends_with('\n') ? "\n" : "\n\n") + text}});
+            page->first().goTo(at + 1);
+        }
+        return;
+    }
+    if (auto added = m_workspace->addFile(file, text); !added) return say(QString::fromStdString(added.error().text()), true);
+    m_tabs->openFile(file);
+}
+
+void MainWindow::goToLine() {
+    auto* editor = m_tabs->currentEditor();
+    if (!editor) return;
+    bool ok = false;
+    const int line = QInputDialog::getInt(this, tr("Go to Line"), tr("Line (1 to %1)").arg(editor->lines()), 1, 1, editor->lines(), 1, &ok);
+    if (ok) m_tabs->goToLine(editor->file(), line);
+}
+
+void MainWindow::findDefinition(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    const auto place = model->definition(*id, offset);
+    if (!place) return say(tr("Nothing is declared under this name"));
+    const QString target = QString::fromStdString(model->sources()[place->file].path());
+    if (m_workspace->files().contains(target)) return m_tabs->goTo(target, place->begin, place->length());
+    // A library's source opens read-only beside the project's.
+    const QString key = "library:" + target;
+    if (!m_tabs->pageByKey(key)) {
+        auto* view = new editor::StEditor(m_tabs);
+        view->setFile(target);
+        view->load(std::string(model->sources()[place->file].text()));
+        view->setModel(model);
+        view->setReadOnly(true);
+        m_tabs->addPage(view, target.section('/', -1), kit::icon(kit::Icon::Library), key);
+    }
+    m_tabs->setCurrentWidget(m_tabs->pageByKey(key));
+    static_cast<editor::StEditor*>(m_tabs->pageByKey(key))->goTo(place->begin, place->length());
+}
+
+void MainWindow::findUses(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    const auto symbol = model->symbolAt(*id, offset);
+    if (!symbol) return say(tr("There is no name at the cursor"));
+    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources());
+    showDock("search");
+}
+
+void MainWindow::definitionAtCursor() {
+    if (auto* editor = m_tabs->currentEditor()) findDefinition(editor->file(), editor->cursorOffset());
+}
+void MainWindow::usesAtCursor() {
+    if (auto* editor = m_tabs->currentEditor()) findUses(editor->file(), editor->cursorOffset());
+}
+void MainWindow::renameAtCursor() {
+    if (auto* editor = m_tabs->currentEditor()) renameSymbol(editor->file(), editor->cursorOffset());
+}
+
+void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    const auto symbol = model->symbolAt(*id, offset);
+    if (!symbol) return say(tr("There is no name at the cursor"));
+    const QString old = QString::fromStdString(model->symbol(*symbol).name);
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("Rename"), tr("New name of %1, in the whole project:").arg(old), QLineEdit::Normal, old, &ok).trimmed();
+    if (!ok || name.isEmpty() || name == old) return;
+    const auto edits = model->rename(*id, offset, name.toStdString());
+    if (!edits) return say(QString::fromStdString(edits.error().text()), true);
+    size_t places = 0;
+    for (const analysis::FileEdits& each : *edits) places += each.edits.size();
+    m_tabs->applyEdits(*edits, model->sources());
+    emit renamed(QString::fromStdString(model->symbol(*symbol).path), old, name);
+    say(tr("%1 is now %2 in %n place(s)", nullptr, static_cast<int>(places)).arg(old, name));
+}
+
+void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    int others = 0;
+    for (const analysis::Use& use : model->uses(*id, begin)) others += !use.isDeclaration && !(use.range.file == *id && use.range.begin >= begin && use.range.end <= end);
+    QString question = tr("Delete %1?").arg(name);
+    if (others) question += "\n" + tr("It is used in %n other place(s); they are listed in Search and will be errors.", nullptr, others);
+    if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
+    if (others) findUses(file, begin);
+    SourceRange range{*id, begin, end};
+    for (const analysis::OutlineItem& item : model->outline(*id))
+        if (item.nameRange.begin == begin) range = item.range;
+    const std::string text = m_workspace->text(file);
+    while (range.end < text.size() && (text[range.end] == ' ' || text[range.end] == '\t' || text[range.end] == ';')) ++range.end;
+    if (range.end < text.size() && text[range.end] == '\n') ++range.end;
+    m_tabs->applyEdits({{*id, {{range, ""}}}}, model->sources());
+}
+
+// ------------------------------------------------------------------ libraries, tests
+
+void MainWindow::chooseLibraries() {
+    if (!m_workspace->isOpen()) return;
+    QDialog dialog(this);
+    dialog.setWindowTitle(tr("Libraries"));
+    auto* layout = new QVBoxLayout(&dialog);
+    std::vector<std::pair<std::string, QCheckBox*>> boxes;
+    const auto& used = m_workspace->project().libraries;
+    for (const std::string& name : driver::libraryNames()) {
+        auto* box = new QCheckBox(QString::fromStdString(name), &dialog);
+        box->setChecked(std::find(used.begin(), used.end(), name) != used.end());
+        layout->addWidget(box);
+        boxes.emplace_back(name, box);
+    }
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+    connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+    layout->addWidget(buttons);
+    if (dialog.exec() != QDialog::Accepted) return;
+    projects::Project project = m_workspace->project();
+    project.libraries.clear();
+    for (const auto& [name, box] : boxes)
+        if (box->isChecked()) project.libraries.push_back(name);
+    project.json["libraries"] = project.libraries;
+    if (auto saved = m_workspace->saveProjectFile(project); !saved) say(QString::fromStdString(saved.error().text()), true);
+}
+
+void MainWindow::runTests() {
+    if (!m_workspace->isOpen()) return;
+    projects::Project project = m_workspace->project();
+    project.sources = m_workspace->buildInput().files;
+    project.tests.clear();
+    for (const QString& file : m_workspace->files())
+        if (editor::Workspace::isTestFile(file)) project.tests.push_back({file.toStdString(), m_workspace->text(file)});
+    showDock("log");
+    say(tr("The tests run…"));
+    std::thread([this, project = std::move(project)] {
+        auto report = testing::runTests(project, {});
+        QMetaObject::invokeMethod(
+            this,
+            [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
+                if (!*report) return say(QString::fromStdString(report->error().text()), true);
+                const testing::Report& done = **report;
+                for (const std::string& text : done.diagnostics) m_log->addMessage(QString::fromStdString(text).trimmed(), true);
+                for (const testing::TestResult& result : done.results) {
+                    m_log->addMessage((result.passed() ? tr("passed: %1") : tr("FAILED: %1")).arg(QString::fromStdString(result.title)), !result.passed());
+                    for (const testing::Failure& failure : result.failures)
+                        m_log->addMessage(QString("    %1:%2  %3  %4").arg(QString::fromStdString(failure.file)).arg(failure.line).arg(QString::fromStdString(failure.message), QString::fromStdString(failure.detail)), true);
+                }
+                say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()), done.failed() != 0 || done.hasErrors);
+            },
+            Qt::QueuedConnection);
+    }).detach();
+}
+
+// ------------------------------------------------------------------ settings and the like
+
+void MainWindow::openSettings() {
+    SettingsDialog dialog(m_settings, m_actions, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    changeTheme(m_settings.theme());
+    m_tabs->applySettings();
+    if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
+    if (dialog.languageChanged()) QMessageBox::information(this, tr("Language"), tr("The language changes when the studio is started the next time."));
+}
+
+void MainWindow::setSpeed() {
+    const QStringList choices{tr("Real time"), tr("2 ×"), tr("10 ×"), tr("100 ×"), tr("As fast as possible")};
+    bool ok = false;
+    const QString chosen = QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller:"), choices, 0, false, &ok);
+    if (!ok) return;
+    const int index = static_cast<int>(choices.indexOf(chosen));
+    if (index == 0) m_control->setMode({session::Pace::Real, 1.0});
+    else if (index == 4) m_control->setMode({session::Pace::Fastest, 1.0});
+    else m_control->setMode({session::Pace::Factor, index == 1 ? 2.0 : index == 2 ? 10.0 : 100.0});
+}
+
+void MainWindow::setHistoryBudget() {
+    bool ok = false;
+    const int megabytes = QInputDialog::getInt(this, tr("Recording"), tr("Memory for the recording of every scan [MB]:"), m_settings.historyMegabytes(), 16, 16384, 16, &ok);
+    if (!ok) return;
+    m_settings.setHistoryMegabytes(megabytes);
+    if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(megabytes) << 20);
+}
+
+void MainWindow::about() {
+    QMessageBox::about(this, tr("About Stepwise"), tr("<h3>Stepwise 0.1</h3><p>An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>"));
+}
+
+void MainWindow::startTour() {
+    if (!m_workspace->isOpen()) {
+        const QString example = StartPage::examplesFolder() + "/pid_pt1";
+        if (!openProject(example)) return;
+    }
+    const auto dockWidget = [this](const char* name) { return [this, name]() -> QWidget* { return dock(name); }; };
+    std::vector<TourStop> stops = {
+        {tr("Welcome"), tr("This is a PID controller working on a simulated process. Nothing can break: the plant is only numbers. Let us look around; it takes a minute."), {}, {}},
+        {tr("The project"), tr("Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder."), dockWidget("project"), [this] { showDock("project"); }},
+        {tr("The program"), tr("Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes."), [this]() -> QWidget* { return m_tabs; }, {}},
+        {tr("Run"), tr("F5 compiles to native code and runs it. Values then stand beside each line."), [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); }, [this] { if (!m_control->isRunning()) m_control->start(); }},
+        {tr("Watch"), tr("Any expression, at any moment. Prepare a value and write or force it with one click."), dockWidget("watch"), [this] { showDock("watch"); if (m_watch->expressions().isEmpty()) m_watch->setExpressions({"Main.SetPoint", "Main.ControlError", "Plant.ClosedLoop", "Plant.OpenLoop"}); }},
+        {tr("Time runs backwards, too"), tr("Every scan is recorded. Ctrl+Alt+Left steps one scan back: code, charts and panel show the past. “Resume From Here” goes on from there."), [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); }, {}},
+        {tr("That is it"), tr("Ctrl+Shift+P finds every command. The start page has more machines to play with."), {}, {}},
+    };
+    auto* tour = new Tour(std::move(stops), this);
+    connect(tour, &Tour::finished, this, [this, tour] {
+        m_settings.setSawTour();
+        tour->deleteLater();
+    });
+    tour->begin();
+}
+
+} // namespace plc::app

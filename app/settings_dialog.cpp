@@ -1,0 +1,148 @@
+#include "app/settings_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMap>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace plc::app {
+
+SettingsDialog::SettingsDialog(Settings& settings, const QList<QAction*>& actions, QWidget* parent) : QDialog(parent), m_settings(settings), m_actions(actions) {
+    setWindowTitle(tr("Settings"));
+    auto* tabs = new QTabWidget(this);
+    tabs->addTab(makeGeneral(), tr("General"));
+    tabs->addTab(makeEditor(), tr("Editor"));
+    tabs->addTab(makeRun(), tr("Running"));
+    tabs->addTab(makeShortcuts(), tr("Shortcuts"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &SettingsDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(tabs);
+    layout->addWidget(buttons);
+    resize(560, 520);
+}
+
+QWidget* SettingsDialog::makeGeneral() {
+    auto* page = new QWidget(this);
+    auto* form = new QFormLayout(page);
+    m_theme = new QComboBox(page);
+    m_theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+    m_theme->setCurrentIndex(static_cast<int>(m_settings.theme()));
+    m_language = new QComboBox(page);
+    m_language->addItem(tr("As the system"), "");
+    m_language->addItem("English", "en");
+    m_language->addItem("Deutsch", "de");
+    m_language->addItem("Dansk", "da");
+    m_language->setCurrentIndex(std::max(0, m_language->findData(m_settings.language())));
+    form->addRow(tr("Theme"), m_theme);
+    form->addRow(tr("Language of the studio"), m_language);
+    return page;
+}
+
+QWidget* SettingsDialog::makeEditor() {
+    auto* page = new QWidget(this);
+    auto* form = new QFormLayout(page);
+    const editor::EditorSettings editor = m_settings.editor();
+    m_indent = new QSpinBox(page);
+    m_indent->setRange(1, 8);
+    m_indent->setValue(editor.indent);
+    const auto check = [&](const QString& text, bool on) {
+        auto* box = new QCheckBox(text, page);
+        box->setChecked(on);
+        form->addRow(box);
+        return box;
+    };
+    form->addRow(tr("Indentation"), m_indent);
+    m_upperCase = check(tr("Write keywords in capitals while typing"), editor.upperCaseKeywords);
+    m_autoClose = check(tr("Close blocks with Enter (IF … END_IF)"), editor.autoCloseBlocks);
+    m_values = check(tr("Show online values in the text"), editor.showOnlineValues);
+    m_formatOnSave = check(tr("Format when saving"), m_settings.formatOnSave());
+    return page;
+}
+
+QWidget* SettingsDialog::makeRun() {
+    auto* page = new QWidget(this);
+    auto* form = new QFormLayout(page);
+    m_changeOnSave = new QCheckBox(tr("Saving changes the running controller (online change)"), page);
+    m_changeOnSave->setChecked(m_settings.changeOnSave());
+    m_history = new QSpinBox(page);
+    m_history->setRange(16, 16384);
+    m_history->setSuffix(" MB");
+    m_history->setValue(m_settings.historyMegabytes());
+    form->addRow(m_changeOnSave);
+    form->addRow(tr("Memory for the recording of every scan"), m_history);
+    return page;
+}
+
+QWidget* SettingsDialog::makeShortcuts() {
+    auto* page = new QWidget(this);
+    auto* filter = new QLineEdit(page);
+    filter->setPlaceholderText(tr("Filter"));
+    m_shortcuts = new QTableWidget(static_cast<int>(m_actions.size()), 2, page);
+    m_shortcuts->setHorizontalHeaderLabels({tr("Action"), tr("Shortcut")});
+    m_shortcuts->verticalHeader()->hide();
+    m_shortcuts->horizontalHeader()->setStretchLastSection(true);
+    m_shortcuts->setColumnWidth(0, 300);
+    m_shortcuts->setAccessibleName(tr("Shortcuts"));
+    for (int row = 0; row < m_actions.size(); ++row) {
+        auto* item = new QTableWidgetItem(m_actions[row]->icon(), m_actions[row]->text());
+        item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+        m_shortcuts->setItem(row, 0, item);
+        auto* edit = new QKeySequenceEdit(m_actions[row]->shortcut(), m_shortcuts);
+        m_shortcuts->setCellWidget(row, 1, edit);
+        connect(edit, &QKeySequenceEdit::keySequenceChanged, this, &SettingsDialog::markConflicts);
+    }
+    connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
+        for (int row = 0; row < m_shortcuts->rowCount(); ++row) m_shortcuts->setRowHidden(row, !m_shortcuts->item(row, 0)->text().contains(text, Qt::CaseInsensitive));
+    });
+    auto* layout = new QVBoxLayout(page);
+    layout->addWidget(filter);
+    layout->addWidget(m_shortcuts);
+    return page;
+}
+
+void SettingsDialog::markConflicts() {
+    QMap<QString, int> uses;
+    const auto keys = [&](int row) { return static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1))->keySequence().toString(QKeySequence::PortableText); };
+    for (int row = 0; row < m_shortcuts->rowCount(); ++row)
+        if (!keys(row).isEmpty()) ++uses[keys(row)];
+    for (int row = 0; row < m_shortcuts->rowCount(); ++row) {
+        const bool clash = uses.value(keys(row)) > 1;
+        m_shortcuts->item(row, 0)->setForeground(clash ? kit::colors().bad : kit::colors().text);
+        m_shortcuts->item(row, 0)->setToolTip(clash ? tr("Another action has the same shortcut") : QString());
+    }
+}
+
+void SettingsDialog::accept() {
+    m_settings.setTheme(static_cast<kit::ThemeChoice>(m_theme->currentIndex()));
+    m_languageChanged = m_settings.language() != m_language->currentData().toString();
+    m_settings.setLanguage(m_language->currentData().toString());
+    editor::EditorSettings editor = m_settings.editor();
+    editor.indent = m_indent->value();
+    editor.upperCaseKeywords = m_upperCase->isChecked();
+    editor.autoCloseBlocks = m_autoClose->isChecked();
+    editor.showOnlineValues = m_values->isChecked();
+    m_settings.setEditor(editor);
+    m_settings.setFormatOnSave(m_formatOnSave->isChecked());
+    m_settings.setChangeOnSave(m_changeOnSave->isChecked());
+    m_settings.setHistoryMegabytes(m_history->value());
+    for (int row = 0; row < m_actions.size(); ++row) {
+        const QKeySequence keys = static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1))->keySequence();
+        if (keys == m_actions[row]->shortcut()) continue;
+        m_actions[row]->setShortcut(keys);
+        m_settings.setShortcut(m_actions[row]->objectName(), keys);
+    }
+    QDialog::accept();
+}
+
+} // namespace plc::app

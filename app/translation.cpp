@@ -1,0 +1,22 @@
+#include "app/translation.h"
+
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace plc::app {
+
+QStringList translatedLanguages() { return {"en", "de", "da"}; }
+
+void installTranslation(QApplication& application, const QString& tag) {
+    QString language = tag.isEmpty() ? QLocale::system().name().section('_', 0, 0) : tag;
+    if (!translatedLanguages().contains(language)) language = "en";
+    auto* texts = new QTranslator(&application);
+    if (texts->load(":/translations/stepwise_" + language + ".qm")) application.installTranslator(texts);
+    auto* qt = new QTranslator(&application); // buttons of Qt's own dialogs
+    if (qt->load("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) application.installTranslator(qt);
+    QLocale::setDefault(QLocale(language));
+}
+
+} // namespace plc::app
