@@ -72,7 +72,7 @@ int formatFiles(const Arguments& arguments) {
     if (const auto text = arguments.value("--indent")) {
         const auto indent = parseCount(*text);
         if (!indent || *indent < 1 || *indent > 16) return wrongUse({"--indent needs a number from 1 to 16", *text});
-        options.indent = static_cast<int>(*indent);
+        options.indentWidth = static_cast<int>(*indent);
     }
     const bool onlyCheck = arguments.has("--check"), json = arguments.wantsJson();
     size_t changed = 0;

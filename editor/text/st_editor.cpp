@@ -391,7 +391,7 @@ void StEditor::goToMatchingWord() {
 
 void StEditor::formatText() {
     format::FormatOptions options;
-    options.indent = m_settings.indent;
+    options.indentWidth = m_settings.indent;
     const std::string before = utf8();
     const std::string after = format::format(before, options);
     if (after == before) return;
