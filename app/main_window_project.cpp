@@ -10,6 +10,7 @@
 #include "app/translation.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
+#include "editor/kit/icons.h"
 #include "projects/testing/test_run.h"
 
 #include <QCheckBox>

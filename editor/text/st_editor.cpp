@@ -131,7 +131,7 @@ void StEditor::applyTheme() {
     setMarkerForegroundColor(c.warning, kWarningMark);
     setMarkerBackgroundColor(c.warning, kChangedLine);
     setMarkerBackgroundColor(c.good, kAddedLine);
-    for (int marker = SC_MARKNUM_FOLDEREND; marker <= SC_MARKNUM_FOLDEROPEN; ++marker) {
+    for (int marker = int(SC_MARKNUM_FOLDEREND); marker <= int(SC_MARKNUM_FOLDEROPEN); ++marker) {
         SendScintilla(S::SCI_MARKERSETFORE, static_cast<unsigned long>(marker), c.window);
         SendScintilla(S::SCI_MARKERSETBACK, static_cast<unsigned long>(marker), c.muted);
     }
