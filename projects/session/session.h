@@ -48,6 +48,16 @@ struct Breakpoint {
     bool isEnabled = true;
 };
 
+/// A finished scan, or the state at a breakpoint, with the version of the program it belongs to.
+struct Snapshot {
+    std::vector<std::byte> image; // empty: nothing yet
+    std::shared_ptr<const image::CompiledProgram> program;
+    uint64_t scan = 0;
+    Nanoseconds time{};
+    history::Position position = 0;
+    bool isHalted = false;
+};
+
 enum class StepKind : uint8_t { In, Over, Out };
 
 struct Settings {
@@ -99,6 +109,8 @@ public:
     [[nodiscard]] std::vector<std::string> takeRefusals();
     /// Newest finished image (a copy of the published snapshot); at a breakpoint the image as it is now.
     [[nodiscard]] std::vector<std::byte> snapshot(uint64_t* scan = nullptr) const;
+    /// The same with all that belongs to it; `into` keeps its memory from call to call.
+    void latest(Snapshot& into) const;
     /// Takes effect at the next scan boundary; `done` runs on the scan thread.
     void changeProgram(driver::Built built, std::function<void(const controller::OnlineChangeReport&)> done);
     /// Continue from a recorded scan on a new branch (state Paused until start()).
@@ -110,6 +122,8 @@ public:
     void step(StepKind kind);
     void runTo(FileId file, uint32_t line);
     [[nodiscard]] std::vector<HaltFrame> haltFrames() const;
+    /// Why it stands: a condition that can not be evaluated, else empty.
+    [[nodiscard]] std::string haltProblem() const;
     /// Name and value of the locals of a frame of haltFrames().
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
 

@@ -279,6 +279,7 @@ void Controller::State_::finishScan(int64_t instant) {
         isHalted = false;
         schedule.rebase(time);
         makeOutputsSafe();
+        report(EventKind::Stopped, "in the middle of a scan");
         return;
     }
     image::ImageHeader& h = header();
@@ -360,6 +361,13 @@ std::vector<TaskStatistics> Controller::statistics() const {
     std::vector<TaskStatistics> all;
     for (const TaskRun& run : m->schedule.runs()) all.push_back(run.statistics);
     return all;
+}
+
+std::vector<uint64_t> Controller::cyclicRuns() const {
+    std::vector<uint64_t> runs;
+    for (const TaskRun& run : m->schedule.runs())
+        if (run.task->kind != image::TaskKind::Event && !run.task->isSimulation) runs.push_back(run.runs);
+    return runs;
 }
 
 void Controller::resetStatistics() {

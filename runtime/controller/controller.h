@@ -134,6 +134,8 @@ public:
 
     [[nodiscard]] std::vector<TaskStatistics> statistics() const;
     void resetStatistics();
+    /// How often each cyclic and freewheeling task of the PLC has run so far; by Task order.
+    [[nodiscard]] std::vector<uint64_t> cyclicRuns() const;
 
     // Debugging (runtime/debug drives these).
     /// Quick code from the next scan boundary on, as long as it is wanted (breakpoints, coverage).

@@ -66,10 +66,8 @@ Error fileError(const std::string& what, const std::string& file) { return Error
 
 } // namespace
 
-std::vector<RetainedLeaf> retainedLeaves(const Controller& controller) {
+std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<const std::byte> image) {
     std::vector<RetainedLeaf> leaves;
-    const image::Layout& layout = controller.program().layout;
-    const std::span<const std::byte> image = controller.image();
     forEachRetained(layout, false, [&](const std::string& path, const image::Place& place) {
         layout.forEachLeaf(path, place, [&](const std::string& leaf, const image::Place& at) {
             if (isReference(*layout.types, at.type)) return true;

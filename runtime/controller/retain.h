@@ -15,7 +15,7 @@ struct RetainOutcome {
     std::vector<std::string> lost; // paths that are gone or have another type now
 };
 
-[[nodiscard]] std::vector<RetainedLeaf> retainedLeaves(const Controller& controller);
+[[nodiscard]] std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<const std::byte> image);
 [[nodiscard]] Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>& leaves);
 /// No values when there is no file yet.
 [[nodiscard]] Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file);

@@ -20,8 +20,8 @@ bool isEvent(const TaskRun& run) { return run.task->kind == image::TaskKind::Eve
 } // namespace
 
 void Schedule::setTasks(const std::vector<image::Task>& tasks, Nanoseconds freewheelingInterval) {
-    std::vector<TaskStatistics> before;
-    for (TaskRun& run : m_runs) before.push_back(std::move(run.statistics));
+    std::vector<std::pair<TaskStatistics, uint64_t>> before;
+    for (TaskRun& run : m_runs) before.emplace_back(std::move(run.statistics), run.runs);
     m_runs.clear();
     m_hasEvents = m_hasSimulation = false;
     bool hasCyclic = false;
@@ -32,8 +32,11 @@ void Schedule::setTasks(const std::vector<image::Task>& tasks, Nanoseconds freew
         hasCyclic = hasCyclic || run.interval > 0;
         m_hasEvents = m_hasEvents || isEvent(run);
         m_hasSimulation = m_hasSimulation || task.isSimulation;
-        const auto old = std::find_if(before.begin(), before.end(), [&](const TaskStatistics& s) { return s.name == task.name; });
-        if (old != before.end()) run.statistics = std::move(*old);
+        const auto old = std::find_if(before.begin(), before.end(), [&](const auto& s) { return s.first.name == task.name; });
+        if (old != before.end()) {
+            run.statistics = std::move(old->first);
+            run.runs = old->second;
+        }
         run.statistics.name = task.name;
         run.statistics.histogram.resize(kHistogramSize);
         m_runs.push_back(std::move(run));
@@ -111,6 +114,7 @@ TaskRun* Schedule::next(bool isSimulation) {
         run.isDue = false;
         run.hasRun = true;
         run.isPending = false;
+        ++run.runs;
         return &run;
     }
     return nullptr;

@@ -15,6 +15,7 @@ struct TaskRun {
     bool isPending = false;     // event: edge seen, not run yet
     bool triggerBefore = false; // event: value of SINGLE when last looked at
     uint32_t watchdogStreak = 0;
+    uint64_t runs = 0; // since the controller was made
     TaskStatistics statistics;
 };
 

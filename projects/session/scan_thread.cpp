@@ -1,0 +1,251 @@
+// The scan thread: drains commands at scan boundaries, paces the scans, publishes what they made, serves commands at a breakpoint (D8).
+#include "projects/session/session_state.h"
+
+#include <algorithm>
+#include <ctime>
+#include <sys/prctl.h>
+
+namespace plc::session {
+
+using controller::EventKind;
+using PlcState = controller::State;
+
+namespace {
+constexpr int64_t kPublishEvery = 5'000'000, kStatisticsEvery = 100'000'000, kLoadWindow = 250'000'000;
+constexpr size_t kEventsKept = 100'000;
+} // namespace
+
+int64_t wallNow() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * 1'000'000'000ll + now.tv_nsec;
+}
+
+void Session::State::post(When when, std::function<void()> run) {
+    if (!isQueueing.load(std::memory_order_acquire)) {
+        run();
+        share(true);
+        return;
+    }
+    commands.push({when, std::move(run)});
+    wakeUp.signal();
+}
+
+bool Session::State::scansAreWanted() const {
+    switch (controller.state()) {
+    case PlcState::Running: return true;
+    case PlcState::Paused:
+    case PlcState::Halted: return false;
+    case PlcState::Stopped:
+    case PlcState::Fault: return controller.hasSimulation() && !controller.simulationFault(); // the plant goes on
+    }
+    return false;
+}
+
+void Session::State::run() {
+    ::prctl(PR_SET_TIMERSLACK, 1000);
+    while (!isQuitting.load(std::memory_order_acquire)) {
+        drain();
+        if (!scansAreWanted()) {
+            publish();
+            share(true);
+            needsAnchor = true;
+            load.store(0, std::memory_order_relaxed);
+            busyNs = 0;
+            loadSince = wallNow();
+            if (commands.isEmpty() && deferred.empty() && !isQuitting.load(std::memory_order_acquire)) wakeUp.wait(controller.state() == PlcState::Running ? 0 : 1'000'000'000);
+            continue;
+        }
+        const bool isStopped = controller.state() != PlcState::Running; // only the plant: at its own pace
+        if (mode.pace == Pace::Fastest && !isStopped) scanFast();
+        else scanInRealTime(wallNow(), mode.pace == Pace::Factor && !isStopped ? mode.factor : 1.0);
+    }
+    publish();
+}
+
+void Session::State::drain() {
+    while (!deferred.empty()) {
+        Command command = std::move(deferred.front());
+        deferred.pop_front();
+        command.run();
+        sharedIsStale = true;
+    }
+    while (std::optional<Command> command = commands.pop()) {
+        command->run();
+        sharedIsStale = true;
+    }
+    if (!writes.isEmpty()) {
+        writes.apply(controller, controller.state() == PlcState::Running, newRefusals);
+        sharedIsStale = true;
+    }
+    state.store(controller.state(), std::memory_order_relaxed);
+}
+
+void Session::State::anchor(int64_t now) {
+    wallAnchor = now;
+    plcAnchor = controller.nextDue().count();
+    needsAnchor = false;
+}
+
+void Session::State::scanInRealTime(int64_t now, double factor) {
+    if (needsAnchor) anchor(now);
+    const auto plcNow = plcAnchor + static_cast<int64_t>(static_cast<double>(now - wallAnchor) * factor);
+    const int64_t due = controller.nextDue().count();
+    if (due > plcNow) {
+        const auto wait = static_cast<int64_t>(static_cast<double>(due - plcNow) / factor);
+        if (wait > kPublishEvery / 2 || now - lastPublish >= kPublishEvery) publish();
+        share(wait > 200'000);
+        wakeUp.wait(std::clamp<int64_t>(wait, 0, 100'000'000));
+        return;
+    }
+    (void)controller.scan(Nanoseconds(plcNow));
+    const int64_t end = wallNow();
+    lastScanNs.store(end - now, std::memory_order_relaxed);
+    afterScans(now, end);
+}
+
+/// Virtual time: as many scans as fit into about a millisecond before looking at the clock again.
+void Session::State::scanFast() {
+    const int64_t begin = wallNow();
+    const int64_t last = std::max<int64_t>(lastScanNs.load(std::memory_order_relaxed), 100);
+    const auto batch = std::clamp<int64_t>(1'000'000 / last, 1, 256);
+    int64_t done = 0;
+    while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() && !isQuitting.load(std::memory_order_relaxed)) {
+        if (!writes.isEmpty()) writes.apply(controller, true, newRefusals);
+        (void)controller.scan();
+        ++done;
+    }
+    const int64_t end = wallNow();
+    needsAnchor = true;
+    if (done == 0) return;
+    lastScanNs.store((end - begin) / done, std::memory_order_relaxed);
+    afterScans(begin, end);
+}
+
+void Session::State::afterScans(int64_t begin, int64_t end) {
+    if (pausesAfterScan) {
+        pausesAfterScan = false;
+        controller.pause();
+    }
+    busyNs += end - begin;
+    if (loadSince == 0) loadSince = begin;
+    if (end - loadSince >= kLoadWindow) {
+        load.store(std::min(1.0, static_cast<double>(busyNs) / static_cast<double>(end - loadSince)), std::memory_order_relaxed);
+        busyNs = 0;
+        loadSince = end;
+    }
+    skipped.store(controller.skippedScans(), std::memory_order_relaxed);
+    if (controller.skippedScans() != skippedReported && end - skippedReportedAt > 1'000'000'000) {
+        controller.report(EventKind::SkippedScans, std::to_string(controller.skippedScans() - skippedReported));
+        skippedReported = controller.skippedScans();
+        skippedReportedAt = end;
+    }
+    if (end - lastPublish >= kPublishEvery) publish();
+    if (end - lastStatistics >= kStatisticsEvery) sharedIsStale = true;
+    if (sharedIsStale) share(false);
+}
+
+// ---------------------------------------------------------------- at a breakpoint
+
+debug::Going Session::State::serveHalt(const debug::Halt& halt) {
+    isHalted = true;
+    goesOn = leavesScan = false;
+    haltFrames = halt.frames;
+    haltProblem = halt.problem;
+    state.store(PlcState::Halted, std::memory_order_relaxed);
+    bool isFresh = false;
+    while (!goesOn && !leavesScan) {
+        if (isQuitting.load(std::memory_order_acquire)) leavesScan = true;
+        while (std::optional<Command> command = goesOn || leavesScan ? std::nullopt : commands.pop()) {
+            isFresh = false;
+            if (command->when == When::Now) {
+                command->run();
+                writes.apply(controller, false, newRefusals);
+            } else {
+                leavesScan = command->when == When::Leave;
+                if (!leavesScan) newRefusals.push_back("the online change waits for the end of the scan that stands at a breakpoint");
+                deferred.push_back(std::move(*command));
+            }
+        }
+        if (goesOn || leavesScan) break;
+        if (!isFresh) {
+            publish();
+            sharedIsStale = true;
+            share(true);
+            isFresh = true;
+        }
+        wakeUp.wait(1'000'000'000);
+    }
+    isHalted = false;
+    haltFrames.clear();
+    haltProblem.clear();
+    needsAnchor = true;
+    sharedIsStale = true;
+    if (!leavesScan) state.store(PlcState::Running, std::memory_order_relaxed);
+    return leavesScan ? debug::Going::Abandon : debug::Going::On;
+}
+
+// ---------------------------------------------------------------- what others see
+
+void Session::State::publish() {
+    lastPublish = wallNow();
+    Snapshot* next = published.begin();
+    if (!next) return; // readers hold every spare one; the next publication comes soon
+    const std::span<const std::byte> image = controller.image();
+    next->image.resize(image.size());
+    // The frame area is of interest only where the scan stands.
+    const size_t size = isHalted ? image.size() : std::min<size_t>(image.size(), controller.program().layout.dataEnd);
+    std::memcpy(next->image.data(), image.data(), size);
+    std::memset(next->image.data() + size, 0, image.size() - size);
+    if (next->program != controller.sharedProgram()) next->program = controller.sharedProgram();
+    next->scan = controller.nextScan() > 0 ? controller.nextScan() - 1 : 0;
+    next->time = controller.lastTime();
+    const history::Statistics recorded = history.statistics();
+    next->position = recorded.end > 0 ? recorded.end - 1 : 0;
+    next->isHalted = isHalted;
+    published.publish();
+}
+
+void Session::State::share(bool mayWait) {
+    if (!sharedIsStale && !mayWait) return;
+    std::unique_lock lock(mutex, std::defer_lock);
+    if (mayWait) lock.lock();
+    else if (!lock.try_lock()) return; // at the next boundary
+    putShared();
+}
+
+void Session::State::putShared() {
+    shared.fault = controller.fault();
+    shared.simulationFault = controller.simulationFault();
+    shared.forces = controller.forces();
+    shared.frames = haltFrames;
+    shared.haltProblem = haltProblem;
+    shared.tasks = controller.statistics();
+    lastStatistics = wallNow();
+    for (controller::Event& event : newEvents)
+        if (shared.events.size() < kEventsKept) shared.events.push_back(std::move(event));
+    newEvents.clear();
+    for (std::string& refusal : newRefusals) shared.refusals.push_back(std::move(refusal));
+    newRefusals.clear();
+    sharedIsStale = false;
+    state.store(isHalted ? PlcState::Halted : controller.state(), std::memory_order_relaxed);
+}
+
+void Session::State::scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds at) {
+    if (settings.record) history.append(image, scan, at);
+    scans.store(scan + 1, std::memory_order_relaxed);
+    time.store(at.count(), std::memory_order_relaxed);
+}
+
+void Session::State::programChanged(std::shared_ptr<const image::CompiledProgram> program) {
+    if (settings.record) history.beginProgram(std::move(program));
+}
+
+void Session::State::eventHappened(const controller::Event& event) {
+    newEvents.push_back(event);
+    sharedIsStale = true;
+    if (settings.record) history.mark(static_cast<int>(event.kind), event.text, event.time);
+    if (event.kind == EventKind::Stopped || event.kind == EventKind::Fault) wantsRetainSaved.store(true, std::memory_order_relaxed);
+}
+
+} // namespace plc::session

@@ -1,0 +1,383 @@
+#include "projects/session/session.h"
+
+#include "projects/session/session_state.h"
+#include "runtime/base/assert.h"
+#include "runtime/controller/retain.h"
+#include "runtime/debug/frames.h"
+
+#include <future>
+
+namespace plc::session {
+
+using controller::EventKind;
+using PlcState = controller::State;
+
+Session::State::State(driver::Built first, Settings s) : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
+    adopt(std::make_shared<const driver::Built>(std::move(first)));
+    loadRetained();
+    controller.addObserver(*this);
+    state.store(controller.state());
+}
+
+Session::State::~State() = default;
+
+/// The version that runs from now on.
+void Session::State::adopt(std::shared_ptr<const driver::Built> built) {
+    if (!versions->of(built->program.get())) versions->add(built);
+    current.store(versions->of(built->program.get()).get());
+    if (!built->input) return;
+    std::vector<std::pair<std::string, std::string>> sources;
+    for (const driver::SourceFile& file : built->input->files) sources.emplace_back(file.path, file.text);
+    history.describeProgram(built->program, std::move(sources), built->input->libraries);
+}
+
+void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
+    if (!worker) return;
+    worker->post([this, built = std::move(built)] {
+        if (isQuitting.load() || built->program->optimised.load()) return;
+        const Result<void> done = driver::optimise(*built);
+        if (done) return;
+        const std::lock_guard lock(mutex); // the quick code goes on
+        shared.refusals.push_back("the program could not be optimised: " + done.error().text());
+    });
+}
+
+Session::Session(driver::Built built, Settings settings) : m(std::make_unique<State>(std::move(built), std::move(settings))) {}
+
+Session::~Session() {
+    m->isQuitting.store(true, std::memory_order_release);
+    m->wakeUp.signal();
+    if (m->thread.joinable()) m->thread.join();
+    m->isQueueing.store(false);
+    m->worker.reset();
+    if (m->lastRetainScan != m->controller.nextScan() && !m->settings.retainFile.empty()) (void)saveRetained();
+}
+
+const driver::Built& Session::built() const { return *m->current.load(std::memory_order_acquire); }
+std::shared_ptr<const image::CompiledProgram> Session::program() const { return built().program; }
+history::History& Session::history() { return m->history; }
+const history::History& Session::history() const { return m->history; }
+
+Status Session::status() const {
+    Status status;
+    status.state = m->state.load(std::memory_order_relaxed);
+    status.scans = m->scans.load(std::memory_order_relaxed);
+    status.time = Nanoseconds(m->time.load(std::memory_order_relaxed));
+    status.load = m->load.load(std::memory_order_relaxed);
+    status.lastScanNs = m->lastScanNs.load(std::memory_order_relaxed);
+    status.skippedScans = m->skipped.load(std::memory_order_relaxed);
+    const history::Statistics recorded = m->history.statistics();
+    status.position = recorded.end > 0 ? recorded.end - 1 : 0;
+    if (!m->isQueueing.load(std::memory_order_acquire)) status.state = m->controller.state();
+    const std::lock_guard lock(m->mutex);
+    status.fault = m->shared.fault;
+    status.simulationFault = m->shared.simulationFault;
+    status.retainProblem = m->shared.retainProblem;
+    return status;
+}
+
+// ---------------------------------------------------------------- stepped by the caller
+
+controller::Controller& Session::controller() {
+    PLC_ASSERT(!m->thread.joinable(), (void)0);
+    return m->controller;
+}
+
+void Session::runHere(const std::function<bool(const controller::Controller&)>& stop) {
+    PLC_ASSERT(!m->thread.joinable(), return);
+    m->isQueueing.store(true, std::memory_order_release);
+    m->controller.start();
+    for (;;) {
+        m->drain();
+        if (m->controller.state() != PlcState::Running) break;
+        const bool good = m->controller.scan();
+        if (!good || stop(m->controller)) break;
+        if (m->sharedIsStale) m->share(false);
+    }
+    m->isQueueing.store(false, std::memory_order_release);
+    m->drain(); // posted while the last scan ran
+    m->publish();
+    m->share(true);
+}
+
+// ---------------------------------------------------------------- the scan thread
+
+void Session::startThread(RunMode mode) {
+    if (m->thread.joinable()) {
+        setMode(mode);
+        start();
+        return;
+    }
+    m->mode = mode;
+    State* s = m.get();
+    m->worker = std::make_unique<Worker>([s] { s->tick(); });
+    m->debugger = std::make_unique<debug::Debugger>(
+        m->controller,
+        [s](const std::string& text, const std::string& instance) { return s->versions->expression(*s->current.load(), text, instance); },
+        [s](const debug::Halt& halt) { return s->serveHalt(halt); });
+    m->lastRetainSave = wallNow();
+    m->optimise(m->versions->of(built().program.get()));
+    m->controller.start();
+    m->publish();
+    m->share(true);
+    m->isQueueing.store(true, std::memory_order_release);
+    m->thread = std::thread([s] { s->run(); });
+}
+
+void Session::setMode(RunMode mode) {
+    m->post(When::Now, [s = m.get(), mode] {
+        s->mode = mode;
+        s->mode.factor = std::max(mode.factor, 1e-6);
+        s->needsAnchor = true;
+    });
+}
+
+void Session::start() {
+    m->post(When::Now, [s = m.get()] {
+        if (s->isHalted) {
+            s->debugger->resume();
+            s->goesOn = true;
+        }
+        s->pausesAfterScan = false;
+        s->controller.start();
+    });
+}
+
+void Session::pause() {
+    m->post(When::Now, [s = m.get()] {
+        if (s->isHalted) s->pausesAfterScan = true;
+        else s->controller.pause();
+    });
+}
+
+void Session::singleScan() {
+    m->post(When::Now, [s = m.get()] {
+        if (s->isHalted) { // the scan that stands is the one
+            s->debugger->resume();
+            s->goesOn = s->pausesAfterScan = true;
+            return;
+        }
+        if (s->controller.state() == PlcState::Stopped) s->controller.start();
+        s->controller.pause();
+        if (s->controller.state() != PlcState::Paused) return;
+        s->writes.apply(s->controller, true, s->newRefusals);
+        (void)s->controller.scan();
+    });
+}
+
+void Session::stop() {
+    m->post(When::Leave, [s = m.get()] { s->controller.stop(); });
+}
+
+void Session::reset(controller::ResetKind kind) {
+    m->post(When::Leave, [s = m.get(), kind] { s->controller.reset(kind); });
+}
+
+void Session::write(std::string path, types::Value value) {
+    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)]() mutable {
+        s->writes.write(std::move(path), std::move(value));
+        if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
+    });
+}
+
+void Session::press(std::string path, types::Value pressed, types::Value released) {
+    m->post(When::Now, [s = m.get(), path = std::move(path), pressed = std::move(pressed), released = std::move(released)]() mutable {
+        s->writes.press(std::move(path), std::move(pressed), std::move(released));
+        if (!s->isQueueing.load()) s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
+    });
+}
+
+void Session::release(std::string path) {
+    m->post(When::Now, [s = m.get(), path = std::move(path)]() mutable {
+        s->writes.release(std::move(path));
+        if (!s->isQueueing.load()) s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
+    });
+}
+
+void Session::force(std::string path, types::Value value) {
+    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)] {
+        if (const Result<void> done = s->controller.force(path, value); !done) s->newRefusals.push_back(done.error().text());
+    });
+}
+
+void Session::unforce(std::string path) {
+    m->post(When::Now, [s = m.get(), path = std::move(path)] {
+        if (const Result<void> done = s->controller.release(path); !done) s->newRefusals.push_back(done.error().text());
+    });
+}
+
+void Session::unforceAll() {
+    m->post(When::Now, [s = m.get()] { s->controller.releaseAll(); });
+}
+
+std::vector<controller::Forced> Session::forces() const {
+    const std::lock_guard lock(m->mutex);
+    return m->shared.forces;
+}
+
+std::vector<controller::TaskStatistics> Session::taskStatistics() const {
+    if (!m->isQueueing.load(std::memory_order_acquire)) return m->controller.statistics();
+    const std::lock_guard lock(m->mutex);
+    return m->shared.tasks;
+}
+
+std::vector<controller::Event> Session::eventsSince(size_t index) const {
+    if (!m->isQueueing.load(std::memory_order_acquire)) m->share(true);
+    const std::lock_guard lock(m->mutex);
+    if (index >= m->shared.events.size()) return {};
+    return {m->shared.events.begin() + static_cast<std::ptrdiff_t>(index), m->shared.events.end()};
+}
+
+std::vector<std::string> Session::takeRefusals() {
+    const std::lock_guard lock(m->mutex);
+    return std::exchange(m->shared.refusals, {});
+}
+
+void Session::latest(Snapshot& into) const {
+    if (!m->isQueueing.load(std::memory_order_acquire)) {
+        const std::span<const std::byte> image = m->controller.image();
+        into.image.assign(image.begin(), image.end());
+        into.program = m->controller.sharedProgram();
+        into.scan = m->controller.nextScan() > 0 ? m->controller.nextScan() - 1 : 0;
+        into.time = m->controller.lastTime();
+        const history::Statistics recorded = m->history.statistics();
+        into.position = recorded.end > 0 ? recorded.end - 1 : 0;
+        into.isHalted = false;
+        return;
+    }
+    (void)m->published.read([&](const Snapshot& newest) { into = newest; });
+}
+
+std::vector<std::byte> Session::snapshot(uint64_t* scan) const {
+    Snapshot newest;
+    latest(newest);
+    if (scan) *scan = newest.scan;
+    return std::move(newest.image);
+}
+
+// ---------------------------------------------------------------- other programs, other times
+
+void Session::changeProgram(driver::Built next, std::function<void(const controller::OnlineChangeReport&)> done) {
+    auto built = std::make_shared<const driver::Built>(std::move(next));
+    if (!built->program) {
+        controller::OnlineChangeReport refused;
+        refused.refusal = built->failure.empty() ? "the program has errors" : built->failure;
+        if (done) done(refused);
+        return;
+    }
+    m->post(When::Boundary, [s = m.get(), built = std::move(built), done = std::move(done)] {
+        const driver::Built* before = s->current.load();
+        s->adopt(built); // before the controller tells its observers
+        const controller::OnlineChangeReport report = s->controller.changeProgram(built->program);
+        if (!report.refusal.empty()) {
+            s->current.store(before);
+            s->newRefusals.push_back(report.refusal);
+        } else {
+            if (s->debugger) s->debugger->programChanged();
+            s->optimise(built);
+        }
+        s->needsAnchor = true;
+        s->publish();
+        if (done) done(report);
+    });
+}
+
+Result<void> Session::resumeFrom(history::Position position) {
+    std::shared_ptr<const image::CompiledProgram> program;
+    const std::optional<history::ScanStamp> stamp = m->history.stamp(position);
+    std::vector<std::byte> image = m->history.seek(position, &program);
+    if (image.empty() || !stamp || !program) return Error{"that scan is not in the recording any more", {}};
+    std::shared_ptr<const driver::Built> built = m->versions->of(program.get());
+    if (!built) return Error{"the program that recorded that scan is not at hand any more", {}};
+    auto finished = std::make_shared<std::promise<void>>();
+    std::future<void> wait = finished->get_future();
+    m->post(When::Leave, [s = m.get(), program, image = std::move(image), at = *stamp, built, finished] {
+        if (s->settings.record) s->history.beginBranch(at.position);
+        s->adopt(built);
+        s->controller.resumeFrom(program, image, at.scan, at.time);
+        if (s->debugger) s->debugger->programChanged();
+        s->scans.store(at.scan + 1);
+        s->time.store(at.time.count());
+        s->needsAnchor = true;
+        s->publish();
+        finished->set_value();
+    });
+    wait.wait();
+    return {};
+}
+
+// ---------------------------------------------------------------- debugging
+
+void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
+    std::vector<debug::Breakpoint> wanted;
+    for (Breakpoint& b : breakpoints) wanted.push_back({b.file, b.line, std::move(b.condition), b.hitCount, std::move(b.instance), b.isEnabled});
+    m->post(When::Now, [s = m.get(), wanted = std::move(wanted)]() mutable {
+        if (s->debugger) s->debugger->setBreakpoints(std::move(wanted));
+    });
+}
+
+void Session::resume() {
+    m->post(When::Now, [s = m.get()] {
+        if (!s->isHalted) return;
+        s->debugger->resume();
+        s->goesOn = true;
+    });
+}
+
+void Session::step(StepKind kind) {
+    m->post(When::Now, [s = m.get(), kind] {
+        if (!s->debugger) return;
+        s->debugger->step(kind == StepKind::In ? debug::Step::In : kind == StepKind::Over ? debug::Step::Over : debug::Step::Out);
+        if (s->isHalted) s->goesOn = true;
+        else s->controller.start();
+    });
+}
+
+void Session::runTo(FileId file, uint32_t line) {
+    m->post(When::Now, [s = m.get(), file, line] {
+        if (!s->debugger) return;
+        s->debugger->runTo(file, line);
+        if (s->isHalted) s->goesOn = true;
+        else s->controller.start();
+    });
+}
+
+std::vector<HaltFrame> Session::haltFrames() const {
+    std::vector<HaltFrame> frames;
+    const std::lock_guard lock(m->mutex);
+    for (const controller::FaultFrame& f : m->shared.frames) frames.push_back({f.function, f.instance, f.range, f.functionIndex, f.instanceOffset, f.frameOffset});
+    return frames;
+}
+
+std::string Session::haltProblem() const {
+    const std::lock_guard lock(m->mutex);
+    return m->shared.haltProblem;
+}
+
+std::vector<std::pair<std::string, types::Value>> Session::frameVariables(size_t frame) const {
+    controller::FaultFrame wanted;
+    {
+        const std::lock_guard lock(m->mutex);
+        if (frame >= m->shared.frames.size()) return {};
+        wanted = m->shared.frames[frame];
+    }
+    Snapshot now;
+    latest(now);
+    if (!now.isHalted || !now.program) return {};
+    std::vector<std::pair<std::string, types::Value>> variables;
+    for (debug::FrameVariable& variable : debug::frameVariables(*now.program, now.image, wanted)) variables.emplace_back(std::move(variable.name), std::move(variable.value));
+    return variables;
+}
+
+Result<expression::Expression> Session::expression(const std::string& text, const std::string& scope) const { return m->versions->expression(built(), text, scope); }
+
+history::Recompile Session::recompile(const std::string& text, const std::string& scope) const {
+    return [versions = m->versions, text, scope](const image::CompiledProgram& program) {
+        const std::shared_ptr<const driver::Built> built = versions->of(&program);
+        if (!built) return expression::Expression();
+        Result<expression::Expression> compiled = versions->expression(*built, text, scope);
+        return compiled ? std::move(*compiled) : expression::Expression();
+    };
+}
+
+} // namespace plc::session

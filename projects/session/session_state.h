@@ -1,0 +1,114 @@
+// What a Session keeps, for the files that implement it. Three kinds of members: constant or thread-safe, the scan thread's own, and
+// `shared`, copies of what seldom changes behind a mutex that the scan thread only ever tries.
+#pragma once
+#include "projects/session/session.h"
+#include "projects/session/versions.h"
+#include "projects/session/wake_up.h"
+#include "projects/session/worker.h"
+#include "projects/session/write_queue.h"
+#include "runtime/base/mpsc_queue.h"
+#include "runtime/base/published.h"
+#include "runtime/debug/debugger.h"
+
+#include <atomic>
+
+namespace plc::session {
+
+/// How a command gets along with a scan that stands at a breakpoint.
+enum class When : uint8_t {
+    Now,       // served while halted
+    Boundary,  // waits for the end of the scan
+    Leave,     // abandons the halted scan, then runs
+};
+struct Command {
+    When when = When::Now;
+    std::function<void()> run;
+};
+
+struct Session::State final : controller::ScanObserver {
+    State(driver::Built first, Settings s);
+    ~State() override;
+
+    Settings settings;
+    std::shared_ptr<Versions> versions = std::make_shared<Versions>();
+    std::atomic<const driver::Built*> current{nullptr}; // kept alive by `versions`
+    history::History history;
+
+    // --- posting
+    MpscQueue<Command> commands;
+    WakeUp wakeUp;
+    std::atomic<bool> isQueueing{false}; // a thread drains the commands; else they run where they are posted
+    std::atomic<bool> isQuitting{false};
+    std::thread thread;
+    std::unique_ptr<Worker> worker;
+
+    // --- published
+    Published<Snapshot> published;
+    std::atomic<controller::State> state{controller::State::Stopped};
+    std::atomic<uint64_t> scans{0}, skipped{0};
+    std::atomic<int64_t> time{0}, lastScanNs{0};
+    std::atomic<double> load{0};
+    std::atomic<bool> wantsRetainSaved{false};
+    struct Shared {
+        std::optional<controller::Fault> fault, simulationFault;
+        std::vector<controller::Forced> forces;
+        std::vector<controller::TaskStatistics> tasks;
+        std::vector<controller::Event> events;
+        std::vector<std::string> refusals;
+        std::vector<controller::FaultFrame> frames; // while halted, innermost first
+        std::string haltProblem, retainProblem;
+    };
+    mutable std::mutex mutex;
+    Shared shared;
+
+    // --- the scan thread
+    controller::Controller controller;
+    std::unique_ptr<debug::Debugger> debugger;
+    WriteQueue writes;
+    std::deque<Command> deferred; // posted while halted, for the boundary
+    RunMode mode;
+    int64_t wallAnchor = 0, plcAnchor = 0; // real time: this wall time is that PLC time
+    bool needsAnchor = true;
+    bool isHalted = false, goesOn = false, leavesScan = false, pausesAfterScan = false;
+    bool sharedIsStale = true; // something below or in the controller has to get into `shared`
+    std::vector<controller::Event> newEvents;
+    std::vector<std::string> newRefusals;
+    std::vector<controller::FaultFrame> haltFrames;
+    std::string haltProblem;
+    int64_t lastPublish = 0, lastStatistics = 0, busyNs = 0, loadSince = 0;
+    uint64_t skippedReported = 0;
+    int64_t skippedReportedAt = 0;
+
+    void post(When when, std::function<void()> run);
+    void adopt(std::shared_ptr<const driver::Built> built);
+    void optimise(std::shared_ptr<const driver::Built> built);
+
+    void run();
+    void drain();
+    void scanInRealTime(int64_t now, double factor);
+    void scanFast();
+    void afterScans(int64_t begin, int64_t end);
+    void anchor(int64_t now);
+    [[nodiscard]] bool scansAreWanted() const;
+    debug::Going serveHalt(const debug::Halt& halt);
+    void publish();
+    /// Brings `shared` up to date; `mayWait` when no scan is due.
+    void share(bool mayWait);
+    void putShared();
+
+    void loadRetained();
+    [[nodiscard]] Result<void> saveRetained(const image::Layout& layout, std::span<const std::byte> image) const;
+    void tick(); // worker
+
+    // ScanObserver, scan thread
+    void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) override;
+    void programChanged(std::shared_ptr<const image::CompiledProgram> program) override;
+    void eventHappened(const controller::Event& event) override;
+
+    int64_t lastRetainSave = 0; // worker
+    uint64_t lastRetainScan = 0;
+};
+
+[[nodiscard]] int64_t wallNow();
+
+} // namespace plc::session

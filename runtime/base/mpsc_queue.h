@@ -1,0 +1,47 @@
+// Commands from any thread to one: producers push without locks, the owner pops in the order in which pushes took effect. Owned by the
+// consumer, which outlives the producers.
+#pragma once
+#include <atomic>
+#include <optional>
+#include <utility>
+
+namespace plc {
+
+template <class T> class MpscQueue {
+public:
+    MpscQueue() : m_tail(new Node), m_head(m_tail) {}
+    MpscQueue(const MpscQueue&) = delete;
+    MpscQueue& operator=(const MpscQueue&) = delete;
+    ~MpscQueue() {
+        while (pop()) {}
+        delete m_tail;
+    }
+    /// Any thread.
+    void push(T value) {
+        Node* node = new Node;
+        node->value.emplace(std::move(value));
+        Node* before = m_head.exchange(node, std::memory_order_acq_rel);
+        before->next.store(node, std::memory_order_release);
+    }
+    /// Consumer: the oldest, or none (also while a push is just taking place).
+    std::optional<T> pop() {
+        Node* next = m_tail->next.load(std::memory_order_acquire);
+        if (!next) return std::nullopt;
+        std::optional<T> value = std::move(next->value);
+        next->value.reset();
+        delete m_tail;
+        m_tail = next;
+        return value;
+    }
+    [[nodiscard]] bool isEmpty() const { return m_tail->next.load(std::memory_order_acquire) == nullptr; } // consumer
+
+private:
+    struct Node {
+        std::atomic<Node*> next{nullptr};
+        std::optional<T> value;
+    };
+    Node* m_tail; // consumer
+    std::atomic<Node*> m_head;
+};
+
+} // namespace plc
