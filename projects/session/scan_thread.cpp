@@ -88,7 +88,8 @@ void Session::State::anchor(int64_t now) {
 }
 
 void Session::State::scanInRealTime(int64_t now, double factor) {
-    if (needsAnchor) anchor(now);
+    if (needsAnchor || factor != anchoredFactor) anchor(now);
+    anchoredFactor = factor;
     const auto plcNow = plcAnchor + static_cast<int64_t>(static_cast<double>(now - wallAnchor) * factor);
     const int64_t due = controller.nextDue().count();
     if (due > plcNow) {
@@ -127,6 +128,7 @@ void Session::State::afterScans(int64_t begin, int64_t end) {
         pausesAfterScan = false;
         controller.pause();
     }
+    state.store(controller.state(), std::memory_order_relaxed);
     busyNs += end - begin;
     if (loadSince == 0) loadSince = begin;
     if (end - loadSince >= kLoadWindow) {
@@ -204,6 +206,7 @@ void Session::State::publish() {
     next->position = recorded.end > 0 ? recorded.end - 1 : 0;
     next->isHalted = isHalted;
     published.publish();
+    if (std::exchange(savesRetain, false)) wantsRetainSaved.store(true, std::memory_order_release);
 }
 
 void Session::State::share(bool mayWait) {
@@ -245,7 +248,7 @@ void Session::State::eventHappened(const controller::Event& event) {
     newEvents.push_back(event);
     sharedIsStale = true;
     if (settings.record) history.mark(static_cast<int>(event.kind), event.text, event.time);
-    if (event.kind == EventKind::Stopped || event.kind == EventKind::Fault) wantsRetainSaved.store(true, std::memory_order_relaxed);
+    if (event.kind == EventKind::Stopped || event.kind == EventKind::Fault) savesRetain = true;
 }
 
 } // namespace plc::session

@@ -68,8 +68,10 @@ struct Session::State final : controller::ScanObserver {
     std::deque<Command> deferred; // posted while halted, for the boundary
     RunMode mode;
     int64_t wallAnchor = 0, plcAnchor = 0; // real time: this wall time is that PLC time
+    double anchoredFactor = 0;
     bool needsAnchor = true;
     bool isHalted = false, goesOn = false, leavesScan = false, pausesAfterScan = false;
+    bool savesRetain = false; // once the snapshot that shall be saved is published
     bool sharedIsStale = true; // something below or in the controller has to get into `shared`
     std::vector<controller::Event> newEvents;
     std::vector<std::string> newRefusals;
