@@ -24,7 +24,8 @@ bool allRanSince(const std::vector<uint64_t>& before, const std::vector<uint64_t
 
 void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
     if (m_waiting.empty()) return;
-    m_touched.clear();
+    if (controller.nextScan() != m_touchedScan) m_touched.clear();
+    m_touchedScan = controller.nextScan();
     const types::TypeTable& types = *controller.program().layout.types;
     std::deque<Waiting> later;
     while (!m_waiting.empty()) {

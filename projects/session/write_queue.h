@@ -33,7 +33,8 @@ private:
 
     std::deque<Waiting> m_waiting;
     std::vector<Held> m_held;
-    std::vector<image::Place> m_touched; // written before the coming scan
+    std::vector<image::Place> m_touched; // written before the coming scan, which has this number
+    uint64_t m_touchedScan = ~uint64_t(0);
 };
 
 } // namespace plc::session
