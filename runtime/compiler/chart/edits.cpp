@@ -42,7 +42,7 @@ std::vector<std::string> replaced(std::vector<std::string> names, const std::str
 
 } // namespace
 
-std::string apply(std::string_view text, const Edits& edits) {
+std::string applyEdits(std::string_view text, const Edits& edits) {
     std::string out;
     size_t at = 0;
     for (const TextEdit& edit : edits) {
@@ -54,7 +54,7 @@ std::string apply(std::string_view text, const Edits& edits) {
     return out;
 }
 
-Edits inverse(std::string_view text, const Edits& edits) {
+Edits inverseOf(std::string_view text, const Edits& edits) {
     Edits out;
     int64_t shift = 0;
     for (const TextEdit& edit : edits) {

@@ -11,9 +11,9 @@ namespace plc::chart {
 using diagnostics::TextEdit;
 using Edits = std::vector<TextEdit>; // of one file, by place, not overlapping
 
-[[nodiscard]] std::string apply(std::string_view text, const Edits& edits);
+[[nodiscard]] std::string applyEdits(std::string_view text, const Edits& edits);
 /// What undoes `edits` in the text they lead to.
-[[nodiscard]] Edits inverse(std::string_view text, const Edits& edits);
+[[nodiscard]] Edits inverseOf(std::string_view text, const Edits& edits);
 
 enum class Place : uint8_t { Before, After };
 
