@@ -1,0 +1,196 @@
+// Calls as statements: instances of blocks, programs, actions; functions whose result nobody takes.
+#include "runtime/compiler/sema/checker.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using syntax::ArgumentKind;
+using syntax::SectionKind;
+
+namespace {
+/// The place begins in the frame of this call, so a reference to it must not outlive it.
+bool isInFrame(const tree::Place& place, const tree::Function& function) {
+    const tree::Place* root = &place;
+    while (root->base) root = root->base;
+    return root->kind == tree::PlaceKind::Local && root->local < function.locals.size();
+}
+} // namespace
+
+void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    if (!stmt.value) return;
+    const syntax::Expr& e = *stmt.value;
+    if (e.kind != syntax::ExprKind::Call) {
+        if (e.kind == syntax::ExprKind::Error) return;
+        if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member || e.kind == syntax::ExprKind::Index || e.kind == syntax::ExprKind::Deref) {
+            const Denoted denoted = denote(e, Access::Call);
+            if (denoted.kind == Denoted::Kind::Nothing) return;
+            const bool callable = denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard || (denoted.kind == Denoted::Kind::Place && isKind(denoted.place->type, TypeKind::Block));
+            auto& diagnostic = emit(e.range, callable ? Kind::Expected : Kind::NotCallable, callable ? std::vector<std::string>{"()", ";"} : std::vector<std::string>{textOf(e.range)});
+            if (callable) diagnostic.fixes.push_back({"Call it", {{{e.range.file, e.range.end, e.range.end}, "()"}}});
+            return;
+        }
+        const size_t errors = sink.all().size();
+        const Operand value = expression(e);
+        if (!value.isUnknown() && sink.all().size() == errors) emit(e.range, Kind::NotCallable, {textOf(e.range)});
+        return;
+    }
+    const Denoted callee = denote(*e.base, Access::Call);
+    if (callee.kind == Denoted::Kind::Place && isKind(callee.place->type, TypeKind::Block)) {
+        Unit* unit = world.unitOf(callee.place->type);
+        if (unit) instanceCall(callee.place, *unit, e, callee, out, stmt.range);
+        return;
+    }
+    if (callee.kind == Denoted::Kind::Unit && callee.unit->kind == UnitKind::Program) {
+        Unit& unit = *callee.unit;
+        if (!unit.instance) {
+            emit(e.base->range, Kind::NotCallable, {unit.name + " (no instance, or several)"});
+            return;
+        }
+        Denoted exact = callee;
+        exact.isExact = true;
+        instanceCall(absolutePlace(unit.instance->offset, unit.type, -1, e.base->range), unit, e, exact, out, stmt.range);
+        return;
+    }
+    Operand value;
+    if (callee.kind == Denoted::Kind::Unit && callee.unit->kind == UnitKind::Action) {
+        tree::Expr* made = arena.make<tree::Expr>();
+        made->kind = tree::ExprKind::Call;
+        made->type = elementary(TypeKind::Void);
+        made->range = e.range;
+        made->call = arena.make<tree::Call>();
+        prepareCall(*made->call, callee, e.range);
+        if (!e.arguments.empty()) emit(e.arguments.front().range, Kind::TooManyArguments, {callee.unit->name, "0"});
+        value = {made, &types};
+    } else if (callee.kind == Denoted::Kind::Unit && (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
+        value = callUnit(callee, e);
+        if (value.expr && !value.isUnknown() && !isKind(value.type(), TypeKind::Void) && callee.unit->kind == UnitKind::Function) emit(e.base->range, Kind::FunctionResultIgnored, {callee.unit->name});
+    } else if (callee.kind == Denoted::Kind::Standard) {
+        value = settled(standardCall(callee.name, e, {}));
+        if (!value.isUnknown() && value.expr->kind != tree::ExprKind::Sequence && !value.expr->ok) emit(e.base->range, Kind::FunctionResultIgnored, {std::string(callee.name)});
+    } else if (callee.kind == Denoted::Kind::Nothing) {
+        for (const syntax::Argument& argument : e.arguments)
+            if (argument.value) {
+                if (argument.kind == ArgumentKind::Output) denote(*argument.value, Access::Write);
+                else expression(*argument.value);
+            }
+        return;
+    } else {
+        const bool isType = callee.kind == Denoted::Kind::Unit || callee.kind == Denoted::Kind::Type;
+        emit(e.base->range, Kind::NotCallable, {textOf(e.base->range) + (isType ? " (a type; declare an instance of it)" : "")});
+        return;
+    }
+    if (value.isUnknown() && value.expr->kind != tree::ExprKind::Call) return;
+    tree::Stmt* evaluate = newStmt(tree::StmtKind::Evaluate, stmt.range);
+    evaluate->a = value.expr;
+    out.push_back(evaluate);
+}
+
+/// inst(in := a, io := b, out => c): a Block of assignments, bindings, the call of the body, and assignments from the outputs.
+void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee, std::vector<tree::Stmt*>& out, SourceRange range) {
+    world.completeUnit(unit, e.range);
+    if (unit.isAbstract && callee.isExact) emit(e.base->range, Kind::AbstractInstance, {unit.name});
+    const Matched matched = match(e, unit.name, unit.parameters);
+    if (!matched.isGood) {
+        for (const Match& each : matched.matches)
+            if (each.argument && each.argument->value) {
+                if (each.argument->kind == ArgumentKind::Output) denote(*each.argument->value, Access::Write);
+                else expression(*each.argument->value, world.typeOf(*each.parameter));
+            }
+        return;
+    }
+    tree::Stmt* block = newStmt(tree::StmtKind::Block, range);
+    std::vector<tree::Stmt*> before, after, outputs;
+    for (const Match& each : matched.matches) {
+        Variable& parameter = *each.parameter;
+        const TypeId type = world.typeOf(parameter);
+        const syntax::Argument* argument = each.argument;
+        tree::Place* field = nullptr;
+        if (parameter.storage == Storage::Absolute) field = absolutePlace(parameter.offset, type, parameter.bit, {});
+        else if (parameter.isInOut()) {
+            field = arena.make<tree::Place>();
+            field->kind = tree::PlaceKind::InOutSlot;
+            field->type = type;
+            field->base = instance;
+            field->offset = parameter.offset;
+            field->range = e.range;
+        } else {
+            field = fieldPlace(instance, parameter.offset, type, -1, argument && argument->value ? argument->value->range : e.range);
+        }
+        if (parameter.isInOut()) {
+            if (!argument || !argument->value) {
+                emit(e.base->range, Kind::MissingArgument, {parameter.name, unit.name});
+                continue;
+            }
+            tree::Place* target = inOutTarget(parameter, *argument, before, after);
+            if (!target) continue;
+            tree::Stmt* bind = newStmt(tree::StmtKind::Bind, {});
+            bind->place = field;
+            bind->target = target;
+            before.push_back(bind);
+            if (function && isInFrame(*target, *function)) {
+                tree::Stmt* unbind = newStmt(tree::StmtKind::Bind, {});
+                unbind->place = field;
+                after.push_back(unbind);
+            }
+            continue;
+        }
+        if (!argument || !argument->value) continue; // keeps its last value
+        if (parameter.kind == SectionKind::Output) {
+            const Denoted target = this->target(*argument->value);
+            if (target.kind == Denoted::Kind::Nothing) continue;
+            Operand value = load(field, argument->value->range);
+            if (argument->negated) value = inverted(value, argument->value->range);
+            assignTo(target, value, {}, outputs, true);
+            continue;
+        }
+        if (isKind(type, TypeKind::Reference)) {
+            bindReference(field, *argument->value, {}, before);
+            continue;
+        }
+        if (types.isAggregate(type) && (argument->value->kind == syntax::ExprKind::ArrayInit || argument->value->kind == syntax::ExprKind::StructInit)) {
+            assignAggregate(field, *argument->value, {}, before);
+            continue;
+        }
+        Operand value = converted(expression(*argument->value, type), type);
+        if (argument->negated) value = inverted(value, argument->value->range);
+        if (!value.isUnknown()) before.push_back(assignStmt(field, value.expr, {}));
+    }
+    tree::Expr* made = arena.make<tree::Expr>();
+    made->kind = tree::ExprKind::Call;
+    made->type = elementary(TypeKind::Void);
+    made->range = e.range;
+    made->call = arena.make<tree::Call>();
+    Denoted body = callee;
+    body.kind = Denoted::Kind::Unit;
+    body.unit = &unit;
+    body.instance = instance;
+    body.interface = nullptr;
+    prepareCall(*made->call, body, e.range);
+    tree::Stmt* evaluate = newStmt(tree::StmtKind::Evaluate, range);
+    evaluate->a = made;
+    block->body = std::move(before);
+    block->body.push_back(evaluate);
+    block->body.insert(block->body.end(), outputs.begin(), outputs.end());
+    block->body.insert(block->body.end(), after.begin(), after.end());
+    if (!matched.en && !matched.eno) {
+        out.push_back(block);
+        return;
+    }
+    const TypeId boolean = elementary(TypeKind::Bool);
+    tree::Place* eno = nullptr;
+    if (matched.eno && matched.eno->value) {
+        const Denoted denoted = target(*matched.eno->value);
+        if (denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool) eno = denoted.place;
+    }
+    tree::Expr* en = matched.en && matched.en->value ? condition(*matched.en->value) : constant({boolean, int64_t(1)}, e.range).expr;
+    tree::Stmt* choice = newStmt(tree::StmtKind::If, range);
+    choice->a = en;
+    choice->body.push_back(block);
+    if (eno) {
+        choice->body.push_back(assignStmt(eno, constant({boolean, int64_t(1)}, e.range).expr, {}));
+        choice->elseBody.push_back(assignStmt(eno, constant({boolean, int64_t(0)}, e.range).expr, {}));
+    }
+    out.push_back(choice);
+}
+
+} // namespace plc::sema

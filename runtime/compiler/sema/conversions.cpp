@@ -1,0 +1,290 @@
+// Implicit and written conversions, and the common type of two operands (D11).
+#include "runtime/compiler/sema/checker.h"
+
+#include "runtime/base/text.h"
+#include "runtime/types/conversion.h"
+
+#include <cmath>
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using types::Family;
+using types::TypeTable;
+
+bool Checker::fits(const types::Value& value, TypeId type) const {
+    const types::Type& target = types[type];
+    const TypeKind kind = types.storageKind(type);
+    const Family family = types::familyOf(kind);
+    if (std::holds_alternative<double>(value.data)) {
+        if (family == Family::Real) return kind == TypeKind::Lreal || std::abs(value.real()) <= 3.4028235677973366e38;
+        return false;
+    }
+    if (!std::holds_alternative<int64_t>(value.data)) return false;
+    if (family == Family::Real) return true;
+    if (family == Family::Bool) return value.integer() == 0 || value.integer() == 1;
+    if (!types::isInteger(family) && family != Family::Character) return false;
+    const bool isBig = types.storageKind(value.type) == TypeKind::Ulint || types.storageKind(value.type) == TypeKind::Lword; // bit pattern
+    const unsigned bits = types::bitsOf(kind);
+    const bool isSigned = family == Family::Signed;
+    const int64_t number = value.integer();
+    if (isBig && number < 0) return !isSigned && bits == 64;
+    if (target.kind == TypeKind::Subrange && (number < target.low || number > target.high)) return false;
+    if (isSigned) return bits == 64 || (number >= -(int64_t(1) << (bits - 1)) && number < (int64_t(1) << (bits - 1)));
+    if (number < 0) return false;
+    return bits == 64 || number < (int64_t(1) << bits);
+}
+
+TypeId Checker::smallestType(const Operand& flexible) const {
+    const types::Value& value = flexible.expr->value;
+    if (std::holds_alternative<double>(value.data)) return elementary(TypeKind::Lreal);
+    for (const TypeKind kind : {TypeKind::Int, TypeKind::Dint, TypeKind::Lint, TypeKind::Ulint})
+        if (fits(value, elementary(kind))) return elementary(kind);
+    return elementary(TypeKind::Lint);
+}
+
+TypeId Checker::commonType(const Operand& a, const Operand& b) const {
+    const TypeKind x = types.storageKind(a.type()), y = types.storageKind(b.type());
+    const Family f = types::familyOf(x), g = types::familyOf(y);
+    if (a.isFlexible != b.isFlexible) {
+        const Operand& literal = a.isFlexible ? a : b;
+        const TypeId other = types.storage(a.isFlexible ? b.type() : a.type());
+        if (fits(literal.expr->value, other)) return other;
+    }
+    const bool numeric = isNumeric(a.type()) && isNumeric(b.type());
+    if (!numeric) return f == g && f != Family::Other && !types.isText(a.type()) ? elementary(types::bitsOf(y) > types::bitsOf(x) ? y : x) : TypeId();
+    const auto single = [&](const Operand& real, const Operand& whole) {
+        if (!real.isFlexible) return real.type();
+        return elementary(types::bitsOf(types.storageKind(whole.type())) <= 16 && fits(real.expr->value, elementary(TypeKind::Real)) ? TypeKind::Real : TypeKind::Lreal);
+    };
+    if (f == Family::Real && g == Family::Real) return elementary(x == TypeKind::Lreal || y == TypeKind::Lreal ? TypeKind::Lreal : TypeKind::Real);
+    if (f == Family::Real) return types.storage(single(a, b));
+    if (g == Family::Real) return types.storage(single(b, a));
+    const TypeKind own = a.isFlexible ? types.storageKind(smallestType(a)) : x, other = b.isFlexible ? types.storageKind(smallestType(b)) : y;
+    const unsigned m = types::bitsOf(own), n = types::bitsOf(other);
+    if (m != n) return elementary(m > n ? own : other);
+    const Family p = types::familyOf(own), q = types::familyOf(other);
+    if (p == q) return elementary(own);
+    if (p == Family::Signed || q == Family::Signed) return elementary(p == Family::Signed ? own : other);
+    return elementary(p == Family::Unsigned ? own : other);
+}
+
+void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
+    auto& diagnostic = emit(range, Kind::TypeMismatch, {nameOf(from), nameOf(to)});
+    const TypeKind a = types.storageKind(from), b = types.storageKind(to);
+    const auto named = [](TypeKind kind) -> std::string { return kind == TypeKind::String ? "STRING" : kind == TypeKind::Wstring ? "WSTRING" : std::string(types::spelling(kind)); };
+    if (!named(a).empty() && !named(b).empty() && range.file.isValid()) {
+        const std::string function = named(a) + "_TO_" + named(b);
+        if (library::findConversion(function))
+            diagnostic.fixes.push_back({"Convert with " + function, {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+    }
+}
+
+Operand Checker::convertNode(Operand operand, TypeId to) {
+    if (operand.isUnknown() || operand.type() == to) {
+        operand.isFlexible = false;
+        return operand;
+    }
+    if (operand.isConstant() && !types.isAggregate(to)) {
+        types::Value value = types::convert(types, operand.expr->value, to);
+        value.type = to;
+        return constant(std::move(value), operand.expr->range);
+    }
+    tree::Expr* e = arena.make<tree::Expr>();
+    e->kind = tree::ExprKind::Convert;
+    e->type = to;
+    e->range = operand.expr->range;
+    e->a = operand.expr;
+    return {e, &types};
+}
+
+Operand Checker::sameBits(Operand operand, TypeId to) {
+    if (operand.isUnknown() || operand.type() == to) return operand;
+    if (operand.isConstant()) {
+        types::Value value = operand.expr->value;
+        value.type = to;
+        return constant(std::move(value), operand.expr->range);
+    }
+    tree::Expr* e = arena.make<tree::Expr>();
+    e->kind = tree::ExprKind::Intrinsic;
+    e->intrinsic = library::Intrinsic::SameBits;
+    e->type = to;
+    e->range = operand.expr->range;
+    e->operands.push_back(operand.expr);
+    return {e, &types};
+}
+
+Operand Checker::convertedText(Operand operand, TypeId to) {
+    const TypeId from = operand.type();
+    const SourceRange range = operand.expr->range;
+    if (operand.isConstant()) {
+        const types::Type& target = types[to];
+        if (types.isText(from) && types.isText(to)) {
+            const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
+            const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
+            const size_t length = narrow ? narrow->size() : wide ? wide->size() : 0;
+            if (length > target.capacity) emit(range, Kind::StringTooLong, {std::to_string(length), std::to_string(target.capacity)});
+            if (types.kind(from) == types.kind(to)) return operand;
+            if (wide) {
+                for (const char16_t c : *wide) {
+                    if (c <= 0xFF) continue;
+                    emit(range, Kind::CharacterNotInString, {utf16ToUtf8(std::u16string(1, c))});
+                    return unknown(range);
+                }
+            }
+            return convertNode(operand, types.kind(to) == TypeKind::Wstring ? textType(length, true) : textType(length, false));
+        }
+    }
+    if (types.kind(from) == types.kind(to)) return operand; // any capacity: the assignment cuts
+    switch (types::implicitConversion(types, from, to)) {
+    case types::Implicit::Narrowing: emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)}); break;
+    case types::Implicit::Forbidden: mismatch(range, from, to); return unknown(range);
+    default: break;
+    }
+    return convertNode(operand, to);
+}
+
+Operand Checker::converted(Operand operand, TypeId to) {
+    if (operand.isUnknown() || isKind(to, TypeKind::Unknown)) return operand.expr ? operand : unknown({});
+    const TypeId from = operand.type();
+    const SourceRange range = operand.expr->range;
+    if (isKind(from, TypeKind::Void)) {
+        emit(range, Kind::NoValue, {textOf(range)});
+        return unknown(range);
+    }
+    const types::Type& target = types[to];
+    const TypeKind toKind = types.storageKind(to), fromKind = types.storageKind(from);
+    const Family toFamily = types::familyOf(toKind), fromFamily = types::familyOf(fromKind);
+    if (from == to && !operand.isFlexible) return operand;
+
+    if (operand.isFlexible || (operand.isConstant() && isNumeric(from) && !isKind(from, TypeKind::Enum))) {
+        const types::Value& value = operand.expr->value;
+        const bool isReal = std::holds_alternative<double>(value.data);
+        if (toFamily == Family::Real) {
+            if (operand.isDivided) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
+            if (!fits(value, to)) {
+                emit(range, Kind::ConstantOutOfRange, {textOf(range), nameOf(to)});
+                return unknown(range);
+            }
+            return convertNode(operand, to);
+        }
+        if (toFamily == Family::Bool && operand.isFlexible && !isReal) {
+            if (!fits(value, to)) {
+                mismatch(range, smallestType(operand), to);
+                return unknown(range);
+            }
+            return convertNode(operand, to);
+        }
+        if (target.kind == TypeKind::Enum && !isReal) {
+            const auto& enumerators = target.enumerators;
+            const bool known = std::any_of(enumerators.begin(), enumerators.end(), [&](const types::Enumerator& e) { return e.value == value.integer(); });
+            if (!known || !operand.isFlexible) emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
+            return convertNode(operand, to);
+        }
+        if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
+            if (isReal) {
+                emit(range, Kind::LossyAssignment, {operand.isFlexible ? textOf(range) : nameOf(from), nameOf(to)});
+                return convertNode(operand, to);
+            }
+            if (fits(value, to)) return convertNode(operand, to);
+            if (operand.isFlexible || target.kind == TypeKind::Subrange) {
+                emit(range, Kind::ConstantOutOfRange, {textOf(range), nameOf(to)});
+                return unknown(range);
+            }
+        }
+        if ((target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface || target.kind == TypeKind::Reference) && !isReal && value.integer() == 0)
+            return constant({to, int64_t(0)}, range);
+        if (operand.isFlexible) operand = settled(operand);
+        if (types.isText(to)) {
+            mismatch(range, operand.type(), to);
+            return unknown(range);
+        }
+    }
+    // a literal FALSE or TRUE as a number
+    if (fromFamily == Family::Bool && operand.isConstant() && isNumeric(to)) return convertNode(operand, to);
+    // one character of text as a CHAR or its code
+    if (types.isText(from) && operand.isConstant() && (toFamily == Family::Character || (types::isInteger(toFamily) && types::bitsOf(toKind) <= 16))) {
+        const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
+        const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
+        if (narrow && narrow->size() == 1) return constant({to, int64_t(static_cast<unsigned char>(narrow->front()))}, range);
+        if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16) return constant({to, int64_t(wide->front())}, range);
+    }
+    if (types.isText(to) && (types.isText(from) || fromFamily == Family::Character)) return convertedText(operand, to);
+
+    switch (target.kind) {
+    case TypeKind::Array:
+    case TypeKind::Struct:
+    case TypeKind::Union:
+        if (world.sameType(from, to)) return operand;
+        mismatch(range, from, to);
+        return unknown(range);
+    case TypeKind::Block:
+        if (world.sameType(from, to)) return operand;
+        mismatch(range, from, to);
+        return unknown(range);
+    case TypeKind::Interface:
+        if (isKind(from, TypeKind::Block) && operand.expr->kind == tree::ExprKind::Load && types.implements(from, to)) {
+            takeAddress(operand.expr->place);
+            tree::Expr* e = arena.make<tree::Expr>();
+            e->kind = tree::ExprKind::InterfaceOf;
+            e->type = to;
+            e->range = range;
+            e->place = operand.expr->place;
+            return {e, &types};
+        }
+        if (isKind(from, TypeKind::Interface) && types.isDerivedFrom(from, to)) return sameBits(operand, to);
+        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) && types.implements(types[from].element, to)) return sameBits(operand, to);
+        break;
+    case TypeKind::Reference:
+        if (operand.expr->kind == tree::ExprKind::Load && (world.sameType(from, target.element) || (isKind(from, TypeKind::Block) && types.isDerivedFrom(from, target.element)))) return addressOf(operand.expr->place, to, range);
+        if (isKind(from, TypeKind::Pointer) || isKind(from, TypeKind::Reference)) {
+            if (world.sameType(types[from].element, target.element)) return sameBits(operand, to);
+        }
+        break;
+    case TypeKind::Pointer:
+        if (isKind(from, TypeKind::Pointer) && world.sameType(types[from].element, target.element)) return sameBits(operand, to);
+        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) && types.isDerivedFrom(types[from].element, target.element)) return sameBits(operand, to);
+        break;
+    default: break;
+    }
+    if (isKind(from, TypeKind::Null)) {
+        if (target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface || target.kind == TypeKind::Reference) return constant({to, int64_t(0)}, range);
+        mismatch(range, from, to);
+        return unknown(range);
+    }
+    const tree::Expr& e = *operand.expr;
+    if (e.kind == tree::ExprKind::Binary && types::isInteger(fromFamily) && isNumeric(to)) {
+        const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
+        if (toFamily == Family::Real && e.binary == library::BinaryOp::Divide) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
+        else if (widens && types::bitsOf(fromKind) < 64 &&
+                 (e.binary == library::BinaryOp::Multiply || ((e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract) && e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
+            emit(range, Kind::WrapsBeforeWidening, {textOf(range), nameOf(from), nameOf(to)});
+    }
+    switch (types::implicitConversion(types, from, to)) {
+    case types::Implicit::Same:
+    case types::Implicit::Widening: break;
+    case types::Implicit::Narrowing:
+        if (target.kind == TypeKind::Enum) emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
+        else {
+            auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
+            const std::string function = std::string(types::spelling(fromKind)) + "_TO_" + std::string(types::spelling(toKind));
+            if (types::isElementary(fromKind) && types::isElementary(toKind) && range.file.isValid())
+                diagnostic.fixes.push_back({"Convert with " + function, {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+        }
+        break;
+    case types::Implicit::Forbidden: mismatch(range, from, to); return unknown(range);
+    }
+    const bool fromAddress = isKind(from, TypeKind::Pointer) || isKind(from, TypeKind::Reference);
+    const bool toAddress = target.kind == TypeKind::Pointer || target.kind == TypeKind::Reference;
+    if (fromAddress && toAddress) return sameBits(operand, to);
+    if (fromAddress) return convertNode(sameBits(operand, elementary(TypeKind::Lword)), to);
+    if (toAddress) return sameBits(convertNode(operand, elementary(TypeKind::Lword)), to);
+    if (types.storage(from) == types.storage(to) && operand.expr->kind == tree::ExprKind::Constant) {
+        types::Value value = operand.expr->value;
+        value.type = to;
+        return constant(std::move(value), range);
+    }
+    return convertNode(operand, to);
+}
+
+} // namespace plc::sema

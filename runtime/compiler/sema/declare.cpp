@@ -1,0 +1,499 @@
+// First pass: every name of every file gets its entity; nothing is resolved yet, so order does not matter.
+#include "runtime/compiler/sema/world.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using syntax::SectionKind;
+
+namespace {
+
+std::string pathText(const syntax::Path& path) {
+    std::string text;
+    for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
+    return text;
+}
+
+std::string_view stemOf(std::string_view path) {
+    if (const size_t slash = path.find_last_of("/\\"); slash != std::string_view::npos) path.remove_prefix(slash + 1);
+    if (const size_t dot = path.find('.'); dot != std::string_view::npos) path = path.substr(0, dot);
+    return path;
+}
+
+bool hasAttribute(const std::vector<syntax::Pragma>& pragmas, std::string_view key) {
+    return std::any_of(pragmas.begin(), pragmas.end(), [&](const syntax::Pragma& p) { return p.isAttribute && equalsIgnoringCase(p.key, key); });
+}
+
+std::vector<std::string> aliasesOf(const std::vector<syntax::Pragma>& pragmas) {
+    std::vector<std::string> out;
+    for (const syntax::Pragma& pragma : pragmas) {
+        if (!pragma.isAttribute || !equalsIgnoringCase(pragma.key, "alias")) continue;
+        std::string word;
+        for (const char c : std::string(pragma.value) + ",") {
+            if (c == ',') {
+                if (!word.empty()) out.push_back(std::exchange(word, {}));
+            } else if (c != ' ' && c != '\'' && c != '\t') {
+                word += c;
+            }
+        }
+    }
+    return out;
+}
+
+SymbolKind symbolKindOf(UnitKind kind) {
+    switch (kind) {
+    case UnitKind::Program: return SymbolKind::Program;
+    case UnitKind::Function: return SymbolKind::Function;
+    case UnitKind::Block: return SymbolKind::FunctionBlock;
+    case UnitKind::Interface: return SymbolKind::Interface;
+    case UnitKind::Method:
+    case UnitKind::PropertyGet:
+    case UnitKind::PropertySet: return SymbolKind::Method;
+    case UnitKind::Action: return SymbolKind::Action;
+    }
+    return SymbolKind::Function;
+}
+
+types::FieldSection sectionOf(SectionKind kind) {
+    switch (kind) {
+    case SectionKind::Input: return types::FieldSection::Input;
+    case SectionKind::Output: return types::FieldSection::Output;
+    case SectionKind::InOut: return types::FieldSection::InOut;
+    case SectionKind::External: return types::FieldSection::External;
+    case SectionKind::Stat: return types::FieldSection::Static;
+    default: return types::FieldSection::Local;
+    }
+}
+
+} // namespace
+
+Space& World::childSpace(Space& parent, std::string_view name) {
+    Space*& child = parent.spaces[key(name)];
+    if (!child) {
+        child = &spaces.emplace_back();
+        child->name = std::string(name);
+        child->qualified = parent.qualified.empty() ? child->name : parent.qualified + "." + child->name;
+        child->parent = &parent;
+        addSymbol(SymbolKind::Namespace, name, parent.qualified, {});
+    }
+    return *child;
+}
+
+void World::declareFile(const syntax::SyntaxFile& file) {
+    if (file.file.isValid()) {
+        if (fileOf.size() <= file.file.index()) fileOf.resize(file.file.index() + 1);
+        fileOf[file.file.index()] = &file;
+    }
+    Space* space = &top;
+    if (!file.library.empty()) {
+        space = &childSpace(top, file.library);
+        if (!space->isLibrary) {
+            space->isLibrary = true;
+            libraries.push_back(space);
+        }
+    }
+    for (const syntax::Decl* decl : file.declarations) declare(*decl, *space, file);
+}
+
+void World::declare(const syntax::Decl& decl, Space& space, const syntax::SyntaxFile& file) {
+    switch (decl.kind) {
+    case syntax::DeclKind::Pou:
+        if (decl.pou) declareUnit(*decl.pou, space, file);
+        return;
+    case syntax::DeclKind::Type:
+        if (decl.type) declareType(*decl.type, space, file);
+        return;
+    case syntax::DeclKind::Globals:
+        if (decl.globals) declareGlobals(*decl.globals, space, file, decl.globals->name.empty() ? stemOf(sources[file.file].path()) : decl.globals->name);
+        return;
+    case syntax::DeclKind::Configuration:
+        if (decl.configuration) configurations.push_back({decl.configuration, &file, &space});
+        return;
+    case syntax::DeclKind::Test:
+        if (decl.test) tests.push_back(decl.test);
+        return;
+    case syntax::DeclKind::Namespace: {
+        if (!decl.space) return;
+        Space* inner = &space;
+        for (const syntax::Name& name : decl.space->path) inner = &childSpace(*inner, name.text);
+        for (const syntax::Decl* child : decl.space->declarations) {
+            if (child->kind == syntax::DeclKind::Using) {
+                for (const syntax::Path& path : child->usings) inner->usingPaths.push_back(&path);
+            } else {
+                declare(*child, *inner, file);
+            }
+        }
+        return;
+    }
+    case syntax::DeclKind::Using: return; // resolveUsings
+    }
+}
+
+void World::resolveUsings() {
+    const auto resolve = [&](Space& from, const syntax::Path& path) -> Space* {
+        for (Space* start = &from; start; start = start->parent) {
+            Space* found = start;
+            for (const syntax::Name& name : path) {
+                const auto it = found->spaces.find(key(name.text));
+                found = it == found->spaces.end() ? nullptr : it->second;
+                if (!found) break;
+            }
+            if (found) return found;
+        }
+        std::vector<std::string> candidates;
+        for (const Space& space : spaces) candidates.push_back(space.qualified);
+        const SourceRange range = joined(path.front().range, path.back().range);
+        suggest(emit(range, Kind::UnknownUsing, {pathText(path)}), range, pathText(path), candidates);
+        return nullptr;
+    };
+    for (Space& space : spaces)
+        for (const syntax::Path* path : space.usingPaths)
+            if (!path->empty())
+                if (Space* used = resolve(space, *path)) space.usings.push_back(used);
+    for (const syntax::SyntaxFile* file : fileOf) {
+        if (!file) continue;
+        for (const syntax::Decl* decl : file->declarations) {
+            if (decl->kind != syntax::DeclKind::Using) continue;
+            for (const syntax::Path& path : decl->usings)
+                if (!path.empty())
+                    if (Space* used = resolve(top, path)) fileUsings[file].push_back(used);
+        }
+    }
+}
+
+Unit* World::declareUnit(const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file) {
+    Unit& unit = units.emplace_back();
+    switch (pou.kind) {
+    case syntax::PouKind::Program: unit.kind = UnitKind::Program; break;
+    case syntax::PouKind::FunctionBlock: unit.kind = UnitKind::Block; break;
+    case syntax::PouKind::Interface: unit.kind = UnitKind::Interface; break;
+    default: unit.kind = UnitKind::Function; break;
+    }
+    unit.name = std::string(pou.name.text);
+    unit.qualified = unit.name;
+    unit.id = key(pou.name.text);
+    unit.pou = &pou;
+    unit.file = &file;
+    unit.range = pou.name.range;
+    unit.space = &space;
+    unit.access = pou.access;
+    unit.isAbstract = pou.isAbstract;
+    unit.isFinal = pou.isFinal;
+    unit.isSimulation = hasAttribute(pou.pragmas, "simulation");
+    unit.symbol = addSymbol(symbolKindOf(unit.kind), unit.name, space.qualified, unit.range, pou.comment);
+    if (pou.name.isValid()) {
+        std::vector<Entity>& entities = space.entities[unit.id];
+        for (const Entity& other : entities) {
+            if (!other.unit && !other.type) continue;
+            auto& diagnostic = emit(unit.range, Kind::DuplicateName, {unit.name});
+            diagnostic.related.push_back({other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
+            break;
+        }
+        entities.push_back({nullptr, &unit, nullptr});
+    }
+    if (unit.isInstanced() || unit.kind == UnitKind::Interface) {
+        unit.type = types.declare(unit.kind == UnitKind::Interface ? TypeKind::Interface : TypeKind::Block, unit.name);
+        types::Type& type = types.edit(unit.type);
+        type.space = space.qualified;
+        type.declaration = unit.range;
+        type.comment = std::string(pou.comment);
+        unitsByType[unit.type] = &unit;
+        symbols[unit.symbol.index()].type = unit.type;
+    }
+    if (unit.isCode()) unit.function = newFunction(unit.name, &unit);
+    declareMembers(unit);
+    return &unit;
+}
+
+Unit* World::declareMethod(const syntax::Pou& pou, Unit& owner, std::string_view name, UnitKind kind) {
+    Unit& unit = units.emplace_back();
+    unit.kind = kind;
+    unit.name = std::string(name);
+    unit.qualified = owner.name + "." + unit.name;
+    unit.id = key(unit.name);
+    unit.pou = &pou;
+    unit.file = owner.file;
+    unit.range = pou.name.range;
+    unit.space = owner.space;
+    unit.owner = &owner;
+    unit.access = pou.access;
+    unit.isAbstract = pou.isAbstract || owner.kind == UnitKind::Interface;
+    unit.isFinal = pou.isFinal;
+    unit.isOverride = pou.isOverride;
+    unit.function = newFunction(unit.qualified, &unit);
+    if (kind == UnitKind::Method) {
+        unit.symbol = addSymbol(SymbolKind::Method, unit.name, owner.name, unit.range, pou.comment);
+        declareMembers(unit);
+    }
+    owner.methods.push_back(&unit);
+    return &unit;
+}
+
+void World::declareMembers(Unit& unit) {
+    const syntax::Pou& pou = *unit.pou;
+    declareVariables(unit, pou.sections);
+    if (!unit.isInstanced() && unit.kind != UnitKind::Interface && pou.result && unit.kind != UnitKind::PropertyGet) {
+        Variable result;
+        result.name = unit.name;
+        result.id = unit.id;
+        result.spec = pou.result;
+        result.range = unit.range;
+        result.kind = SectionKind::Output;
+        result.isResult = true;
+        result.symbol = unit.symbol;
+        unit.resultVariable = &addVariable(unit, std::move(result), nullptr);
+    }
+    const auto taken = [&](const syntax::Name& name) {
+        const auto it = unit.members.find(key(name.text));
+        if (it == unit.members.end()) return false;
+        emit(name.range, Kind::DuplicateName, {std::string(name.text)});
+        return true;
+    };
+    for (const syntax::Pou* method : pou.methods) {
+        if (!method->name.isValid()) continue;
+        const bool twice = taken(method->name);
+        Unit* made = declareMethod(*method, unit, method->name.text, UnitKind::Method);
+        if (!twice) unit.members[made->id].unit = made;
+    }
+    for (const syntax::Property* declared : pou.properties) {
+        if (!declared->name.isValid()) continue;
+        const bool twice = taken(declared->name);
+        Property& property = properties.emplace_back();
+        property.name = std::string(declared->name.text);
+        property.id = key(declared->name.text);
+        property.declaration = declared;
+        property.owner = &unit;
+        property.symbol = addSymbol(SymbolKind::Property, property.name, unit.name, declared->name.range, declared->comment);
+        for (const bool isSet : {false, true}) {
+            const syntax::Pou* accessor = isSet ? declared->set : declared->get;
+            if (!accessor) continue;
+            Unit* made = declareMethod(*accessor, unit, property.name + (isSet ? ".set" : ".get"), isSet ? UnitKind::PropertySet : UnitKind::PropertyGet);
+            made->property = &property;
+            made->symbol = property.symbol;
+            made->range = declared->name.range;
+            if (made->access == syntax::Access::Default) made->access = declared->access;
+            made->isAbstract = made->isAbstract || declared->isAbstract;
+            made->isFinal = made->isFinal || declared->isFinal;
+            made->isOverride = made->isOverride || declared->isOverride;
+            (isSet ? property.set : property.get) = made;
+            Variable value; // GET: the result; SET: the value assigned
+            value.name = property.name;
+            value.id = property.id;
+            value.spec = declared->type;
+            value.range = declared->name.range;
+            value.kind = isSet ? SectionKind::Input : SectionKind::Output;
+            value.isResult = !isSet;
+            value.symbol = property.symbol;
+            Variable& added = addVariable(*made, std::move(value), nullptr);
+            if (!isSet) made->resultVariable = &added;
+            declareMembers(*made);
+        }
+        unit.properties.push_back(&property);
+        if (!twice) unit.members[property.id].property = &property;
+    }
+    for (const syntax::ActionDecl* action : pou.actions) {
+        if (!action->name.isValid()) continue;
+        const auto known = unit.members.find(key(action->name.text));
+        if (known != unit.members.end() && !known->second.variable) {
+            emit(action->name.range, Kind::DuplicateName, {std::string(action->name.text)});
+            continue;
+        }
+        Unit& made = units.emplace_back();
+        made.kind = UnitKind::Action;
+        made.name = std::string(action->name.text);
+        made.qualified = unit.name + "." + made.name;
+        made.id = key(action->name.text);
+        made.action = action;
+        made.file = unit.file;
+        made.range = action->name.range;
+        made.space = unit.space;
+        made.owner = &unit;
+        made.function = newFunction(made.qualified, &made);
+        made.symbol = addSymbol(SymbolKind::Action, made.name, unit.name, made.range);
+        declareVariables(made, action->sections);
+        unit.actions.push_back(&made);
+        unit.members[made.id].unit = &made; // an action may share its name with a BOOL of the chart
+    }
+}
+
+Variable& World::addVariable(Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas) {
+    variable.owner = &unit;
+    variable.space = unit.space;
+    variable.scope = {&unit, unit.space, unit.file};
+    unit.variables.push_back(std::move(variable));
+    Variable& added = unit.variables.back();
+    Member& member = unit.members[added.id];
+    if (member) {
+        const SourceRange first = member.variable ? member.variable->range : member.unit ? member.unit->range : SourceRange{};
+        auto& diagnostic = emit(added.range, Kind::DuplicateName, {added.name});
+        if (first.file.isValid()) diagnostic.related.push_back({first, "first declared here"});
+    } else {
+        member.variable = &added;
+    }
+    if (pragmas)
+        for (const std::string& alias : aliasesOf(*pragmas)) unit.members.try_emplace(key(alias)).first->second.variable = &added;
+    return added;
+}
+
+void World::declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table) {
+    for (int depth = 0; spec && depth < 32; spec = spec->element, ++depth) {
+        if (spec->kind == syntax::TypeSpecKind::Enum) {
+            declareEnum(*spec, "enumeration", scope, table, false);
+            return;
+        }
+        for (const syntax::VarDecl* field : spec->fields) declareInlineEnums(field->type, scope, table);
+    }
+}
+
+void World::declareVariables(Unit& unit, const std::vector<syntax::VarSection*>& sections) {
+    const Scope scope{&unit, unit.space, unit.file};
+    for (const syntax::VarSection* section : sections) {
+        for (const syntax::VarDecl* declaration : section->declarations) {
+            declareInlineEnums(declaration->type, scope, unit.enumerators);
+            for (const syntax::Name& name : declaration->names) {
+                if (!name.isValid()) continue;
+                Variable variable;
+                variable.name = std::string(name.text);
+                variable.id = key(name.text);
+                variable.declaration = declaration;
+                variable.section = section;
+                variable.spec = declaration->type;
+                variable.range = name.range;
+                variable.kind = section->kind;
+                variable.isConstant = section->constant;
+                variable.isLocated = !declaration->address.empty();
+                variable.symbol = addSymbol(section->constant ? SymbolKind::Constant : SymbolKind::Variable, name.text, unit.qualified, name.range, declaration->comment);
+                Symbol& symbol = symbols[variable.symbol.index()];
+                symbol.section = sectionOf(section->kind);
+                symbol.isConstant = section->constant;
+                symbol.path = symbol.name;
+                addVariable(unit, std::move(variable), &declaration->pragmas);
+            }
+        }
+    }
+}
+
+void World::declareGlobals(const syntax::GlobalList& declared, Space& space, const syntax::SyntaxFile& file, std::string_view name) {
+    if (!declared.section) return;
+    const NameId id = key(name);
+    GlobalsList*& list = space.lists[id];
+    if (!list) {
+        list = &lists.emplace_back();
+        list->name = std::string(name);
+        list->id = id;
+        list->space = &space;
+        if (!name.empty()) addSymbol(SymbolKind::GlobalList, name, space.qualified, {}, declared.comment);
+    }
+    list->qualifiedOnly = list->qualifiedOnly || hasAttribute(declared.section->pragmas, "qualified_only");
+    const Scope scope{nullptr, &space, &file};
+    for (const syntax::VarDecl* declaration : declared.section->declarations) {
+        declareInlineEnums(declaration->type, scope, space.enumerators);
+        for (const syntax::Name& varName : declaration->names) {
+            if (!varName.isValid()) continue;
+            Variable& variable = globals.emplace_back();
+            variable.name = std::string(varName.text);
+            variable.id = key(varName.text);
+            variable.declaration = declaration;
+            variable.section = declared.section;
+            variable.spec = declaration->type;
+            variable.range = varName.range;
+            variable.kind = SectionKind::Global;
+            variable.scope = scope;
+            variable.list = list;
+            variable.space = &space;
+            variable.isConstant = declared.section->constant;
+            variable.isLocated = !declaration->address.empty();
+            variable.symbol = addSymbol(variable.isConstant ? SymbolKind::Constant : SymbolKind::Variable, varName.text, list->name, varName.range, declaration->comment);
+            Symbol& symbol = symbols[variable.symbol.index()];
+            symbol.isConstant = variable.isConstant;
+            symbol.path = list->name.empty() ? variable.name : list->name + "." + variable.name;
+            if (Variable*& first = list->variables[variable.id]) {
+                emit(variable.range, Kind::DuplicateName, {variable.name}).related.push_back({first->range, "first declared here"});
+            } else {
+                first = &variable;
+                if (!list->qualifiedOnly) space.entities[variable.id].push_back({&variable, nullptr, nullptr});
+            }
+        }
+    }
+}
+
+EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, bool qualifiedOnly) {
+    EnumType& made = enums.emplace_back();
+    made.spec = &spec;
+    made.scope = scope;
+    made.name = name;
+    made.type = types.declare(TypeKind::Enum, name);
+    types::Type& type = types.edit(made.type);
+    type.element = types::TypeTable::of(TypeKind::Int);
+    type.size = type.align = 2;
+    type.qualifiedOnly = qualifiedOnly;
+    enumsByType[made.type] = &made;
+    enumsBySpec[&spec] = &made;
+    for (uint32_t i = 0; i < spec.enumerators.size(); ++i) {
+        const syntax::EnumeratorDecl& declared = spec.enumerators[i];
+        type.enumerators.push_back({std::string(declared.name.text), 0, declared.name.range, std::string(declared.comment)});
+        made.symbols.push_back(addSymbol(SymbolKind::Enumerator, declared.name.text, name, declared.name.range, declared.comment));
+        symbols.back().type = made.type;
+        for (uint32_t k = 0; k < i; ++k) {
+            if (key(spec.enumerators[k].name.text) != key(declared.name.text)) continue;
+            emit(declared.name.range, Kind::DuplicateName, {std::string(declared.name.text)});
+            break;
+        }
+        if (!qualifiedOnly && declared.name.isValid()) table[key(declared.name.text)].push_back({&made, i});
+    }
+    return &made;
+}
+
+TypeId World::declareStruct(const syntax::TypeSpec& spec, std::string name, const Scope& scope) {
+    StructType& made = structs.emplace_back();
+    made.spec = &spec;
+    made.scope = scope;
+    made.name = name;
+    made.isUnion = spec.kind == syntax::TypeSpecKind::Union;
+    made.type = types.declare(made.isUnion ? TypeKind::Union : TypeKind::Struct, std::move(name));
+    structsByType[made.type] = &made;
+    typesBySpec[&spec] = made.type;
+    return made.type;
+}
+
+void World::declareType(const syntax::TypeDecl& declared, Space& space, const syntax::SyntaxFile& file) {
+    if (!declared.name.isValid() || !declared.spec) return;
+    DeclaredType& type = declaredTypes.emplace_back();
+    type.name = std::string(declared.name.text);
+    type.id = key(declared.name.text);
+    type.declaration = &declared;
+    type.scope = {nullptr, &space, &file};
+    type.symbol = addSymbol(SymbolKind::Type, type.name, space.qualified, declared.name.range, declared.comment);
+    std::vector<Entity>& entities = space.entities[type.id];
+    for (const Entity& other : entities) {
+        if (!other.unit && !other.type) continue;
+        emit(declared.name.range, Kind::DuplicateName, {type.name}).related.push_back({other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
+        break;
+    }
+    entities.push_back({nullptr, nullptr, &type});
+    const syntax::TypeSpec& spec = *declared.spec;
+    if (spec.kind == syntax::TypeSpecKind::Enum) {
+        type.enumeration = declareEnum(spec, type.name, type.scope, space.enumerators, hasAttribute(declared.pragmas, "qualified_only"));
+        type.enumeration->initial = declared.initial;
+        type.type = type.enumeration->type;
+        type.progress = Progress::Done;
+    } else if (spec.kind == syntax::TypeSpecKind::Struct || spec.kind == syntax::TypeSpecKind::Union) {
+        for (const syntax::VarDecl* field : spec.fields) declareInlineEnums(field->type, type.scope, space.enumerators);
+        type.type = declareStruct(spec, type.name, type.scope);
+        structs.back().initial = declared.initial;
+        type.progress = Progress::Done;
+    } else {
+        declareInlineEnums(&spec, type.scope, space.enumerators);
+    }
+    if (type.type.isValid()) {
+        types::Type& made = types.edit(type.type);
+        made.space = space.qualified;
+        made.declaration = declared.name.range;
+        made.comment = std::string(declared.comment);
+        symbols[type.symbol.index()].type = type.type;
+    }
+}
+
+} // namespace plc::sema

@@ -1,0 +1,48 @@
+// One ST expression as seen from an instance (D7): checked against the finished program, which is only read.
+#include "runtime/base/text.h"
+#include "runtime/compiler/parse/parser.h"
+#include "runtime/compiler/sema/checker.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+
+CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, std::string_view text, std::string_view scopePath, Arena& arena) {
+    CheckedExpression out;
+    if (!analysis.scopes) return out;
+    // the World is frozen: nothing below writes to it
+    World& world = *const_cast<World*>(static_cast<const World*>(analysis.scopes.get()));
+    diagnostics::Sink sink;
+    syntax::SyntaxFile file; // lives as long as the checking; the result refers to none of it
+    const syntax::Expr* parsed = parse::parseExpression(file, text, sink);
+    if (!parsed || sink.hasErrors()) {
+        out.diagnostics = sink.take();
+        return out;
+    }
+    Scope scope{nullptr, &world.top, nullptr};
+    Checker checker(world, scope, sink, arena);
+    checker.isExpression = true;
+    checker.expressionText = text;
+    if (!scopePath.empty()) {
+        const auto place = world.program->layout.find(scopePath);
+        Unit* unit = place ? world.unitOf(place->type) : nullptr;
+        if (unit) {
+            checker.scope.unit = unit;
+            checker.scope.space = unit->space;
+            checker.scope.file = unit->file;
+            checker.instanceBase = place->offset;
+        }
+    }
+    Operand value = checker.settled(checker.expression(*parsed));
+    if (!value.isUnknown() && checker.isKind(value.type(), TypeKind::Void)) checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
+    out.diagnostics = sink.take();
+    const bool isWrong = std::any_of(out.diagnostics.begin(), out.diagnostics.end(), [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
+    if (!isWrong && !value.isUnknown()) out.root = value.expr;
+    else if (!isWrong) { // wrong without a word: say what is known
+        checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
+        for (diagnostics::Diagnostic& diagnostic : sink.take()) out.diagnostics.push_back(std::move(diagnostic));
+    }
+    return out;
+}
+
+} // namespace plc::sema

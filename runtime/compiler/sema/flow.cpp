@@ -1,0 +1,149 @@
+// Whole-program checks after the bodies: variables nobody uses, calls that come back to themselves.
+#include "runtime/compiler/sema/world.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using syntax::SectionKind;
+
+void World::checkUsage() {
+    for (Unit& unit : units) {
+        if (unit.isLibrary() || unit.kind == UnitKind::Interface || (unit.owner && unit.owner->kind == UnitKind::Interface)) continue;
+        for (Variable& variable : unit.variables) {
+            const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp || variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
+            if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() || variable.name.starts_with("__")) continue;
+            if (variable.reads == 0 && variable.writes == 0) {
+                if (variable.isLocated) continue;
+                auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
+                if (variable.declaration->names.size() == 1 && variable.declaration->range.file.isValid()) diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
+                continue;
+            }
+            const TypeKind kind = types.kind(variable.type);
+            const bool hasValue = variable.declaration->initial || (variable.spec && !variable.spec->constructor.empty());
+            if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated && kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array && kind != TypeKind::Struct && kind != TypeKind::Union)
+                emit(variable.range, Kind::NeverWritten, {variable.name});
+        }
+    }
+}
+
+namespace {
+
+/// Tarjan's strongly connected components, without recursion.
+class Components {
+public:
+    explicit Components(const std::vector<std::vector<uint32_t>>& edges) : m_edges(edges), m_index(edges.size(), 0), m_low(edges.size(), 0), m_onStack(edges.size(), false) {
+        for (uint32_t i = 0; i < edges.size(); ++i)
+            if (!m_index[i]) visit(i);
+    }
+    std::vector<std::vector<uint32_t>> found;
+
+private:
+    struct Step {
+        uint32_t node;
+        size_t next;
+    };
+    void visit(uint32_t root) {
+        std::vector<Step> work{{root, 0}};
+        while (!work.empty()) {
+            const uint32_t node = work.back().node;
+            if (work.back().next == 0) {
+                m_index[node] = m_low[node] = ++m_counter;
+                m_stack.push_back(node);
+                m_onStack[node] = true;
+            }
+            if (work.back().next < m_edges[node].size()) {
+                const uint32_t to = m_edges[node][work.back().next++];
+                if (!m_index[to]) work.push_back({to, 0});
+                else if (m_onStack[to]) m_low[node] = std::min(m_low[node], m_index[to]);
+                continue;
+            }
+            work.pop_back();
+            if (!work.empty()) m_low[work.back().node] = std::min(m_low[work.back().node], m_low[node]);
+            if (m_low[node] != m_index[node]) continue;
+            std::vector<uint32_t> component;
+            for (;;) {
+                const uint32_t top = m_stack.back();
+                m_stack.pop_back();
+                m_onStack[top] = false;
+                component.push_back(top);
+                if (top == node) break;
+            }
+            std::sort(component.begin(), component.end());
+            found.push_back(std::move(component));
+        }
+    }
+    const std::vector<std::vector<uint32_t>>& m_edges;
+    std::vector<uint32_t> m_index, m_low, m_stack;
+    std::vector<bool> m_onStack;
+    uint32_t m_counter = 0;
+};
+
+} // namespace
+
+void World::checkRecursion() {
+    std::vector<std::vector<uint32_t>> edges(functions.size());
+    std::vector<Unit*> unitOfFunction(functions.size(), nullptr);
+    std::vector<std::vector<uint32_t>> bySlot(slotNames.size());
+    for (Unit& unit : units) {
+        if (!unit.function.isValid()) continue;
+        unitOfFunction[unit.function.index()] = &unit;
+        if (unit.slot != Id<int>::kNone && !(unit.owner && unit.owner->kind == UnitKind::Interface)) bySlot[unit.slot].push_back(unit.function.value);
+    }
+    for (const Call& call : calls) {
+        edges[call.from].push_back(call.to);
+        if (!call.isDispatched || functions[call.to].methodSlot == Id<int>::kNone) continue;
+        const TypeId declared = functions[call.to].instanceType;
+        for (const uint32_t candidate : bySlot[functions[call.to].methodSlot]) {
+            const Unit* unit = unitOfFunction[candidate];
+            if (unit && unit->self() && (!declared.isValid() || types.isDerivedFrom(unit->self()->type, declared))) edges[call.from].push_back(candidate);
+        }
+    }
+    for (auto& list : edges) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    for (const std::vector<uint32_t>& component : Components(edges).found) {
+        const uint32_t first = component.front();
+        const bool isCycle = component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);
+        if (!isCycle) continue;
+        bool isFixed = true; // every member is a function or program: recursion is an error
+        for (const uint32_t index : component) {
+            functions[index].mayRecurse = true;
+            const Unit* unit = unitOfFunction[index];
+            isFixed = isFixed && unit && (unit->kind == UnitKind::Function || unit->kind == UnitKind::Program || unit->kind == UnitKind::Action);
+        }
+        // the way round from the first of them
+        std::vector<uint32_t> from(functions.size(), Id<int>::kNone), queue{first};
+        bool closed = false;
+        uint32_t last = first;
+        for (size_t i = 0; i < queue.size() && !closed; ++i) {
+            for (const uint32_t to : edges[queue[i]]) {
+                if (to == first) {
+                    closed = true;
+                    last = queue[i];
+                    break;
+                }
+                if (from[to] != Id<int>::kNone || !std::binary_search(component.begin(), component.end(), to)) continue;
+                from[to] = queue[i];
+                queue.push_back(to);
+            }
+        }
+        std::string chain = functions[first].name;
+        for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at]) chain = functions[at].name + " → " + chain;
+        chain = functions[first].name + " → " + chain;
+        const Unit* unit = unitOfFunction[first];
+        if (!unit || unit->isLibrary()) continue;
+        SourceRange range = unit->range;
+        for (const Call& call : calls)
+            if (call.from == last && call.to == first) {
+                range = call.range;
+                break;
+            }
+        if (isFixed) emit(range, Kind::Recursion, {functions[first].name, chain});
+        else emit(range, Kind::RecursiveMethod, {functions[first].name});
+    }
+    for (tree::Function& function : functions) // dispatched through an interface
+        if (function.methodSlot != Id<int>::kNone && std::any_of(calls.begin(), calls.end(), [&](const Call& c) { return c.isDispatched && functions[c.to].methodSlot == function.methodSlot && functions[c.to].isAbstract; })) function.mayRecurse = true;
+}
+
+} // namespace plc::sema

@@ -1,0 +1,352 @@
+// Initial values: what is constant becomes bytes, the rest (references, FB_Init, expressions over variables) becomes code.
+#include "runtime/compiler/sema/checker.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using syntax::ExprKind;
+
+namespace {
+
+Unit* initMethodOf(World& world, TypeId type) {
+    Unit* unit = world.unitOf(type);
+    if (!unit || unit->kind != UnitKind::Block) return nullptr;
+    return world.findMember(*unit, world.key("FB_Init")).unit;
+}
+
+/// Runs an expression without knowing yet whether it is constant; what it says counts only if it is, or is wrong.
+struct Trial {
+    Trial(World& theWorld, const Scope& scope) : world(theWorld), checker(theWorld, scope, sink, theWorld.arena), references(theWorld.references.size()) { checker.isInitialiser = true; }
+    void keep() {
+        for (diagnostics::Diagnostic& diagnostic : sink.take()) {
+            const diagnostics::Severity severity = diagnostic.severity;
+            world.sink.emit(diagnostic.range, diagnostic.kind) = std::move(diagnostic);
+            (void)severity;
+        }
+    }
+    void drop() {
+        if (!world.frozen) world.references.resize(references);
+    }
+    World& world;
+    diagnostics::Sink sink;
+    Checker checker;
+    size_t references;
+};
+
+} // namespace
+
+bool World::needsConstruction(TypeId type) {
+    const TypeKind kind = types.kind(type);
+    if (kind == TypeKind::Array) return needsConstruction(types[type].element);
+    if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) return false;
+    const auto it = typeInitials.find(type);
+    return (it != typeInitials.end() && !it->second.dynamics.empty()) || initMethodOf(*this, type);
+}
+
+void World::writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const types::Value& value) {
+    const uint32_t size = bit >= 0 ? 1 : types[type].size;
+    if (offset + size > out.bytes.size()) return;
+    types::writeValue(types, type, value, std::span(out.bytes).subspan(offset, size), bit);
+}
+
+void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const std::vector<syntax::Argument>* constructor) {
+    const TypeKind kind = types.kind(type);
+    if (kind == TypeKind::Unknown) return;
+    const bool constructs = needsConstruction(type);
+    const bool hasInit = constructor && initMethodOf(*this, type);
+    if (constructs || hasInit) {
+        DynamicInit dynamic;
+        dynamic.offset = offset;
+        dynamic.type = type;
+        dynamic.isConstruction = true;
+        dynamic.constructor = hasInit ? constructor : nullptr;
+        dynamic.scope = scope;
+        out.dynamics.push_back(dynamic);
+    }
+    const auto fields = [&](const std::vector<syntax::Argument>& arguments) {
+        for (const syntax::Argument& argument : arguments) {
+            if (!argument.value) continue;
+            if (!argument.name.isValid()) {
+                emit(argument.range, Kind::Expected, {"name :=", std::string(textOf(argument.value->range))});
+                continue;
+            }
+            const types::Field* field = types[type].findField(argument.name.text);
+            if (!field) {
+                suggest(emit(argument.name.range, Kind::UnknownMember, {nameOf(type), std::string(argument.name.text)}), argument.name.range, argument.name.text, memberNames(type));
+                continue;
+            }
+            if (Unit* unit = unitOf(type))
+                if (const Member member = findMember(*unit, key(argument.name.text)); member.variable) refer(argument.name.range, member.variable->symbol, false, true);
+            const types::Field copy = *field;
+            if (copy.section == types::FieldSection::InOut) {
+                emit(argument.name.range, Kind::NotAllowedHere, {copy.name + " (VAR_IN_OUT)", "an initial value"});
+                continue;
+            }
+            initialise(out, copy.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : copy.type, offset + copy.offset, copy.bit, argument.value, scope, nullptr);
+        }
+    };
+    if (constructor && !hasInit) {
+        if (kind == TypeKind::Block || kind == TypeKind::Struct || kind == TypeKind::Union) fields(*constructor);
+        else if (!constructor->empty()) emit(constructor->front().range, Kind::NotAllowedHere, {"(…)", nameOf(type)});
+    }
+    if (!value) return;
+    if (value->kind == ExprKind::StructInit) {
+        if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) {
+            emit(value->range, Kind::TypeMismatch, {"(… := …)", nameOf(type)});
+            return;
+        }
+        return fields(value->arguments);
+    }
+    if (kind == TypeKind::Array && (value->kind == ExprKind::ArrayInit || (value->kind == ExprKind::Repeat))) {
+        const TypeId element = types[type].element;
+        const uint32_t size = types[element].size;
+        uint64_t count = size ? types[type].size / size : 0;
+        uint64_t index = 0;
+        const bool nested = types.kind(element) == TypeKind::Array;
+        const std::function<void(const std::vector<syntax::Argument>&)> fill = [&](const std::vector<syntax::Argument>& arguments) {
+            for (const syntax::Argument& argument : arguments) {
+                const syntax::Expr* item = argument.value;
+                if (!item) {
+                    ++index;
+                    continue;
+                }
+                const bool isConstantRepeat = item->kind == ExprKind::Call && item->base && (item->base->kind == ExprKind::NameRef || item->base->kind == ExprKind::Member) && [&] {
+                    Trial trial(*this, scope);
+                    trial.checker.isMuted = true;
+                    const Denoted denoted = trial.checker.denote(*item->base, Access::Read);
+                    trial.drop();
+                    return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && std::holds_alternative<int64_t>(denoted.value.expr->value.data);
+                }();
+                if (item->kind == ExprKind::Repeat || isConstantRepeat) {
+                    const auto times = constantInteger(item->base, scope);
+                    if (!times || *times < 0) continue;
+                    if (item->arguments.empty() || (item->arguments.size() == 1 && !item->arguments[0].value)) { // 5(): the default
+                        index += static_cast<uint64_t>(*times);
+                        continue;
+                    }
+                    // constant repetition of one scalar: check it once, copy the bytes
+                    for (int64_t i = 0; i < *times; ++i) {
+                        const uint64_t before = index;
+                        const size_t dynamics = out.dynamics.size();
+                        fill(item->arguments);
+                        const uint64_t made = index - before;
+                        if (i == 0 && made > 0 && out.dynamics.size() == dynamics && before + made <= count) {
+                            const uint64_t total = made * static_cast<uint64_t>(*times);
+                            for (uint64_t k = made; k < total && before + k < count; ++k)
+                                std::copy_n(out.bytes.begin() + static_cast<std::ptrdiff_t>(offset + (before + k % made) * size), size, out.bytes.begin() + static_cast<std::ptrdiff_t>(offset + (before + k) * size));
+                            index = before + total;
+                            break;
+                        }
+                        if (index > count) { // reported below; no need to go on
+                            index = before + made * static_cast<uint64_t>(*times);
+                            break;
+                        }
+                    }
+                    continue;
+                }
+                if (item->kind == ExprKind::ArrayInit && !nested) {
+                    fill(item->arguments);
+                    continue;
+                }
+                if (index < count) initialise(out, element, offset + static_cast<uint32_t>(index * size), -1, item, scope, nullptr);
+                ++index;
+            }
+        };
+        fill(value->arguments);
+        if (index > count) emit(value->range, Kind::TooManyInitialValues, {std::to_string(index), std::to_string(count)});
+        return;
+    }
+    Trial trial(*this, scope);
+    DynamicInit dynamic;
+    dynamic.offset = offset;
+    dynamic.bit = bit;
+    dynamic.type = type;
+    dynamic.value = value;
+    dynamic.scope = scope;
+    if (kind == TypeKind::Reference) {
+        trial.drop();
+        dynamic.isReference = true;
+        out.dynamics.push_back(dynamic);
+        return;
+    }
+    const Operand operand = trial.checker.converted(trial.checker.expression(*value, type), type);
+    if (operand.isUnknown() || operand.isConstant()) {
+        trial.keep();
+        if (operand.isConstant()) writeConstant(out, type, offset, bit, operand.expr->value);
+        return;
+    }
+    trial.drop();
+    out.dynamics.push_back(dynamic);
+}
+
+/// The initial value of a declared variable at `offset` of `out`.
+void World::setInitial(InitialValue& out, Variable& variable, uint32_t offset) {
+    const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
+    const auto* constructor = variable.spec && !variable.spec->constructor.empty() ? &variable.spec->constructor : nullptr;
+    initialise(out, variable.type, offset, -1, initial, variable.scope, constructor);
+}
+
+namespace {
+
+void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out);
+
+void constructArray(World& world, Checker& checker, tree::Place* place, std::vector<tree::Stmt*>& out) {
+    const types::Type& type = world.types[place->type];
+    const TypeId lint = types::TypeTable::of(TypeKind::Lint);
+    tree::Place* element = world.arena.make<tree::Place>();
+    element->kind = tree::PlaceKind::Index;
+    element->type = type.element;
+    element->range = place->range;
+    element->base = place;
+    std::vector<tree::Stmt*>* into = &out;
+    for (const types::Dimension& dimension : type.dimensions) {
+        tree::Place* counter = checker.localPlace(checker.newLocal("i", lint), lint, place->range);
+        tree::Stmt* loop = checker.newStmt(tree::StmtKind::For, {});
+        loop->place = counter;
+        loop->operandType = lint;
+        loop->a = checker.constant({lint, dimension.low}, place->range).expr;
+        loop->b = checker.constant({lint, dimension.high}, place->range).expr;
+        loop->c = checker.constant({lint, int64_t(1)}, place->range).expr;
+        element->indices.push_back(checker.load(counter, place->range).expr);
+        into->push_back(loop);
+        into = &loop->body;
+    }
+    construct(world, checker, element, nullptr, *into);
+}
+
+void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, const std::vector<syntax::Argument>* constructor, bool isLast, std::vector<tree::Stmt*>& out) {
+    syntax::Expr call;
+    call.kind = syntax::ExprKind::Call;
+    call.range = place->range;
+    static constexpr std::string_view kImplicit[] = {"bInitRetains", "bInCopyCode"};
+    world.completeUnit(method, place->range);
+    std::vector<const Variable*> own;
+    syntax::Expr yes, no;
+    yes.kind = no.kind = syntax::ExprKind::Literal;
+    yes.op = lex::TokenKind::True;
+    no.op = lex::TokenKind::False;
+    yes.range = no.range = place->range;
+    for (const Variable* parameter : method.parameters) {
+        const auto* implicit = std::find_if(std::begin(kImplicit), std::end(kImplicit), [&](std::string_view name) { return equalsIgnoringCase(name, parameter->name); });
+        if (implicit == std::end(kImplicit)) {
+            own.push_back(parameter);
+            continue;
+        }
+        syntax::Argument argument;
+        argument.kind = syntax::ArgumentKind::Input;
+        argument.name = {*implicit, place->range};
+        argument.value = implicit == std::begin(kImplicit) ? &yes : &no;
+        argument.range = place->range;
+        call.arguments.push_back(argument);
+    }
+    size_t next = 0;
+    if (constructor) {
+        for (syntax::Argument argument : *constructor) {
+            if (argument.kind == syntax::ArgumentKind::Positional) {
+                if (next >= own.size()) {
+                    if (isLast) checker.emit(argument.range, Kind::TooManyArguments, {method.name, std::to_string(own.size())});
+                    break;
+                }
+                argument.kind = syntax::ArgumentKind::Input;
+                argument.name = {own[next++]->name, argument.range};
+            } else if (!isLast && std::none_of(own.begin(), own.end(), [&](const Variable* v) { return equalsIgnoringCase(v->name, argument.name.text); })) {
+                continue;
+            }
+            call.arguments.push_back(argument);
+        }
+    }
+    Denoted callee;
+    callee.kind = Denoted::Kind::Unit;
+    callee.unit = &method;
+    callee.instance = place;
+    callee.isSuper = true;
+    syntax::Expr base;
+    base.kind = syntax::ExprKind::NameRef;
+    base.range = place->range;
+    call.base = &base;
+    const Operand value = checker.callUnit(callee, call);
+    if (!value.expr) return;
+    tree::Stmt* evaluate = checker.newStmt(tree::StmtKind::Evaluate, {});
+    evaluate->a = value.expr;
+    out.push_back(evaluate);
+}
+
+void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
+    if (world.types.kind(place->type) == TypeKind::Array) return constructArray(world, checker, place, out);
+    checker.takeAddress(place);
+    if (const tree::FunctionId init = world.initialiserOf(place->type); init.isValid()) {
+        tree::Expr* call = world.arena.make<tree::Expr>();
+        call->kind = tree::ExprKind::Call;
+        call->type = types::TypeTable::of(TypeKind::Void);
+        call->range = place->range;
+        call->call = world.arena.make<tree::Call>();
+        call->call->callee = init;
+        call->call->instance = place;
+        tree::Stmt* evaluate = checker.newStmt(tree::StmtKind::Evaluate, {});
+        evaluate->a = call;
+        out.push_back(evaluate);
+    }
+    std::vector<Unit*> chain; // FB_Init of the bases first
+    const NameId id = world.key("FB_Init");
+    for (Unit* unit = world.unitOf(place->type); unit; unit = unit->base)
+        if (const auto it = unit->members.find(id); it != unit->members.end() && it->second.unit) chain.push_back(it->second.unit);
+    for (size_t i = chain.size(); i-- > 0;) callInit(world, checker, place, *chain[i], constructor, i == 0, out);
+}
+
+} // namespace
+
+void World::emitDynamics(Checker& checker, const std::vector<DynamicInit>& dynamics, const std::function<tree::Place*(const DynamicInit&)>& placeOf, std::vector<tree::Stmt*>& out) {
+    const Scope outer = checker.scope;
+    for (const DynamicInit& dynamic : dynamics) {
+        tree::Place* place = placeOf(dynamic);
+        checker.scope = dynamic.scope;
+        if (dynamic.value) place->range = dynamic.value->range;
+        if (dynamic.isConstruction) {
+            construct(*this, checker, place, dynamic.constructor, out);
+        } else if (dynamic.isReference) {
+            checker.bindReference(place, *dynamic.value, {}, out);
+        } else {
+            const Operand value = checker.converted(checker.expression(*dynamic.value, dynamic.type), dynamic.type);
+            if (!value.isUnknown()) out.push_back(checker.assignStmt(place, value.expr, {}));
+        }
+    }
+    checker.scope = outer;
+}
+
+tree::FunctionId World::initialiserOf(TypeId type) {
+    if (const auto it = initialisers.find(type); it != initialisers.end()) return it->second;
+    const auto initial = typeInitials.find(type);
+    if (initial == typeInitials.end() || initial->second.dynamics.empty()) return initialisers[type] = {};
+    const tree::FunctionId id = newFunction(nameOf(type) + ".INIT", unitOf(type));
+    initialisers[type] = id;
+    tree::Function& function = functions[id.index()];
+    function.instanceType = type;
+    Checker checker(*this, {unitOf(type), nullptr, nullptr}, sink, arena);
+    checker.function = &function;
+    checker.functionId = id;
+    const std::vector<DynamicInit> dynamics = initial->second.dynamics;
+    emitDynamics(
+        checker, dynamics,
+        [&](const DynamicInit& dynamic) {
+            tree::Place* place = checker.absolutePlace(dynamic.offset, dynamic.type, dynamic.bit, types[type].declaration);
+            place->kind = tree::PlaceKind::Instance;
+            return place;
+        },
+        function.body);
+    return id;
+}
+
+void World::buildInitialiser() {
+    if (programInits.empty()) return;
+    const tree::FunctionId id = newFunction("INIT", nullptr);
+    tree::Function& function = functions[id.index()];
+    Checker checker(*this, {nullptr, &top, nullptr}, sink, arena);
+    checker.function = &function;
+    checker.functionId = id;
+    emitDynamics(checker, programInits, [&](const DynamicInit& dynamic) { return checker.absolutePlace(dynamic.offset, dynamic.type, dynamic.bit, types[dynamic.type].declaration); }, function.body);
+    program->initializer = id;
+}
+
+} // namespace plc::sema

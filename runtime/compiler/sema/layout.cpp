@@ -1,0 +1,283 @@
+// The image: areas sized by the addresses in use, globals, statics, program instances, and their initial bytes.
+#include "runtime/compiler/sema/checker.h"
+
+#include "runtime/base/text.h"
+
+#include <cstdlib>
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using image::Area;
+
+namespace {
+constexpr uint32_t kHeader = sizeof(image::ImageHeader);
+constexpr uint32_t kMinimumArea = 256;
+constexpr uint64_t kMaximumData = uint64_t(256) << 20;
+constexpr uint32_t kMinimumFrames = 256 << 10;
+constexpr uint32_t kMaximumAddress = 16 << 20;
+
+uint32_t aligned(uint64_t offset, uint32_t align) { return static_cast<uint32_t>((offset + align - 1) / align * align); }
+} // namespace
+
+std::optional<DirectAddress> parseAddress(std::string_view text) {
+    if (text.size() < 3 || text[0] != '%') return std::nullopt;
+    DirectAddress out;
+    switch (text[1] | 0x20) {
+    case 'i': out.area = Area::Input; break;
+    case 'q': out.area = Area::Output; break;
+    case 'm': out.area = Area::Memory; break;
+    default: return std::nullopt;
+    }
+    size_t at = 2;
+    char size = static_cast<char>(text[at] | 0x20);
+    if (text[at] == '*') {
+        out.isOpen = true;
+        return text.size() == at + 1 ? std::optional(out) : std::nullopt;
+    }
+    if (text[at] >= '0' && text[at] <= '9') size = 'x';
+    else ++at;
+    switch (size) {
+    case 'x': out.kind = TypeKind::Bool; break;
+    case 'b': out.kind = TypeKind::Byte; break;
+    case 'w': out.kind = TypeKind::Word; break;
+    case 'd': out.kind = TypeKind::Dword; break;
+    case 'l': out.kind = TypeKind::Lword; break;
+    default: return std::nullopt;
+    }
+    if (at < text.size() && text[at] == '*') {
+        out.isOpen = true;
+        return text.size() == at + 1 ? std::optional(out) : std::nullopt;
+    }
+    std::vector<uint64_t> numbers;
+    while (at < text.size()) {
+        if (text[at] < '0' || text[at] > '9') return std::nullopt;
+        uint64_t number = 0;
+        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), uint64_t(1) << 30);
+        numbers.push_back(number);
+        if (at == text.size()) break;
+        if (text[at] != '.' || at + 1 == text.size()) return std::nullopt;
+        ++at;
+    }
+    if (numbers.empty() || numbers.size() > 2 || (size != 'x' && numbers.size() != 1)) return std::nullopt;
+    out.byte = static_cast<uint32_t>(numbers[0]);
+    if (size == 'x') {
+        const uint64_t bit = numbers.size() == 2 ? numbers[1] : numbers[0] % 8;
+        if (numbers.size() == 1) out.byte /= 8;
+        if (bit > 7) return std::nullopt;
+        out.bit = static_cast<int16_t>(bit);
+    }
+    return out;
+}
+
+image::AreaRange World::areaOf(Area area) const {
+    const uint32_t outputs = aligned(kHeader + rangeOfInputs, 8), memory = aligned(outputs + rangeOfOutputs, 8);
+    switch (area) {
+    case Area::Input: return {kHeader, rangeOfInputs};
+    case Area::Output: return {outputs, rangeOfOutputs};
+    default: return {memory, rangeOfMemory};
+    }
+}
+
+/// Gives a variable with a complete address its place (again once the areas are measured).
+void World::locate(Variable& variable, std::string_view text) {
+    const auto address = parseAddress(text);
+    const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange : variable.range;
+    if (!address || address->byte > kMaximumAddress) {
+        emit(range, Kind::AddressOutOfRange, {std::string(text), "%I, %Q or %M"});
+        return;
+    }
+    variable.offset = areaOf(address->area).begin + address->byte;
+    const TypeKind kind = types.storageKind(variable.type);
+    variable.bit = -1;
+    if (address->kind == TypeKind::Bool && address->bit >= 0) {
+        if (kind == TypeKind::Bool) variable.bit = address->bit;
+        else if (kind != TypeKind::Unknown && address->bit != 0) emit(range, Kind::TypeMismatch, {std::string(text), nameOf(variable.type)});
+    }
+}
+
+void World::measureAddresses() {
+    uint64_t sizes[3] = {kMinimumArea, kMinimumArea, kMinimumArea};
+    const auto use = [&](const DirectAddress& address, uint64_t bytes) {
+        if (address.isOpen || address.byte > kMaximumAddress) return;
+        uint64_t& size = sizes[address.area == Area::Input ? 0 : address.area == Area::Output ? 1 : 2];
+        size = std::max<uint64_t>(size, uint64_t(address.byte) + bytes);
+    };
+    for (const syntax::SyntaxFile* file : fileOf) {
+        if (!file) continue;
+        const std::string_view text = sources[file->file].text();
+        for (const lex::Token& token : file->tokens.tokens) {
+            if (token.kind != lex::TokenKind::DirectAddress) continue;
+            if (const auto address = parseAddress(text.substr(token.begin, token.end - token.begin))) use(*address, std::max(1u, types::bitsOf(address->kind) / 8));
+        }
+    }
+    const auto located = [&](Variable& variable) {
+        if (!variable.isLocated || !variable.declaration) return;
+        if (const auto address = parseAddress(variable.declaration->address)) use(*address, std::max(1u, types[variable.type].size));
+    };
+    for (Variable& variable : globals) located(variable);
+    for (Unit& unit : units)
+        for (Variable& variable : unit.variables) located(variable);
+    rangeOfInputs = aligned(sizes[0], 8);
+    rangeOfOutputs = aligned(sizes[1], 8);
+    rangeOfMemory = aligned(sizes[2], 8);
+}
+
+void World::layoutGlobals() {
+    measureAddresses();
+    image::Layout& layout = program->layout;
+    layout.types = program->types;
+    layout.inputs = areaOf(Area::Input);
+    layout.outputs = areaOf(Area::Output);
+    layout.memory = areaOf(Area::Memory);
+    uint64_t next = aligned(layout.memory.begin + layout.memory.size, 64);
+    bool tooLarge = false;
+    std::vector<std::pair<Variable*, size_t>> placed; // with the root's index
+    const auto addRoot = [&](Variable& variable, Area area, std::string list) -> image::Root& {
+        image::Root& root = layout.roots.emplace_back();
+        root.name = variable.name;
+        root.list = std::move(list);
+        root.space = variable.space && variable.space != &top ? variable.space->qualified : std::string();
+        root.type = variable.type;
+        root.offset = variable.offset;
+        root.bit = variable.bit;
+        root.area = area;
+        root.constant = variable.isConstant;
+        root.declaration = variable.range;
+        if (variable.section) {
+            root.retain = variable.section->retain;
+            root.persistent = variable.section->persistent;
+        }
+        if (variable.declaration) root.comment = std::string(variable.declaration->comment);
+        if (variable.isLocated && variable.declaration) root.address = std::string(variable.declaration->address);
+        return root;
+    };
+    const auto place = [&](Variable& variable, Area area, std::string list) {
+        variable.storage = Storage::Absolute;
+        if (variable.isLocated && variable.declaration) {
+            const auto address = parseAddress(variable.declaration->address);
+            if (address && !address->isOpen) {
+                locate(variable, variable.declaration->address);
+                addRoot(variable, address->area, std::move(list));
+                placed.emplace_back(&variable, layout.roots.size() - 1);
+                return;
+            }
+            if (!address) emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange : variable.range, Kind::AddressOutOfRange, {std::string(variable.declaration->address), "%I, %Q or %M"});
+            else openAddresses.push_back({&variable, false});
+        }
+        const types::Type& type = types[variable.type];
+        next = aligned(next, std::max(1u, type.align));
+        if (next + type.size > kMaximumData) tooLarge = true;
+        variable.offset = tooLarge ? 0 : static_cast<uint32_t>(next);
+        if (!tooLarge) next += type.size;
+        addRoot(variable, area, std::move(list));
+        placed.emplace_back(&variable, layout.roots.size() - 1);
+    };
+    for (Variable& variable : globals) {
+        if (variable.isProgramInstance) continue;
+        if (variable.kind == syntax::SectionKind::Global) place(variable, Area::Global, variable.list ? variable.list->name : std::string());
+    }
+    for (Unit& unit : units) {
+        for (Variable& variable : unit.variables) {
+            if (variable.storage != Storage::Absolute) continue;
+            std::string list = unit.owner ? unit.owner->name + "." + unit.name : unit.name;
+            if (unit.kind == UnitKind::Program && unit.instance) list = unit.instance->name;
+            place(variable, Area::Global, std::move(list));
+        }
+    }
+    next = aligned(next, 64);
+    for (Instance& instance : instances) {
+        Variable& variable = *instance.variable;
+        place(variable, Area::Program, {});
+        image::Root& root = layout.roots.back();
+        root.programType = variable.program->name;
+        root.isSimulation = variable.program->isSimulation;
+        root.space.clear();
+        if (instance.declaration) root.retain = instance.declaration->retain;
+        instance.root = static_cast<uint32_t>(layout.roots.size() - 1);
+        next = aligned(next, 64);
+    }
+    if (tooLarge) {
+        uint64_t total = 0;
+        for (const image::Root& root : layout.roots) total += types[root.type].size;
+        emit({}, Kind::ImageTooLarge, {std::to_string(total), std::to_string(kMaximumData)});
+    }
+    layout.dataEnd = aligned(next, 64);
+    image.assign(layout.dataEnd, std::byte{});
+    for (const auto& [variable, index] : placed) {
+        const types::Type& type = types[variable->type];
+        if (types.kind(variable->type) == TypeKind::Unknown || tooLarge) continue;
+        InitialValue initial;
+        initial.bytes = type.initial;
+        initial.bytes.resize(std::max(1u, type.size));
+        if (variable->isProgramInstance) {
+            if (needsConstruction(variable->type)) {
+                DynamicInit dynamic;
+                dynamic.type = variable->type;
+                dynamic.isConstruction = true;
+                initial.dynamics.push_back(dynamic);
+            }
+        } else if (variable->isConstant && isFoldable(types, variable->type)) {
+            if (const types::Value* value = constantOf(*variable)) writeConstant(initial, variable->type, 0, -1, *value);
+        } else {
+            setInitial(initial, *variable, 0);
+        }
+        if (variable->bit >= 0) {
+            const auto mask = static_cast<std::byte>(1u << variable->bit);
+            if (initial.bytes[0] != std::byte{}) image[variable->offset] |= mask;
+        } else if (variable->offset + initial.bytes.size() <= image.size()) {
+            const bool isZero = std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
+            if (!isZero || !variable->isLocated) std::copy(initial.bytes.begin(), initial.bytes.end(), image.begin() + variable->offset);
+        }
+        for (DynamicInit dynamic : initial.dynamics) {
+            dynamic.offset += variable->offset;
+            if (variable->bit >= 0) dynamic.bit = variable->bit;
+            programInits.push_back(dynamic);
+        }
+        Symbol* symbol = variable->symbol.isValid() ? &symbols[variable->symbol.index()] : nullptr;
+        if (symbol && symbol->path.empty()) symbol->path = image::Layout::pathOf(layout.roots[index]);
+    }
+    for (Unit& unit : units) { // variables of a program with one instance have one path
+        if (unit.kind != UnitKind::Program || !unit.instance) continue;
+        for (Variable& variable : unit.variables)
+            if (variable.symbol.isValid() && variable.storage == Storage::Instance) symbols[variable.symbol.index()].path = unit.instance->name + "." + variable.name;
+    }
+    checkOverlaps();
+}
+
+void World::checkOverlaps() {
+    struct Used {
+        const Variable* variable;
+        uint32_t begin, end; // in bits
+    };
+    std::vector<Used> used;
+    const auto add = [&](const Variable& variable) {
+        if (!variable.isLocated || variable.storage != Storage::Absolute || !variable.declaration || variable.declaration->address.find('*') != std::string_view::npos) return;
+        if (isLibraryFile(variable.range.file)) return;
+        const uint32_t begin = variable.offset * 8 + static_cast<uint32_t>(std::max<int>(0, variable.bit));
+        used.push_back({&variable, begin, begin + (variable.bit >= 0 ? 1 : std::max(1u, types[variable.type].size) * 8)});
+    };
+    for (const Variable& variable : globals) add(variable);
+    for (const Unit& unit : units)
+        for (const Variable& variable : unit.variables) add(variable);
+    std::stable_sort(used.begin(), used.end(), [](const Used& a, const Used& b) { return a.begin < b.begin; });
+    for (size_t i = 1; i < used.size(); ++i) {
+        const Used &a = used[i - 1], &b = used[i];
+        if (b.begin >= a.end) continue;
+        const SourceRange range = b.variable->declaration->addressRange.file.isValid() ? b.variable->declaration->addressRange : b.variable->range;
+        emit(range, Kind::OverlappingAddress, {a.variable->name, b.variable->name, std::string(b.variable->declaration->address)}).related.push_back({a.variable->range, "declared here"});
+    }
+}
+
+void World::finishLayout() {
+    image::Layout& layout = program->layout;
+    layout.frameBegin = aligned(layout.dataEnd, 64);
+    uint64_t frames = kMinimumFrames;
+    for (const tree::Function& function : functions)
+        for (const tree::Local& local : function.locals) frames += aligned(types[local.type].size + 8, 8) * uint64_t(2);
+    layout.imageSize = aligned(std::min<uint64_t>(layout.frameBegin + frames, uint64_t(1) << 30), 64);
+    image.resize(layout.dataEnd);
+    program->initialImage = std::move(image);
+}
+
+} // namespace plc::sema

@@ -1,0 +1,160 @@
+// Name lookup: own unit, its bases, the namespace and those around it, USING, the project, then the libraries.
+#include "runtime/compiler/sema/world.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+Member World::findMember(Unit& unit, NameId id) {
+    Unit* at = &unit;
+    for (int guard = 0; at && guard < 200; ++guard) {
+        if (const auto it = at->members.find(id); it != at->members.end()) return it->second;
+        if (at->kind == UnitKind::Interface) {
+            resolveBases(*at);
+            for (Unit* interface : at->interfaces)
+                if (interface != at)
+                    if (const Member found = findMember(*interface, id)) return found;
+        }
+        if (!at->isInstanced()) break;
+        resolveBases(*at);
+        at = at->base;
+    }
+    return {};
+}
+
+World::Found World::lookupIn(Space& space, NameId id) {
+    Found found;
+    if (const auto* entities = space.find(id)) {
+        const Entity* variable = nullptr;
+        std::vector<std::string> owners;
+        for (const Entity& entity : *entities) {
+            if (entity.variable) {
+                owners.push_back(entity.variable->list ? entity.variable->list->name : space.qualified);
+                if (!variable) variable = &entity;
+            }
+            if (entity.variable && !found.entity.variable) found.entity.variable = entity.variable;
+            if (entity.unit && !found.entity.unit) found.entity.unit = entity.unit;
+            if (entity.type && !found.entity.type) found.entity.type = entity.type;
+        }
+        if (owners.size() > 1) found.ambiguous = std::move(owners);
+    }
+    if (const auto it = space.enumerators.find(id); it != space.enumerators.end()) found.enumerators = it->second;
+    if (const auto it = space.lists.find(id); it != space.lists.end()) found.list = it->second;
+    if (const auto it = space.spaces.find(id); it != space.spaces.end()) found.space = it->second;
+    return found;
+}
+
+World::Found World::lookup(const Scope& scope, NameId id) {
+    if (!id.isValid()) return {};
+    Found found;
+    const auto enumeratorsIn = [&](Unit& unit) {
+        const auto it = unit.enumerators.find(id);
+        if (it != unit.enumerators.end() && found.enumerators.empty()) found.enumerators = it->second;
+    };
+    if (scope.unit) {
+        found.member = findMember(*scope.unit, id);
+        enumeratorsIn(*scope.unit);
+        Unit* self = scope.unit->self();
+        for (Unit* owner = scope.unit->owner; owner && !found.member; owner = owner->owner) {
+            found.member = findMember(*owner, id);
+            enumeratorsIn(*owner);
+        }
+        for (Unit* base = self; base && found.enumerators.empty(); base = base->base) enumeratorsIn(*base);
+        if (!found.isNothing()) return found;
+    }
+    bool searchedTop = false;
+    for (Space* space = scope.space; space; space = space->parent) {
+        searchedTop = searchedTop || space == &top;
+        found = lookupIn(*space, id);
+        if (!found.isNothing()) return found;
+        for (Space* used : space->usings) {
+            found = lookupIn(*used, id);
+            if (!found.isNothing()) return found;
+        }
+    }
+    if (const auto it = fileUsings.find(scope.file); it != fileUsings.end()) {
+        for (Space* used : it->second) {
+            found = lookupIn(*used, id);
+            if (!found.isNothing()) return found;
+        }
+    }
+    if (!searchedTop) {
+        found = lookupIn(top, id);
+        if (!found.isNothing()) return found;
+    }
+    std::vector<std::string> where;
+    Found first;
+    for (Space* library : libraries) {
+        Found next = lookupIn(*library, id);
+        if (next.isNothing()) continue;
+        where.push_back(library->name);
+        if (where.size() == 1) first = std::move(next);
+    }
+    if (where.size() > 1) first.ambiguous = std::move(where);
+    return first;
+}
+
+World::Found World::lookupPath(const Scope& scope, const syntax::Path& path) {
+    if (path.empty()) return {};
+    Found found = lookup(scope, key(path.front().text));
+    for (size_t i = 1; i < path.size(); ++i) {
+        if (!found.space) return {};
+        found = lookupIn(*found.space, key(path[i].text));
+    }
+    return found;
+}
+
+std::vector<std::string> World::visibleNames(const Scope& scope) {
+    std::vector<std::string> out;
+    const auto addUnit = [&](const Unit& unit) {
+        for (const Variable& variable : unit.variables) out.push_back(variable.name);
+        for (const Unit* method : unit.methods)
+            if (method->kind == UnitKind::Method) out.push_back(method->name);
+        for (const Unit* action : unit.actions) out.push_back(action->name);
+        for (const Property* property : unit.properties) out.push_back(property->name);
+        for (const auto& [id, refs] : unit.enumerators) out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
+    };
+    for (Unit* unit = scope.unit; unit; unit = unit->owner)
+        for (Unit* base = unit; base; base = base->base) addUnit(*base);
+    const auto addSpace = [&](const Space& space) {
+        for (const auto& [id, entities] : space.entities)
+            for (const Entity& entity : entities) out.push_back(entity.variable ? entity.variable->name : entity.unit ? entity.unit->name : entity.type->name);
+        for (const auto& [id, refs] : space.enumerators) out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
+        for (const auto& [id, list] : space.lists)
+            if (!list->name.empty()) out.push_back(list->name);
+        for (const auto& [id, child] : space.spaces) out.push_back(child->name);
+    };
+    for (Space* space = scope.space; space; space = space->parent) addSpace(*space);
+    for (Space* library : libraries) addSpace(*library);
+    for (const library::Signature& signature : library::signatures()) out.emplace_back(signature.name);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+std::vector<std::string> World::memberNames(TypeId type) {
+    std::vector<std::string> out;
+    for (const types::Field& field : types[type].fields)
+        if (!field.isPrivate) out.push_back(field.name);
+    for (Unit* unit = unitOf(type); unit; unit = unit->base) {
+        for (const auto& [id, member] : unit->members) {
+            if (member.variable) out.push_back(member.variable->name);
+            if (member.unit) out.push_back(member.unit->name);
+            if (member.property) out.push_back(member.property->name);
+        }
+        for (const Unit* interface : unit->interfaces)
+            for (const Unit* method : interface->methods) out.push_back(method->name);
+    }
+    for (const types::Enumerator& enumerator : types[type].enumerators) out.push_back(enumerator.name);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+void World::suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name, const std::vector<std::string>& candidates) {
+    const std::optional<std::string> near = nearestName(name, candidates);
+    if (!near) return;
+    diagnostic.fixes.push_back({"Did you mean " + *near + "?", {{range, *near}}});
+}
+
+} // namespace plc::sema

@@ -1,0 +1,703 @@
+// What names mean: NameRef, Member, Index, Deref, Bit, Address → a place, a value, a unit, a type…
+#include "runtime/compiler/sema/checker.h"
+
+#include "runtime/base/text.h"
+
+#include <cstdlib>
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+using syntax::ExprKind;
+using syntax::SectionKind;
+using types::TypeTable;
+
+namespace {
+using DK = Denoted::Kind;
+
+Denoted placeOf(tree::Place* place) {
+    Denoted out;
+    out.kind = DK::Place;
+    out.place = place;
+    return out;
+}
+Denoted valueOf(Operand value) {
+    Denoted out;
+    out.kind = DK::Value;
+    out.value = value;
+    return out;
+}
+Denoted unitOf(Unit& unit, tree::Place* instance) {
+    Denoted out;
+    out.kind = DK::Unit;
+    out.unit = &unit;
+    out.instance = instance;
+    return out;
+}
+
+std::string_view accessWord(syntax::Access access) {
+    switch (access) {
+    case syntax::Access::Private: return "PRIVATE";
+    case syntax::Access::Protected: return "PROTECTED";
+    case syntax::Access::Internal: return "INTERNAL";
+    default: return "PUBLIC";
+    }
+}
+
+syntax::Access accessOf(const syntax::VarSection* section) {
+    if (!section) return syntax::Access::Default;
+    if (section->isPrivate) return syntax::Access::Private;
+    if (section->isProtected) return syntax::Access::Protected;
+    if (section->isInternal) return syntax::Access::Internal;
+    return syntax::Access::Default;
+}
+} // namespace
+
+bool Checker::checkAccess(syntax::Access access, const Unit* owner, const std::string& name, SourceRange range) {
+    if (world.isAccessible(access, owner, scope)) return true;
+    emit(range, Kind::NoAccess, {name, std::string(accessWord(access))});
+    return false;
+}
+
+Denoted Checker::denote(const syntax::Expr& e, Access access, TypeId hint) {
+    switch (e.kind) {
+    case ExprKind::NameRef: return denoteName(e, access, hint);
+    case ExprKind::Member: return denoteMember(e, access, hint);
+    case ExprKind::Index: return denoteIndex(e, access);
+    case ExprKind::Bit: return denoteBit(e, access);
+    case ExprKind::Deref: return denoteDeref(e, access);
+    case ExprKind::Address: return denoteAddress(e);
+    case ExprKind::This:
+    case ExprKind::Super: {
+        Unit* self = scope.unit ? scope.unit->self() : nullptr;
+        if (!self || (e.kind == ExprKind::Super && !self->base)) {
+            emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::Super ? "SUPER" : "THIS", self ? self->name : "this place"});
+            return {};
+        }
+        Denoted out = placeOf(thisPlace(e.range));
+        if (e.kind == ExprKind::Super) {
+            out.place->type = self->base->type;
+            out.isSuper = true;
+        }
+        return out;
+    }
+    case ExprKind::Error: return {};
+    default: {
+        const Operand operand = expression(e, hint);
+        return operand.isUnknown() ? Denoted{} : valueOf(operand);
+    }
+    }
+}
+
+tree::Place* Checker::place(const syntax::Expr& e, Access access) {
+    const Denoted denoted = denote(e, access);
+    if (denoted.kind == DK::Nothing) return nullptr;
+    if (denoted.kind == DK::Place) return denoted.place;
+    emit(e.range, Kind::NotAssignable, {textOf(e.range)});
+    return nullptr;
+}
+
+Denoted Checker::denoteName(const syntax::Expr& e, Access access, TypeId hint) {
+    if (!e.name.isValid()) return {};
+    const World::Found result = world.lookup(scope, world.key(e.name.text));
+    return found(result, e.name, access, hint);
+}
+
+
+Denoted Checker::found(const World::Found& result, const syntax::Name& name, Access access, TypeId hint) {
+    if (result.member.variable && !(access == Access::Call && result.member.unit)) return ofVariable(*result.member.variable, nullptr, name.range, access);
+    if (result.member.unit) {
+        refer(name.range, result.member.unit->symbol, Access::Read);
+        Denoted out = unitOf(*result.member.unit, function || isExpression ? thisPlace(name.range) : nullptr);
+        return out;
+    }
+    if (result.member.property) {
+        Denoted out;
+        out.kind = DK::Property;
+        out.property = result.member.property;
+        out.instance = thisPlace(name.range);
+        refer(name.range, out.property->symbol, access);
+        return out;
+    }
+    if (!result.ambiguous.empty()) {
+        std::string list;
+        for (const std::string& where : result.ambiguous) list += (list.empty() ? "" : ", ") + (where.empty() ? std::string("the project") : where);
+        auto& diagnostic = emit(name.range, Kind::AmbiguousName, {std::string(name.text), list});
+        for (const std::string& where : result.ambiguous)
+            if (!where.empty()) diagnostic.fixes.push_back({"Write " + where + "." + std::string(name.text), {{name.range, where + "." + std::string(name.text)}}});
+        return {};
+    }
+    if (result.entity.variable) return ofVariable(*result.entity.variable, nullptr, name.range, access);
+    if (!result.enumerators.empty() && !(access == Access::Call && result.entity.unit)) {
+        const EnumeratorRef* chosen = result.enumerators.size() == 1 ? &result.enumerators.front() : nullptr;
+        for (const EnumeratorRef& ref : result.enumerators)
+            if (hint.isValid() && (ref.type->type == hint || (world.enumsByType.count(hint) && world.enumsByType.at(hint) == ref.type))) chosen = &ref;
+        if (chosen) return valueOf(enumerator(*chosen, name.range));
+        std::string list;
+        for (const EnumeratorRef& ref : result.enumerators) list += (list.empty() ? "" : ", ") + ref.type->name;
+        auto& diagnostic = emit(name.range, Kind::AmbiguousName, {std::string(name.text), list});
+        for (const EnumeratorRef& ref : result.enumerators) diagnostic.fixes.push_back({"Write " + ref.type->name + "." + std::string(name.text), {{name.range, ref.type->name + "." + std::string(name.text)}}});
+        return {};
+    }
+    if (result.entity.unit) {
+        Unit& unit = *result.entity.unit;
+        refer(name.range, unit.symbol, Access::Read);
+        if (access != Access::Call && unit.kind == UnitKind::Program && unit.instance && !unit.pou->methods.size()) {
+            // a program's name stands for its only instance
+        }
+        return unitOf(unit, nullptr);
+    }
+    if (result.entity.type) {
+        Denoted out;
+        out.kind = DK::Type;
+        out.declaredType = result.entity.type;
+        out.type = world.resolveDeclared(*result.entity.type);
+        refer(name.range, result.entity.type->symbol, Access::Read);
+        return out;
+    }
+    const bool isStandard = library::findSignature(name.text) || library::findConversion(name.text);
+    if (isStandard && !(result.list && !result.list->name.empty() && access != Access::Call)) {
+        Denoted out;
+        out.kind = DK::Standard;
+        out.name = name.text;
+        return out;
+    }
+    if (result.list) {
+        Denoted out;
+        out.kind = DK::List;
+        out.list = result.list;
+        return out;
+    }
+    if (result.space) {
+        Denoted out;
+        out.kind = DK::Space;
+        out.space = result.space;
+        return out;
+    }
+    if (const auto kind = elementaryNamed(name.text)) {
+        Denoted out;
+        out.kind = DK::Type;
+        out.type = elementary(*kind);
+        return out;
+    }
+    if (equalsIgnoringCase(name.text, "NULL")) {
+        tree::Expr* null = constant({elementary(TypeKind::Null), int64_t(0)}, name.range).expr;
+        return valueOf({null, &types});
+    }
+    world.suggest(emit(name.range, Kind::UndeclaredName, {std::string(name.text)}), name.range, name.text, world.visibleNames(scope));
+    return {};
+}
+
+/// `instance`: the block it is a variable of; null: seen from inside, or a global.
+Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRange range, Access access) {
+    const TypeId type = world.typeOf(declared);
+    refer(range, declared.symbol, access);
+    Variable& variable = declared.target ? *declared.target : declared;
+    if (!isMuted && !isExpression) {
+        for (Variable* counted : {&declared, &variable}) {
+            if (access != Access::Write) ++counted->reads;
+            if (access != Access::Read) ++counted->writes;
+        }
+    }
+    Denoted out;
+    out.variable = &variable;
+    const bool isRead = access == Access::Read || access == Access::Call;
+    if (variable.isConstant && isFoldable(types, type)) {
+        if (const types::Value* value = world.constantOf(variable)) {
+            if (!isRead) {
+                emit(range, Kind::NotAssignable, {variable.name + " (a constant)"});
+                return {};
+            }
+            out.kind = DK::Value;
+            out.value = constant(*value, range);
+            return out;
+        }
+        return {};
+    }
+    if (isKind(type, TypeKind::Unknown)) return {};
+    tree::Place* place = nullptr;
+    switch (variable.storage) {
+    case Storage::None:
+        if (variable.kind == SectionKind::External || !function) { // not laid out yet: only its type is asked for
+            place = absolutePlace(0, type, -1, range);
+            break;
+        }
+        place = absolutePlace(0, type, -1, range);
+        break;
+    case Storage::Absolute:
+        place = absolutePlace(variable.offset, type, variable.bit, range);
+        break;
+    case Storage::Instance: {
+        tree::Place* base = instance ? instance : thisPlace(range);
+        if (variable.isInOut()) {
+            place = arena.make<tree::Place>();
+            place->kind = tree::PlaceKind::InOutSlot;
+            place->type = type;
+            place->range = range;
+            place->base = base;
+            place->offset = variable.offset;
+            break;
+        }
+        const bool isEdge = !instance && variable.edgeOffset != Id<int>::kNone && isRead;
+        place = fieldPlace(base, isEdge ? variable.edgeOffset : variable.offset, type, -1, range);
+        break;
+    }
+    case Storage::Local:
+        if (isExpression) {
+            emit(range, Kind::NotAllowedInExpression, {variable.name});
+            return {};
+        }
+        place = localPlace(variable.local, type, range);
+        break;
+    case Storage::Temporary:
+        if (isExpression || instance) {
+            emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NoAccess, isExpression ? std::vector<std::string>{variable.name} : std::vector<std::string>{variable.name, "VAR_TEMP"});
+            return {};
+        }
+        place = function ? localPlace(temporaryOf(variable), type, range) : absolutePlace(0, type, -1, range);
+        break;
+    }
+    out.kind = DK::Place;
+    out.place = isKind(type, TypeKind::Reference) ? dereferenced(place, range) : place;
+    out.isExact = isKind(type, TypeKind::Block) && !variable.isInOut();
+    if (variable.isConstant) {
+        out.isReadOnly = true;
+        out.whyReadOnly = variable.name + " (a constant)";
+    } else if (instance && !isExpression) {
+        if (variable.kind == SectionKind::Output && !variable.isProgramInstance && variable.owner && variable.owner->kind == UnitKind::Block) {
+            out.isReadOnly = true;
+            out.whyReadOnly = variable.name + " (an output)";
+        } else if (variable.kind == SectionKind::Var && variable.owner && variable.owner->kind == UnitKind::Block && !isKind(type, TypeKind::Block)) {
+            out.isReadOnly = true;
+            out.whyReadOnly = variable.name + " (a local variable of " + variable.owner->name + ")";
+        }
+    }
+    return out;
+}
+
+Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& name, SourceRange range, Access access) {
+    const TypeId type = base->type;
+    const NameId id = world.key(name.text);
+    const auto unknownMember = [&]() -> Denoted {
+        world.suggest(emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)}), name.range, name.text, world.memberNames(type));
+        return {};
+    };
+    switch (types.kind(type)) {
+    case TypeKind::Unknown: return {};
+    case TypeKind::Struct:
+    case TypeKind::Union: {
+        const types::Field* field = types[type].findField(name.text);
+        if (!field) return unknownMember();
+        if (const auto it = world.structsByType.find(type); it != world.structsByType.end()) {
+            const auto index = static_cast<size_t>(field - types[type].fields.data());
+            if (index < it->second->symbols.size()) refer(name.range, it->second->symbols[index], access);
+        }
+        tree::Place* place = fieldPlace(base, field->offset, field->bit >= 0 ? elementary(TypeKind::Bool) : field->type, field->bit, range);
+        Denoted out = from;
+        out.kind = DK::Place;
+        out.place = isKind(place->type, TypeKind::Reference) ? dereferenced(place, range) : place;
+        if (out.place != place) out.isReadOnly = false;
+        out.isExact = true;
+        out.isSuper = false;
+        return out;
+    }
+    case TypeKind::Block: {
+        Unit* unit = world.unitOf(type);
+        if (!unit) return unknownMember();
+        const Member member = world.findMember(*unit, id);
+        if (member.unit && (access == Access::Call || !member.variable)) {
+            Unit& called = *member.unit;
+            checkAccess(called.access, called.owner, called.name, name.range);
+            refer(name.range, called.symbol, Access::Read);
+            Denoted out = unitOf(called, base);
+            out.isSuper = from.isSuper;
+            out.isExact = from.isExact;
+            return out;
+        }
+        if (member.variable) {
+            checkAccess(accessOf(member.variable->section), member.variable->owner, member.variable->name, name.range);
+            const bool own = base->kind == tree::PlaceKind::Instance && base->offset == 0 && scope.unit && scope.unit->self() && types.isDerivedFrom(scope.unit->self()->type, type);
+            Denoted out = ofVariable(*member.variable, own ? nullptr : base, range, access);
+            if (out.kind == DK::Place && name.range.file.isValid() && !out.variable) out.variable = member.variable;
+            return out;
+        }
+        if (member.property) {
+            checkAccess(member.property->declaration->access, member.property->owner, member.property->name, name.range);
+            Denoted out;
+            out.kind = DK::Property;
+            out.property = member.property;
+            out.instance = base;
+            out.isSuper = from.isSuper;
+            out.isExact = from.isExact;
+            refer(name.range, out.property->symbol, access);
+            return out;
+        }
+        return unknownMember();
+    }
+    case TypeKind::Interface: {
+        Unit* unit = world.unitOf(type);
+        if (!unit) return unknownMember();
+        const Member member = world.findMember(*unit, id);
+        Denoted out;
+        if (member.unit) {
+            refer(name.range, member.unit->symbol, Access::Read);
+            out = unitOf(*member.unit, nullptr);
+        } else if (member.property) {
+            refer(name.range, member.property->symbol, access);
+            out.kind = DK::Property;
+            out.property = member.property;
+        } else {
+            return unknownMember();
+        }
+        out.interface = load(base, range).expr;
+        return out;
+    }
+    case TypeKind::Pointer: {
+        auto& diagnostic = emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)});
+        const SourceRange dot{name.range.file, name.range.begin - 1, name.range.begin - 1};
+        if (types[types[type].element].findField(name.text)) diagnostic.fixes.push_back({"Write ^ to go to what it points to", {{dot, "^"}}});
+        return {};
+    }
+    default: return unknownMember();
+    }
+}
+
+Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint) {
+    if (!e.base) return {};
+    const syntax::Expr& base = *e.base;
+    if (!e.name.isValid()) return {};
+    const NameId id = world.key(e.name.text);
+    Denoted from;
+    const Access baseAccess = access == Access::Address ? Access::ReadWrite : access;
+    if (base.kind == ExprKind::NameRef) {
+        const World::Found result = world.lookup(scope, world.key(base.name.text));
+        const bool isOwn = result.member.variable || (result.entity.variable && result.ambiguous.empty());
+        if (!isOwn && result.list) { // GVL.x, also where a program unit has the list's name
+            if (const auto it = result.list->variables.find(id); it != result.list->variables.end()) return ofVariable(*it->second, nullptr, e.range, access);
+            if (!result.entity.unit && !result.entity.type && !result.space) {
+                std::vector<std::string> candidates;
+                for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
+                world.suggest(emit(e.name.range, Kind::UnknownMember, {result.list->name, std::string(e.name.text)}), e.name.range, e.name.text, candidates);
+                return {};
+            }
+        }
+        if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
+            return found(world.lookupIn(*result.space, id), e.name, access, hint);
+        }
+        from = found(result, base.name, baseAccess == Access::Call ? Access::ReadWrite : baseAccess, {});
+    } else {
+        from = denote(base, baseAccess == Access::Call ? Access::ReadWrite : baseAccess);
+    }
+    switch (from.kind) {
+    case DK::Nothing: return {};
+    case DK::Place: return memberOf(from.place, from, e.name, e.range, access);
+    case DK::Value: {
+        if (isKind(from.value.type(), TypeKind::Interface)) {
+            Denoted out = memberOf(temporary(from.value), from, e.name, e.range, access);
+            out.interface = from.value.expr;
+            return out;
+        }
+        Denoted out = memberOf(temporary(from.value), from, e.name, e.range, access);
+        out.isReadOnly = true;
+        out.whyReadOnly = textOf(e.range);
+        return out;
+    }
+    case DK::Property: {
+        const Operand value = propertyValue(from, base.range);
+        if (value.isUnknown()) return {};
+        tree::Place* held = temporary(value);
+        const bool isReference = isKind(value.type(), TypeKind::Reference);
+        if (isReference) {
+            tree::Place* place = arena.make<tree::Place>();
+            place->kind = tree::PlaceKind::Deref;
+            place->type = types[value.type()].element;
+            place->range = base.range;
+            place->pointer = value.expr;
+            held = place;
+        }
+        Denoted out = memberOf(held, {}, e.name, e.range, access);
+        if (!isReference && out.kind == DK::Place && !isKind(value.type(), TypeKind::Interface)) {
+            out.isReadOnly = true;
+            out.whyReadOnly = textOf(e.range);
+        }
+        return out;
+    }
+    case DK::Type: {
+        if (const auto it = world.enumsByType.find(from.type); it != world.enumsByType.end()) {
+            EnumType& enumeration = *it->second;
+            for (uint32_t i = 0; i < enumeration.spec->enumerators.size(); ++i)
+                if (world.key(enumeration.spec->enumerators[i].name.text) == id) {
+                    Operand value = enumerator({&enumeration, i}, e.name.range);
+                    value.expr->range = e.range;
+                    return valueOf(value);
+                }
+        }
+        world.suggest(emit(e.name.range, Kind::UnknownMember, {textOf(base.range), std::string(e.name.text)}), e.name.range, e.name.text, world.memberNames(from.type));
+        return {};
+    }
+    case DK::Unit: {
+        Unit& unit = *from.unit;
+        const Member member = unit.isInstanced() ? world.findMember(unit, id) : Member{};
+        if (member.variable && ((member.variable->isConstant && isFoldable(types, world.typeOf(*member.variable))) || member.variable->storage == Storage::Absolute))
+            return ofVariable(*member.variable, nullptr, e.range, access);
+        if (unit.kind == UnitKind::Program) {
+            Unit* self = scope.unit ? scope.unit->self() : nullptr;
+            tree::Place* instance = nullptr;
+            if (self == &unit) instance = thisPlace(base.range);
+            else if (unit.instance) instance = absolutePlace(unit.instance->offset, unit.type, -1, base.range);
+            if (instance) {
+                Denoted exact;
+                exact.isExact = true;
+                Denoted out = memberOf(instance, exact, e.name, e.range, access);
+                if (!isKind(unit.type, TypeKind::Unknown) && out.kind == DK::Place && out.variable && out.variable->owner && out.variable->owner->kind == UnitKind::Program && !out.variable->isConstant) out.isReadOnly = false;
+                return out;
+            }
+            if (!function && !isExpression && member.variable) return ofVariable(*member.variable, nullptr, e.range, access);
+        }
+        if (unit.kind == UnitKind::Program) emit(base.range, Kind::NoValue, {unit.name});
+        else world.suggest(emit(e.name.range, Kind::UnknownMember, {unit.name, std::string(e.name.text)}), e.name.range, e.name.text, world.memberNames(unit.type));
+        return {};
+    }
+    case DK::List: {
+        const auto it = from.list->variables.find(id);
+        if (it != from.list->variables.end()) return ofVariable(*it->second, nullptr, e.range, access);
+        emit(e.name.range, Kind::UnknownMember, {from.list->name, std::string(e.name.text)});
+        return {};
+    }
+    case DK::Space: return found(world.lookupIn(*from.space, id), e.name, access, hint);
+    case DK::Standard: emit(base.range, Kind::NoValue, {textOf(base.range)}); return {};
+    }
+    return {};
+}
+
+Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
+    Denoted from = denote(*e.base, access == Access::Address ? Access::ReadWrite : access == Access::Call ? Access::ReadWrite : access);
+    std::vector<Operand> indices;
+    for (const syntax::Argument& argument : e.arguments) {
+        if (!argument.value) continue;
+        Operand index = expression(*argument.value);
+        if (!index.isUnknown()) {
+            const types::Family family = types.family(index.type());
+            if (!types::isInteger(family)) {
+                emit(argument.value->range, Kind::TypeMismatch, {nameOf(index.type()), "an index"});
+                index = unknown(argument.value->range);
+            } else if (types.storageKind(index.type()) != TypeKind::Lint) {
+                index = convertNode(index, elementary(TypeKind::Lint));
+            }
+        }
+        indices.push_back(index);
+    }
+    if (from.kind == DK::Property) {
+        const Operand value = propertyValue(from, e.base->range);
+        if (value.isUnknown()) return {};
+        from = valueOf(value);
+    }
+    if (from.kind == DK::Value) {
+        from.kind = DK::Place;
+        from.place = temporary(from.value);
+        from.isReadOnly = true;
+        from.whyReadOnly = textOf(e.range);
+    }
+    if (from.kind == DK::Nothing) return {};
+    if (from.kind != DK::Place) {
+        emit(e.base->range, Kind::NotAnArray, {textOf(e.base->range)});
+        return {};
+    }
+    tree::Place* base = from.place;
+    const types::Type& type = types[base->type];
+    const auto good = [&] { return std::none_of(indices.begin(), indices.end(), [](const Operand& o) { return o.isUnknown(); }); };
+    Denoted out = from;
+    out.isExact = true;
+    out.isSuper = false;
+    switch (type.kind) {
+    case TypeKind::Unknown: return {};
+    case TypeKind::Array:
+    case TypeKind::OpenArray: {
+        if (indices.size() != type.dimensions.size()) {
+            if (type.kind == TypeKind::Array && indices.size() == 1 && e.arguments.size() == 1) {}
+            emit(e.range, Kind::WrongIndexCount, {std::to_string(type.dimensions.size()), std::to_string(indices.size())});
+            return {};
+        }
+        if (!good()) return {};
+        bool allConstant = type.kind == TypeKind::Array;
+        uint64_t number = 0;
+        for (size_t i = 0; i < indices.size(); ++i) {
+            if (!indices[i].isConstant()) {
+                allConstant = false;
+                continue;
+            }
+            if (type.kind != TypeKind::Array) continue;
+            const int64_t index = indices[i].expr->value.integer();
+            const types::Dimension& dimension = type.dimensions[i];
+            if (index < dimension.low || index > dimension.high) {
+                emit(e.arguments[i].value->range, Kind::ConstantIndexOutOfRange, {std::to_string(index), std::to_string(dimension.low), std::to_string(dimension.high)});
+                return {};
+            }
+            number = number * dimension.count() + static_cast<uint64_t>(index - dimension.low);
+        }
+        const bool isStatic = base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance || base->kind == tree::PlaceKind::Field;
+        tree::Place* place = nullptr;
+        if (allConstant && isStatic) {
+            place = fieldPlace(base, static_cast<uint32_t>(number * types[type.element].size), type.element, -1, e.range);
+        } else {
+            place = arena.make<tree::Place>();
+            place->kind = tree::PlaceKind::Index;
+            place->type = type.element;
+            place->range = e.range;
+            place->base = base;
+            for (const Operand& index : indices) place->indices.push_back(index.expr);
+        }
+        out.place = isKind(place->type, TypeKind::Reference) ? dereferenced(place, e.range) : place;
+        return out;
+    }
+    case TypeKind::String:
+    case TypeKind::Wstring: {
+        if (indices.size() != 1) {
+            emit(e.range, Kind::WrongIndexCount, {"1", std::to_string(indices.size())});
+            return {};
+        }
+        if (!good()) return {};
+        if (indices[0].isConstant()) {
+            const int64_t index = indices[0].expr->value.integer();
+            if (index < 0 || index >= static_cast<int64_t>(type.capacity)) {
+                emit(e.arguments[0].value->range, Kind::ConstantIndexOutOfRange, {std::to_string(index), "0", std::to_string(int64_t(type.capacity) - 1)});
+                return {};
+            }
+        }
+        tree::Place* place = arena.make<tree::Place>();
+        place->kind = tree::PlaceKind::TextIndex;
+        place->type = elementary(type.kind == TypeKind::String ? TypeKind::Char : TypeKind::Wchar);
+        place->range = e.range;
+        place->base = base;
+        place->indices.push_back(indices[0].expr);
+        out.place = place;
+        return out;
+    }
+    case TypeKind::Pointer: { // p[i], as in CODESYS: the i-th variable from where it points to
+        if (indices.size() != 1 || !good()) {
+            if (good()) emit(e.range, Kind::WrongIndexCount, {"1", std::to_string(indices.size())});
+            return {};
+        }
+        const Operand address = sameBits(load(base, e.base->range), elementary(TypeKind::Lword));
+        const Operand size = constant({elementary(TypeKind::Lword), int64_t(types[type.element].size)}, e.range);
+        const Operand step = makeBinary(library::BinaryOp::Multiply, elementary(TypeKind::Lword), convertNode(indices[0], elementary(TypeKind::Lword)), size, e.range);
+        const Operand sum = makeBinary(library::BinaryOp::Add, elementary(TypeKind::Lword), address, step, e.range);
+        tree::Place* place = arena.make<tree::Place>();
+        place->kind = tree::PlaceKind::Deref;
+        place->type = type.element;
+        place->range = e.range;
+        place->pointer = sameBits(sum, base->type).expr;
+        out.place = place;
+        out.isReadOnly = false;
+        return out;
+    }
+    default: emit(e.base->range, Kind::NotAnArray, {textOf(e.base->range)}); return {};
+    }
+}
+
+Denoted Checker::denoteDeref(const syntax::Expr& e, Access access) {
+    if (e.base->kind == ExprKind::This || e.base->kind == ExprKind::Super) {
+        Denoted out = denote(*e.base, access);
+        if (out.place) out.place->range = e.range;
+        return out;
+    }
+    Denoted from = denote(*e.base, Access::Read);
+    Operand pointer;
+    if (from.kind == DK::Nothing) return {};
+    pointer = value(from, *e.base, {});
+    if (pointer.isUnknown()) return {};
+    const TypeKind kind = types.kind(pointer.type());
+    if (kind != TypeKind::Pointer && kind != TypeKind::Reference) {
+        // ref^ where ref is REFERENCE TO: the mark is accepted and means the same
+        if (from.kind == DK::Place && from.place->kind == tree::PlaceKind::Deref && from.place->pointer && isKind(from.place->pointer->type, TypeKind::Reference)) return from;
+        emit(e.base->range, Kind::NotAPointer, {textOf(e.base->range)});
+        return {};
+    }
+    tree::Place* place = arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::Deref;
+    place->type = types[pointer.type()].element;
+    place->range = e.range;
+    place->pointer = pointer.expr;
+    Denoted out = placeOf(isKind(place->type, TypeKind::Reference) ? dereferenced(place, e.range) : place);
+    return out;
+}
+
+Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
+    const Access baseAccess = access == Access::Write || access == Access::Address ? Access::ReadWrite : access;
+    Denoted from = denote(*e.base, baseAccess);
+    if (from.kind == DK::Property) {
+        const Operand value = propertyValue(from, e.base->range);
+        if (value.isUnknown()) return {};
+        from = valueOf(value);
+    }
+    if (from.kind == DK::Nothing) return {};
+    if (from.kind == DK::Value) {
+        from.place = temporary(settled(from.value));
+        from.kind = DK::Place;
+        from.isReadOnly = true;
+        from.whyReadOnly = textOf(e.range);
+    }
+    if (from.kind != DK::Place) {
+        emit(e.base->range, Kind::NoValue, {textOf(e.base->range)});
+        return {};
+    }
+    tree::Place* base = from.place;
+    const types::Family family = types.family(base->type);
+    if (isKind(base->type, TypeKind::Unknown)) return {};
+    if (!types::isInteger(family) || base->bit >= 0) {
+        emit(e.range, Kind::UnknownMember, {nameOf(base->type), std::string(e.text)});
+        return {};
+    }
+    std::string_view text = e.text;
+    unsigned width = 1;
+    if (!text.empty() && text.front() == '%') text.remove_prefix(1);
+    if (!text.empty() && (text.front() < '0' || text.front() > '9')) {
+        switch (text.front() | 0x20) {
+        case 'x': width = 1; break;
+        case 'b': width = 8; break;
+        case 'w': width = 16; break;
+        case 'd': width = 32; break;
+        case 'l': width = 64; break;
+        default: emit(e.range, Kind::UnknownMember, {nameOf(base->type), std::string(e.text)}); return {};
+        }
+        text.remove_prefix(1);
+    }
+    const int64_t number = std::atoll(std::string(text).c_str());
+    const unsigned count = types::bitsOf(types.storageKind(base->type)) / width;
+    if (text.empty() || number < 0 || number >= static_cast<int64_t>(count)) {
+        const SourceRange at{e.range.file, e.range.end - static_cast<uint32_t>(e.text.size()), e.range.end};
+        emit(at, Kind::NoSuchBit, {nameOf(base->type), std::to_string(int64_t(count) - 1)});
+        return {};
+    }
+    Denoted out = from;
+    if (width == 1) {
+        tree::Place* place = arena.make<tree::Place>();
+        place->kind = tree::PlaceKind::Bit;
+        place->type = elementary(TypeKind::Bool);
+        place->range = e.range;
+        place->base = base;
+        place->bit = static_cast<int16_t>(number);
+        out.place = place;
+        return out;
+    }
+    const TypeKind piece = width == 8 ? TypeKind::Byte : width == 16 ? TypeKind::Word : width == 32 ? TypeKind::Dword : TypeKind::Lword;
+    takeAddress(base);
+    out.place = fieldPlace(base, static_cast<uint32_t>(number) * (width / 8), elementary(piece), -1, e.range);
+    return out;
+}
+
+Denoted Checker::denoteAddress(const syntax::Expr& e) {
+    const auto address = parseAddress(e.text);
+    if (!address || address->isOpen) {
+        emit(e.range, Kind::AddressOutOfRange, {std::string(e.text), "%I, %Q or %M"});
+        return {};
+    }
+    const image::AreaRange area = world.areaOf(address->area);
+    if (address->byte + std::max(1u, types::bitsOf(address->kind) / 8) > area.size) {
+        emit(e.range, Kind::AddressOutOfRange, {std::string(e.text), address->area == image::Area::Input ? "%I" : address->area == image::Area::Output ? "%Q" : "%M"});
+        return {};
+    }
+    return placeOf(absolutePlace(area.begin + address->byte, elementary(address->kind), address->bit, e.range));
+}
+
+} // namespace plc::sema

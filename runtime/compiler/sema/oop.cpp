@@ -1,0 +1,205 @@
+// EXTENDS, IMPLEMENTS, overriding, access, and the slots of dispatched methods (one per method name, program-wide).
+#include "runtime/compiler/sema/world.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+
+void World::resolveBases(Unit& unit) {
+    if (unit.baseProgress != Progress::Open) return;
+    unit.baseProgress = Progress::Working;
+    const auto resolve = [&](const syntax::Path& path, bool wantsInterface) -> Unit* {
+        if (path.empty()) return nullptr;
+        const SourceRange range = joined(path.front().range, path.back().range);
+        Scope outside{nullptr, unit.space, unit.file};
+        const Found found = lookupPath(outside, path);
+        std::string text;
+        for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
+        Unit* base = found.entity.unit;
+        if (!base) {
+            std::vector<std::string> candidates;
+            for (const Unit& other : units)
+                if (other.kind == (wantsInterface ? UnitKind::Interface : UnitKind::Block)) candidates.push_back(other.name);
+            suggest(emit(range, Kind::UnknownType, {text}), range, text, candidates);
+            return nullptr;
+        }
+        refer(path.back().range, base->symbol, true, false);
+        if (base->kind != (wantsInterface ? UnitKind::Interface : UnitKind::Block)) {
+            emit(range, Kind::NotExtendable, {base->name, unit.name});
+            return nullptr;
+        }
+        if (base->isFinal) {
+            emit(range, Kind::FinalExtended, {base->name});
+            return nullptr;
+        }
+        resolveBases(*base);
+        if (base->baseProgress == Progress::Working) {
+            emit(range, Kind::TypeCycle, {unit.name});
+            return nullptr;
+        }
+        return base;
+    };
+    if (unit.pou && !unit.owner) {
+        if (unit.kind == UnitKind::Interface) {
+            for (const syntax::Path& path : unit.pou->extends)
+                if (Unit* base = resolve(path, true)) unit.interfaces.push_back(base);
+        } else if (unit.kind == UnitKind::Block) {
+            for (const syntax::Path& path : unit.pou->extends) {
+                Unit* base = resolve(path, false);
+                if (!base) continue;
+                if (unit.base) emit(joined(path.front().range, path.back().range), Kind::NotExtendable, {base->name, unit.name});
+                else unit.base = base;
+            }
+            if (unit.base) unit.base->isExtended = true;
+        } else if (!unit.pou->extends.empty() && !unit.pou->extends.front().empty()) {
+            emit(unit.pou->extends.front().front().range, Kind::NotAllowedHere, {"EXTENDS", unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION"});
+        }
+        for (const syntax::Path& path : unit.pou->implements)
+            if (Unit* interface = resolve(path, true)) unit.interfaces.push_back(interface);
+        if (unit.type.isValid()) {
+            types::Type& type = types.edit(unit.type);
+            if (unit.base) type.base = unit.base->type;
+            for (const Unit* interface : unit.interfaces) type.interfaces.push_back(interface->type);
+        }
+    }
+    unit.baseProgress = Progress::Done;
+}
+
+bool World::isAccessible(syntax::Access access, const Unit* owner, const Scope& from) {
+    if (access == syntax::Access::Default || access == syntax::Access::Public || !owner) return true;
+    const Unit* self = from.unit ? from.unit->self() : nullptr;
+    switch (access) {
+    case syntax::Access::Private: return self == owner;
+    case syntax::Access::Protected:
+        for (const Unit* at = self; at; at = at->base)
+            if (at == owner) return true;
+        return false;
+    case syntax::Access::Internal: return from.space == owner->space;
+    default: return true;
+    }
+}
+
+namespace {
+
+std::vector<std::pair<types::TypeId, syntax::SectionKind>> shapeOf(World& world, Unit& unit) {
+    std::vector<std::pair<types::TypeId, syntax::SectionKind>> out;
+    world.collectParameters(unit);
+    for (Variable* parameter : unit.parameters) out.emplace_back(world.typeOf(*parameter), parameter->kind);
+    return out;
+}
+
+bool sameShape(World& world, Unit& a, Unit& b) {
+    const auto x = shapeOf(world, a), y = shapeOf(world, b);
+    if (x.size() != y.size()) return false;
+    for (size_t i = 0; i < x.size(); ++i)
+        if (x[i].second != y[i].second || !world.sameType(x[i].first, y[i].first)) return false;
+    const auto result = [&](Unit& unit) { return unit.resultVariable ? world.typeOf(*unit.resultVariable) : types::TypeTable::of(TypeKind::Void); };
+    return world.sameType(result(a), result(b));
+}
+
+void collectInterfaces(World& world, Unit& unit, std::vector<Unit*>& out) {
+    world.resolveBases(unit);
+    for (Unit* interface : unit.interfaces) {
+        if (std::find(out.begin(), out.end(), interface) != out.end()) continue;
+        out.push_back(interface);
+        collectInterfaces(world, *interface, out);
+    }
+}
+
+/// Methods by name, the unit's own before its bases'.
+Unit* methodNamed(Unit& unit, NameId id) {
+    for (Unit* at = &unit; at; at = at->base)
+        for (Unit* method : at->methods)
+            if (method->id == id) return method;
+    return nullptr;
+}
+
+} // namespace
+
+void World::checkInheritance(Unit& unit) {
+    for (Unit* method : unit.methods) {
+        Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
+        if (overridden) {
+            overridden->isOverridden = true;
+            if (overridden->isFinal) emit(method->range, Kind::FinalExtended, {overridden->qualified});
+            else if (!sameShape(*this, *method, *overridden)) emit(method->range, Kind::OverrideDiffers, {method->name}).related.push_back({overridden->range, "overridden here"});
+        } else if (method->isOverride) {
+            std::vector<std::string> candidates;
+            for (Unit* at = unit.base; at; at = at->base)
+                for (const Unit* other : at->methods) candidates.push_back(other->name);
+            suggest(emit(method->range, Kind::UnknownMember, {unit.base ? unit.base->name : unit.name, method->name}), method->range, method->name, candidates);
+        }
+        if (method->isAbstract && unit.kind == UnitKind::Block && !unit.isAbstract) emit(method->range, Kind::NotAllowedHere, {"ABSTRACT", unit.name + ", which is not abstract itself"});
+    }
+    if (unit.kind != UnitKind::Block) return;
+    std::vector<Unit*> interfaces;
+    for (Unit* at = &unit; at; at = at->base) collectInterfaces(*this, *at, interfaces);
+    if (unit.isAbstract) return;
+    for (Unit* interface : interfaces) {
+        for (Unit* wanted : interface->methods) {
+            Unit* made = methodNamed(unit, wanted->id);
+            const SourceRange at = !unit.pou->implements.empty() && !unit.pou->implements.front().empty() ? joined(unit.pou->implements.front().front().range, unit.pou->implements.back().back().range) : unit.range;
+            if (!made || made->isAbstract) {
+                auto& diagnostic = emit(at, Kind::NotInterfaceImplemented, {unit.name, wanted->name, interface->name});
+                if (!made && wanted->kind == UnitKind::Method && unit.pou->hasEnd && unit.pou->range.file.isValid()) {
+                    std::string text = "METHOD " + wanted->name + (wanted->pou->result ? " : " + std::string(textOf(wanted->pou->result->range)) : std::string()) + "\n";
+                    for (const syntax::VarSection* section : wanted->pou->sections) text += std::string(textOf(section->range)) + "\n";
+                    text += ";\nEND_METHOD\n";
+                    const std::string_view whole = textOf(unit.pou->range);
+                    const std::string_view end = "END_FUNCTION_BLOCK";
+                    if (whole.size() > end.size()) {
+                        const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
+                        if (equalsIgnoringCase(whole.substr(whole.size() - end.size()), end)) diagnostic.fixes.push_back({"Add the method " + wanted->name, {{{unit.range.file, place, place}, text}}});
+                    }
+                }
+            } else if (!sameShape(*this, *made, *wanted)) {
+                emit(made->range, Kind::OverrideDiffers, {made->name}).related.push_back({wanted->range, "declared here"});
+            }
+        }
+    }
+    // an abstract method of a base must be there
+    for (Unit* at = unit.base; at; at = at->base)
+        for (Unit* wanted : at->methods)
+            if (wanted->isAbstract && methodNamed(unit, wanted->id) == wanted) emit(unit.range, Kind::NotInterfaceImplemented, {unit.name, wanted->name, at->name});
+}
+
+void World::assignSlots() {
+    std::unordered_map<NameId, uint32_t> slots;
+    const NameId body = key("()");
+    const auto slotOf = [&](NameId id) {
+        const auto [it, isNew] = slots.try_emplace(id, static_cast<uint32_t>(slots.size()));
+        if (isNew) slotNames.push_back(id);
+        return it->second;
+    };
+    for (Unit& unit : units) {
+        if (unit.owner && (unit.kind == UnitKind::Method || unit.kind == UnitKind::PropertyGet || unit.kind == UnitKind::PropertySet)) {
+            unit.slot = slotOf(unit.id);
+            functions[unit.function.index()].methodSlot = unit.slot;
+        } else if (unit.kind == UnitKind::Block && unit.hasHeader) {
+            unit.slot = slotOf(body);
+            functions[unit.function.index()].methodSlot = unit.slot;
+            if (unit.isExtended) unit.isOverridden = true;
+        }
+    }
+}
+
+void World::buildDispatch() {
+    uint32_t blocks = 0;
+    for (const Unit& unit : units)
+        if (unit.isInstanced()) blocks = std::max(blocks, types[unit.type].blockNumber);
+    program->dispatch.assign(blocks + 1, {});
+    for (Unit& unit : units) {
+        if (!unit.isInstanced() || !unit.hasHeader) continue;
+        std::vector<tree::FunctionId>& row = program->dispatch[types[unit.type].blockNumber];
+        row.assign(slotNames.size(), tree::FunctionId());
+        for (Unit* at = &unit; at; at = at->base) {
+            for (Unit* method : at->methods)
+                if (!row[method->slot].isValid() && !method->isAbstract) row[method->slot] = method->function;
+            if (at->slot != Id<int>::kNone && !row[at->slot].isValid()) row[at->slot] = at->function;
+        }
+    }
+}
+
+} // namespace plc::sema
