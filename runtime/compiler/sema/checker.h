@@ -188,7 +188,10 @@ public:
 
     diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) { return sink.emit(range, kind, std::move(arguments)); }
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
-    [[nodiscard]] std::string textOf(SourceRange range) const { return std::string(world.textOf(range)); }
+    [[nodiscard]] std::string textOf(SourceRange range) const {
+        if (isExpression && !range.file.isValid()) return range.end <= expressionText.size() && range.begin <= range.end ? std::string(expressionText.substr(range.begin, range.end - range.begin)) : std::string();
+        return std::string(world.textOf(range));
+    }
     [[nodiscard]] TypeId elementary(TypeKind kind) const { return types::TypeTable::of(kind); }
     [[nodiscard]] bool isKind(TypeId type, TypeKind kind) const { return types.kind(type) == kind; }
     [[nodiscard]] TypeId textType(size_t length, bool isWide);
