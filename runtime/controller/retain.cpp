@@ -26,8 +26,7 @@ bool isReference(const types::TypeTable& types, types::TypeId id) {
     return kind == types::TypeKind::Pointer || kind == types::TypeKind::Reference || kind == types::TypeKind::Interface;
 }
 
-/// Enum values go by name in the file's type, so that a renumbered enumeration does not take a wrong one: the value is kept only when
-/// the name has it still. The name is written behind the type.
+/// The type, and of an enum the value's name behind it: a renumbered enumeration takes the name, not the number.
 std::string typeText(const types::TypeTable& types, types::TypeId id, std::span<const std::byte> bytes) {
     std::string text = spelled(types, id);
     if (types.kind(id) != types::TypeKind::Enum) return text;
@@ -147,6 +146,21 @@ Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
     return leaves;
 }
 
+namespace {
+
+/// The leaf's value as the variable takes it; none when it has another type now.
+std::optional<types::Value> valueFor(const types::TypeTable& types, const image::Place& place, const RetainedLeaf& leaf) {
+    const size_t size = place.bit >= 0 ? 1 : types[place.type].size;
+    const size_t hash = leaf.type.find('#');
+    if (isReference(types, place.type) || leaf.bytes.size() != size || !equalsIgnoringCase(leaf.type.substr(0, hash), spelled(types, place.type))) return std::nullopt;
+    if (types.kind(place.type) != types::TypeKind::Enum || hash == std::string::npos) return types::readValue(types, place.type, leaf.bytes, place.bit >= 0 ? 0 : -1);
+    for (const types::Enumerator& e : types[place.type].enumerators)
+        if (equalsIgnoringCase(e.name, std::string_view(leaf.type).substr(hash + 1))) return types::Value{place.type, e.value};
+    return std::nullopt;
+}
+
+} // namespace
+
 RetainOutcome restoreRetained(Controller& controller, const std::vector<RetainedLeaf>& leaves) {
     RetainOutcome outcome;
     const image::Layout& layout = controller.program().layout;
@@ -154,14 +168,9 @@ RetainOutcome restoreRetained(Controller& controller, const std::vector<Retained
     std::vector<std::pair<std::string, types::Value>> values;
     for (const RetainedLeaf& leaf : leaves) {
         const Result<image::Place> place = layout.find(leaf.path);
-        bool fits = false;
-        if (place && !isReference(types, place->type)) {
-            const size_t size = place->bit >= 0 ? 1 : types[place->type].size;
-            const std::string type = leaf.type.substr(0, leaf.type.find('#'));
-            fits = equalsIgnoringCase(type, spelled(types, place->type)) && leaf.bytes.size() == size && equalsIgnoringCase(typeText(types, place->type, leaf.bytes), leaf.type);
-            if (fits) values.emplace_back(leaf.path, types::readValue(types, place->type, leaf.bytes, place->bit >= 0 ? 0 : -1));
-        }
-        if (!fits) outcome.lost.push_back(leaf.path);
+        std::optional<types::Value> value = place ? valueFor(types, *place, leaf) : std::nullopt;
+        if (value) values.emplace_back(leaf.path, std::move(*value));
+        else outcome.lost.push_back(leaf.path);
     }
     outcome.restored = controller.restoreRetained(values);
     controller.report(EventKind::RetainRestored, std::to_string(outcome.restored));
