@@ -61,11 +61,11 @@ void AlarmBook::take(std::span<const AlarmRecord> records) {
         const int alarm = indexOf(record.alarm);
         if (alarm < 0) continue;
         m_events.push_back({static_cast<size_t>(alarm), record.kind, record.at});
+        m_lifeCycle.follow(m_events.back());
         m_records.push_back(record);
         known.push_back(record);
     }
     if (known.empty()) return;
-    m_lifeCycle.restore(m_events, ~quint64(0));
     if (m_store.isOpen()) (void)m_store.append(known);
     emit changed();
 }

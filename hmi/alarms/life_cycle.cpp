@@ -64,6 +64,11 @@ void AlarmLifeCycle::acknowledgeAll(const AlarmInstant& at, std::vector<AlarmEve
     for (size_t i = 0; i < m_alarms.size(); ++i) acknowledge(i, at, events);
 }
 
+void AlarmLifeCycle::follow(const AlarmEvent& event) {
+    PLC_ASSERT(event.alarm < m_alarms.size(), return);
+    apply(m_alarms[event.alarm], event.kind, event.at);
+}
+
 void AlarmLifeCycle::restore(std::span<const AlarmEvent> events, quint64 until) {
     m_pending = 0;
     for (Alarm& alarm : m_alarms) {

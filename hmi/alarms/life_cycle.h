@@ -47,6 +47,8 @@ public:
     bool hasPendingDelay() const { return m_pending > 0; }
     /// The states that follow from the events up to and with `until`, as at a past scan.
     void restore(std::span<const AlarmEvent> events, quint64 until);
+    /// One event that was found elsewhere.
+    void follow(const AlarmEvent& event);
 
 private:
     struct Alarm {

@@ -1,10 +1,9 @@
 #include "hmi/view/alarm_views.h"
 
 #include "hmi/alarms/alarm_book.h"
+#include "hmi/texts/system_texts.h"
 #include "hmi/view/buttons.h"
 #include "hmi/view/panel_scene.h"
-
-#include <QCoreApplication>
 
 namespace plc::hmi {
 
@@ -142,14 +141,11 @@ void AlarmListView::draw(QPainter& painter) {
     const double size = num("fontSize"), timeWidth = size * 10.5, mark = rowHeight();
     const bool rtl = isRightToLeft(tag());
     painter.setPen(theme().color("muted"));
-    const auto head = [&](const QString& key, const char* fallback) {
-        const QString words = scene().texts().table().contains(key) ? scene().texts().text(u'@' + key, tag()) : QCoreApplication::translate("Hmi", fallback);
-        return words;
-    };
-    drawText(painter, textBox(head(QStringLiteral("hmi.time"), "Time"), QRectF(rtl ? width() - mark - timeWidth : mark, 0, timeWidth, headHeight()), size * 0.9, TextAlign::Start, ""));
+    const auto head = [&](SystemText which) { return systemText(scene().texts(), which, tag()); };
+    drawText(painter, textBox(head(SystemText::Time), QRectF(rtl ? width() - mark - timeWidth : mark, 0, timeWidth, headHeight()), size * 0.9, TextAlign::Start, ""));
     QRectF alarmHead = textArea(0);
     alarmHead.setRect(alarmHead.left(), 0, alarmHead.width(), headHeight());
-    drawText(painter, textBox(head(QStringLiteral("hmi.alarm"), "Alarm"), alarmHead, size * 0.9, TextAlign::Start, ""));
+    drawText(painter, textBox(head(SystemText::Alarm), alarmHead, size * 0.9, TextAlign::Start, ""));
     const int room = std::max(1, static_cast<int>((height() - headHeight() - footHeight()) / rowHeight()));
     m_top = std::clamp(m_top, 0, std::max(0, static_cast<int>(all.size()) - room));
     painter.save();
@@ -158,7 +154,7 @@ void AlarmListView::draw(QPainter& painter) {
     painter.restore();
     if (all.empty()) {
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(head(QStringLiteral("hmi.no_alarms"), "No alarms"), QRectF(0, headHeight(), width(), rowHeight() * 1.6), size, TextAlign::Center, ""));
+        drawText(painter, textBox(head(SystemText::NoAlarms), QRectF(0, headHeight(), width(), rowHeight() * 1.6), size, TextAlign::Center, ""));
     }
     if (static_cast<int>(all.size()) > room) {
         const double length = height() - headHeight() - footHeight() - 4, knob = std::max(16.0, length * room / static_cast<double>(all.size()));
@@ -172,7 +168,7 @@ void AlarmListView::draw(QPainter& painter) {
     const QRectF key = acknowledgeAllArea();
     drawKey(painter, key, 5, theme().color("button"), isPressed() && !m_scrolled && key.contains(m_pressedAt), theme());
     painter.setPen(theme().color("text"));
-    drawText(painter, textBox(head(QStringLiteral("hmi.acknowledge_all"), "Acknowledge all"), key.adjusted(6, 0, -6, 0), size, TextAlign::Center, ""));
+    drawText(painter, textBox(head(SystemText::AcknowledgeAll), key.adjusted(6, 0, -6, 0), size, TextAlign::Center, ""));
 }
 
 void AlarmListView::press(QPointF at) {

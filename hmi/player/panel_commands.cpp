@@ -1,0 +1,99 @@
+#include "hmi/player/panel_commands.h"
+
+#include "hmi/player/panel_player.h"
+
+#include <QApplication>
+#include <QDir>
+
+namespace plc::hmi {
+
+QImage renderPanel(const PanelProject& project, session::Session* session, const QString& name, const QString& language, double scale, const QString& theme) {
+    const NamedPanel* named = project.find(name);
+    if (!named) return {};
+    Panel panel = named->panel;
+    if (!theme.isEmpty()) panel.set("theme", toUtf8(theme));
+    std::unique_ptr<PlcValues> values;
+    AlarmBook alarms;
+    alarms.setFile(project.alarms);
+    if (session) {
+        values = std::make_unique<PlcValues>(*session);
+        alarms.setClockAtZero(values->clock() - values->status().time.count());
+        AlarmEvaluator evaluator(*session, alarms.definitions());
+        std::vector<AlarmFindings> findings;
+        while (evaluator.process(findings)) {}
+        for (const AlarmFindings& one : findings) {
+            if (one.rewindTo) alarms.rewind(*one.rewindTo);
+            alarms.take(one.records);
+        }
+    }
+    PanelScene scene;
+    scene.setDesigning(!session);
+    scene.setFolder(project.folder);
+    scene.setTexts(&project.texts);
+    scene.setAlarms(&alarms);
+    scene.setLanguage(language);
+    scene.setPanel(panel);
+    scene.setValues(values.get());
+    return scene.picture(scale);
+}
+
+Result<std::vector<QString>> renderPanels(const PanelProject& project, session::Session* session, const PictureOptions& options) {
+    if (!QDir().mkpath(options.folder)) return Error{"The folder for the pictures can not be made", options.folder.toStdString()};
+    std::vector<QString> out;
+    for (const NamedPanel& panel : project.panels) {
+        if (!options.panels.isEmpty() && !options.panels.contains(panel.name)) continue;
+        for (const QString& language : options.languages.isEmpty() ? project.texts.settings().languages : options.languages) {
+            const QString path = QDir(options.folder).filePath(QStringLiteral("%1.%2.png").arg(panel.name, language));
+            if (!renderPanel(project, session, panel.name, language, options.scale, options.theme).save(path)) return Error{"The picture can not be written", path.toStdString()};
+            out.push_back(path);
+        }
+    }
+    if (out.empty()) return Error{"The project has no such panel", project.folder.toStdString()};
+    return out;
+}
+
+QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget) {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("HmiCheck", text); };
+    const auto compiled = driver::compileExpression(checked, expression.toStdString());
+    if (!compiled) return QString::fromStdString(compiled.error().message);
+    const types::TypeTable& types = compiled->types();
+    const types::TypeId type = compiled->type();
+    const QString name = QString::fromStdString(types[type].name);
+    if (isTarget && !compiled->place()) return tr("%1 is not a variable, so it can not be written.").arg(expression);
+    const types::Family family = types.family(type);
+    const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
+    const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
+    if (wanted == "bool" && !isBool) return tr("%1 is %2; a BOOL is needed here.").arg(expression, name);
+    if (wanted == "number" && !isNumber && !isBool) return tr("%1 is %2; a number is needed here.").arg(expression, name);
+    if (wanted == "text" && !types.isText(type)) return tr("%1 is %2; a STRING is needed here.").arg(expression, name);
+    if (wanted == "array" && !isArray) return tr("%1 is %2; an array is needed here.").arg(expression, name);
+    if (wanted == "any" && isArray) return tr("%1 is %2; a single value is needed here.").arg(expression, name);
+    return {};
+}
+
+std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked, const QStringList& languages) {
+    CheckInput input = project.checkInput();
+    input.languages = languages;
+    if (checked.analysis)
+        input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) { return checkBinding(checked, expression, wanted, isTarget); };
+    std::vector<Finding> out;
+    for (const Error& problem : project.problems) out.push_back({FindingKind::UnknownKind, true, QString::fromStdString(problem.place), 0, {}, {}, {}, QString::fromStdString(problem.message)});
+    for (Finding& finding : checkPanels(input)) out.push_back(std::move(finding));
+    if (const QString variable = project.texts.settings().variable; !variable.isEmpty() && input.checkBinding) {
+        const QString complaint = checkBinding(checked, variable, "any", true);
+        if (!complaint.isEmpty()) out.push_back({FindingKind::WrongBinding, true, QStringLiteral("project.json"), 0, {}, QStringLiteral("languageVariable"), {}, complaint});
+    }
+    return out;
+}
+
+int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen) {
+    PanelPlayer player(project, &session);
+    if (!panel.isEmpty()) player.showPanel(panel);
+    player.setWindowTitle(project.texts.text(player.scene().panel().text("title"), player.language()));
+    session.startThread(session::RunMode{session::Pace::Real, 1.0});
+    if (fullScreen) player.showFullScreen();
+    else player.show();
+    return QApplication::exec();
+}
+
+} // namespace plc::hmi

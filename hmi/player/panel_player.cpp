@@ -1,0 +1,253 @@
+#include "hmi/player/panel_player.h"
+
+#include "hmi/player/player_status.h"
+
+#include <QKeyEvent>
+
+namespace plc::hmi {
+
+PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session, QWidget* parent)
+    : QWidget(parent), m_project(project), m_session(nullptr), m_view(new PanelView(this)), m_status(new PlayerStatus(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    m_alarms.setFile(project.alarms);
+    connectScene();
+    scene().setFolder(project.folder);
+    scene().setTexts(&project.texts);
+    scene().setAlarms(&m_alarms);
+    scene().setLanguage(project.texts.settings().languages.value(0, QStringLiteral("en")));
+    setSession(session);
+    if (!project.startPanel.isEmpty()) showPanel(project.startPanel);
+    m_timer.setInterval(33);
+    connect(&m_timer, &QTimer::timeout, this, &PanelPlayer::frame);
+    m_timer.start();
+    resize(scene().size());
+}
+
+PanelPlayer::~PanelPlayer() {
+    // A button that is down must not stay down because the window was closed.
+    if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6));
+    scene().setValues(nullptr);
+}
+
+void PanelPlayer::connectScene() {
+    const auto look = [this] { return OverlayLook{&scene().theme(), &m_project.texts, language()}; };
+    connect(&scene(), &PanelScene::writeRequested, this, [this](const WriteRequest& write) { post(write); });
+    connect(&scene(), &PanelScene::confirmRequested, this, [this, look](const ConfirmRequest& confirm) {
+        auto* question = new Question(confirm, look(), this);
+        connect(question, &Question::confirmed, this, [this](const WriteRequest& write) {
+            post(write);
+            if (write.kind == WriteKind::Press) post(WriteRequest{write.element, write.target, WriteKind::Release, write.released, write.released});
+        });
+    });
+    connect(&scene(), &PanelScene::entryRequested, this, [this, look](const EntryRequest& entry) {
+        auto* keypad = new Keypad(entry, look(), this);
+        connect(keypad, &Keypad::accepted, this, [this](const EntryRequest& request, const Value& value) { post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}}); });
+    });
+    connect(&scene(), &PanelScene::choiceRequested, this, [this, look](const ChoiceRequest& choice) {
+        auto* list = new ChoiceList(choice, look(), this);
+        connect(list, &ChoiceList::chosen, this, [this](const ChoiceRequest& request, int index) {
+            const Value& value = request.values[static_cast<size_t>(index)];
+            if (request.isLanguage) requestLanguage(value.text());
+            else post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
+        });
+    });
+    connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
+        if (!m_watch) return;
+        if (acknowledge.all) m_watch->acknowledgeAll(acknowledge.classes);
+        else m_watch->acknowledge(acknowledge.alarm);
+    });
+    connect(&scene(), &PanelScene::panelRequested, this, [this](const QString& name) { QMetaObject::invokeMethod(this, [this, name] { showPanel(name); }, Qt::QueuedConnection); });
+    connect(&scene(), &PanelScene::languageRequested, this, &PanelPlayer::requestLanguage);
+}
+
+void PanelPlayer::setSession(session::Session* session) {
+    scene().setValues(nullptr);
+    m_watch.reset();
+    m_values.reset();
+    m_languageBinding = {};
+    m_languageValue = {};
+    m_session = session;
+    m_alarms.clear();
+    if (session) {
+        m_values = std::make_unique<PlcValues>(*session);
+        if (!m_project.texts.settings().variable.isEmpty()) m_languageBinding = m_values->bind(m_project.texts.settings().variable);
+        m_alarms.setClockAtZero(m_values->clock() - m_values->status().time.count());
+        if (!m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*session, m_alarms);
+        scene().setValues(m_values.get());
+    }
+    updateStatus();
+}
+
+bool PanelPlayer::showPanel(const QString& name) {
+    const NamedPanel* panel = m_project.find(name);
+    if (!panel) return false;
+    showPanel(name, panel->panel);
+    return true;
+}
+
+void PanelPlayer::showPanel(const QString& name, const Panel& panel) {
+    scene().setPanel(panel);
+    const bool isNew = std::exchange(m_panelName, name) != name;
+    updateStatus();
+    if (isNew) emit panelChanged(name);
+}
+
+void PanelPlayer::follow(const Panel& panel, const Touched& touched) { scene().follow(panel, touched); }
+
+void PanelPlayer::projectChanged() {
+    scene().setTexts(&m_project.texts);
+    if (m_project.alarms.write() != AlarmFile().write() || !m_alarms.definitions().empty()) {
+        m_watch.reset();
+        m_alarms.setFile(m_project.alarms);
+        if (m_session && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_session, m_alarms);
+    }
+    if (!m_project.texts.settings().languages.contains(language())) setLanguage(m_project.texts.settings().languages.value(0));
+}
+
+void PanelPlayer::setLanguage(const QString& tag) {
+    if (tag.isEmpty() || tag == language()) return;
+    scene().setLanguage(tag);
+    updateStatus();
+    emit languageChanged(tag);
+}
+
+void PanelPlayer::requestLanguage(const QString& tag) {
+    if (!m_project.texts.settings().languages.contains(tag)) return;
+    setLanguage(tag);
+    // The program reads the language; until it has it, its older value must not switch back.
+    if (!m_values || !m_languageBinding.isValid()) return;
+    const ValueKind kind = m_values->facts(m_languageBinding).kind;
+    const Value value = m_project.texts.settings().valueOf(tag, kind);
+    if (value.isNone()) return;
+    m_languageAsked = tag;
+    if (!post(WriteRequest{{}, m_project.texts.settings().variable, WriteKind::Write, value, {}}).isEmpty()) m_languageAsked.clear();
+}
+
+void PanelPlayer::followLanguageVariable() {
+    if (!m_values || !m_languageBinding.isValid()) return;
+    const Value& now = m_values->value(m_languageBinding);
+    const QString tag = m_project.texts.settings().tagOf(now);
+    if (!m_languageAsked.isEmpty()) {
+        if (tag == m_languageAsked) m_languageAsked.clear(), m_languageValue = now;
+        else if (now == m_languageValue) return; // the write is still on its way
+        else m_languageAsked.clear();            // the program decided otherwise
+    }
+    if (now == m_languageValue) return;
+    m_languageValue = now;
+    if (!tag.isEmpty()) setLanguage(tag);
+}
+
+void PanelPlayer::setPosition(std::optional<history::Position> position) {
+    if (!m_values) return;
+    m_values->setPosition(position);
+    scene().setAlarmPosition(position ? std::optional<quint64>(*position) : std::nullopt);
+    frame();
+}
+
+QString PanelPlayer::post(const WriteRequest& write) {
+    const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
+    const auto no = [&](const QString& reason) {
+        refuse(reason);
+        return reason;
+    };
+    if (!m_session || !m_values) return no(say(SystemText::NoController));
+    const std::string path = write.target.toStdString();
+    if (write.kind == WriteKind::Release) {
+        if (m_pressed.remove(write.target)) m_session->release(path);
+        return {};
+    }
+    if (m_values->position()) return no(say(SystemText::InThePast));
+    const controller::State state = m_session->status().state;
+    if (state == controller::State::Stopped || state == controller::State::Fault) return no(say(SystemText::NotRunning));
+    const auto target = m_session->expression(path);
+    if (!target) return no(QString::fromStdString(target.error().message));
+    const std::optional<image::Place> place = target->place();
+    if (!place) return no(say(SystemText::NotWritable));
+    for (const controller::Forced& forced : m_session->forces())
+        if (forced.place.offset == place->offset && forced.place.bit == place->bit) return no(say(SystemText::IsForced));
+    const Result<types::Value> value = toPlc(target->types(), target->type(), write.value);
+    if (!value) return no(say(SystemText::OutsideLimits) + u' ' + QString::fromStdString(value.error().message));
+    if (write.kind == WriteKind::Write) {
+        m_session->write(path, *value);
+        return {};
+    }
+    const Result<types::Value> released = toPlc(target->types(), target->type(), write.released);
+    if (!released) return no(QString::fromStdString(released.error().message));
+    m_pressed.insert(write.target, write.released);
+    m_session->press(path, *value, *released);
+    return {};
+}
+
+void PanelPlayer::refuse(const QString& reason) {
+    m_refusal = reason;
+    m_refusalAge.start();
+    m_status->setRefusal({&scene().theme(), &m_project.texts, language()}, reason);
+    emit writeRefused(reason);
+}
+
+void PanelPlayer::updateStatus() {
+    const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
+    QString text;
+    bool isBad = false;
+    switch (m_values ? m_values->freshness() : Freshness::Disconnected) {
+    case Freshness::Live: break;
+    case Freshness::Paused: text = say(SystemText::Paused); break;
+    case Freshness::Stopped:
+        text = say(SystemText::Stopped);
+        isBad = true;
+        break;
+    case Freshness::Fault:
+        text = say(SystemText::Fault);
+        if (const auto& fault = m_values->status().fault) text += QStringLiteral(": ") + QString::fromStdString(fault->message);
+        isBad = true;
+        break;
+    case Freshness::Past: {
+        text = say(SystemText::Past);
+        const qint64 clock = m_values->clock();
+        text += QStringLiteral("  –  ") + formatDate(clock, localeOf(language())) + u' ' + formatTime(clock, localeOf(language()), true);
+        break;
+    }
+    case Freshness::Disconnected:
+        text = say(SystemText::NoController);
+        isBad = true;
+        break;
+    }
+    m_status->setState({&scene().theme(), &m_project.texts, language()}, text, isBad);
+}
+
+void PanelPlayer::frame() {
+    if (m_values) {
+        m_values->refresh();
+        followLanguageVariable();
+        for (const std::string& refusal : m_session->takeRefusals()) refuse(QString::fromStdString(refusal));
+    }
+    updateStatus();
+    if (!m_refusal.isEmpty() && m_refusalAge.isValid() && m_refusalAge.elapsed() > 4000) {
+        m_refusal.clear();
+        m_status->setRefusal({&scene().theme(), &m_project.texts, language()}, {});
+    }
+    if (m_view->isVisible()) m_view->frame();
+}
+
+Overlay* PanelPlayer::overlay() const { return findChild<Overlay*>(); }
+
+void PanelPlayer::setFullScreen(bool full) {
+    if (full) window()->showFullScreen();
+    else window()->showNormal();
+}
+
+void PanelPlayer::resizeEvent(QResizeEvent*) {
+    m_view->setGeometry(rect());
+    m_status->setGeometry(rect());
+    m_status->raise();
+}
+
+void PanelPlayer::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_F11) return setFullScreen(!window()->isFullScreen());
+    if (event->key() == Qt::Key_Escape && window()->isFullScreen()) return setFullScreen(false);
+    QWidget::keyPressEvent(event);
+}
+
+void PanelPlayer::showEvent(QShowEvent*) { frame(); }
+
+} // namespace plc::hmi

@@ -1,0 +1,172 @@
+#include "hmi/player/plc_values.h"
+
+#include <cstring>
+
+namespace plc::hmi {
+
+PlcValues::PlcValues(session::Session& session) : m_session(session), m_program(session.program()) { refresh(); }
+
+void PlcValues::compile(Binding& binding) {
+    const auto compiled = m_session.expression(binding.text.toStdString());
+    binding.lastBytes.clear();
+    if (!compiled) {
+        binding.compiled = {};
+        binding.problem = QString::fromStdString(compiled.error().message);
+        binding.facts = {};
+        binding.value = Value::none(binding.problem);
+        return;
+    }
+    binding.compiled = *compiled;
+    binding.problem.clear();
+    binding.facts = factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
+}
+
+BindingId PlcValues::bind(const QString& expression) {
+    const QString text = expression.trimmed();
+    if (text.isEmpty()) return {};
+    const auto known = m_ids.constFind(text);
+    if (known != m_ids.constEnd()) return {*known};
+    Binding binding;
+    binding.text = text;
+    compile(binding);
+    const int index = static_cast<int>(m_bindings.size());
+    m_bindings.push_back(std::move(binding));
+    m_ids.insert(text, index);
+    Binding& added = m_bindings.back();
+    if (added.compiled.isValid() && !m_image.empty()) {
+        const expression::Outcome outcome = added.compiled.evaluate(m_image);
+        added.value = outcome.hasValue() ? toPanel(added.compiled.types(), outcome.value) : Value::none(QString::fromStdString(outcome.reason));
+    }
+    ++m_revision;
+    return {index};
+}
+
+void PlcValues::setPosition(std::optional<history::Position> position) {
+    if (position == m_position) return;
+    m_position = position;
+    m_scan = ~uint64_t(0);
+    refresh();
+}
+
+bool PlcValues::refresh() {
+    const controller::State before = m_status.state;
+    m_status = m_session.status();
+    bool changed = before != m_status.state;
+    if (const auto program = m_session.program(); program != m_program) {
+        m_program = program;
+        for (Binding& binding : m_bindings) compile(binding);
+        m_scan = ~uint64_t(0);
+    }
+    if (m_position) {
+        if (m_scan == *m_position && !m_image.empty()) return changed;
+        std::shared_ptr<const image::CompiledProgram> program;
+        m_image = m_session.history().seek(*m_position, &program);
+        m_pastStamp = m_session.history().stamp(*m_position);
+        m_scan = *m_position;
+        if (program && program != m_program) {
+            // The past ran under another version of the program: expressions are compiled for its layout.
+            for (Binding& binding : m_bindings) {
+                binding.compiled = m_session.recompile(binding.text.toStdString())(*program);
+                binding.lastBytes.clear();
+            }
+            m_program = program;
+        }
+        evaluate();
+        return true;
+    }
+    // A scan that has not ended since the last frame has nothing new, but at a breakpoint values change within a scan.
+    if (m_status.scans == m_scan && m_status.state != controller::State::Halted && !m_image.empty() && !changed) return false;
+    m_scan = m_status.scans;
+    m_image = m_session.snapshot();
+    evaluate();
+    return true;
+}
+
+void PlcValues::evaluate() {
+    bool changed = false;
+    for (Binding& binding : m_bindings) {
+        if (!binding.compiled.isValid()) {
+            if (binding.problem.isEmpty() && !binding.value.isNone()) binding.value = Value::none(QStringLiteral("not in this program")), changed = true;
+            continue;
+        }
+        if (m_image.empty()) {
+            if (!binding.value.isNone()) changed = true;
+            binding.value = Value::none(QStringLiteral("no longer recorded"));
+            binding.lastBytes.clear();
+            continue;
+        }
+        if (const std::optional<image::Place> place = binding.compiled.place(); place && place->bit < 0) {
+            const uint32_t size = binding.compiled.types()[place->type].size;
+            if (size > 0 && place->offset + size <= m_image.size()) {
+                const std::byte* bytes = m_image.data() + place->offset;
+                if (binding.lastBytes.size() == size && std::memcmp(binding.lastBytes.data(), bytes, size) == 0) continue;
+                binding.lastBytes.assign(bytes, bytes + size);
+            }
+        }
+        const expression::Outcome outcome = binding.compiled.evaluate(m_image);
+        Value now = outcome.hasValue() ? toPanel(binding.compiled.types(), outcome.value) : Value::none(QString::fromStdString(outcome.reason));
+        if (now == binding.value) continue;
+        binding.value = std::move(now);
+        changed = true;
+    }
+    if (changed) ++m_revision;
+}
+
+const Value& PlcValues::value(BindingId binding) const {
+    static const Value none;
+    return binding.isValid() ? m_bindings[static_cast<size_t>(binding.index)].value : none;
+}
+
+ValueFacts PlcValues::facts(BindingId binding) const { return binding.isValid() ? m_bindings[static_cast<size_t>(binding.index)].facts : ValueFacts(); }
+
+std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int buckets) const {
+    std::vector<CurvePiece> out;
+    if (!id.isValid()) return out;
+    const Binding& binding = m_bindings[static_cast<size_t>(id.index)];
+    if (!binding.compiled.isValid()) return out;
+    const history::History& history = m_session.history();
+    const history::Statistics there = history.statistics();
+    if (there.scans == 0) return out;
+    const history::Position last = m_position ? *m_position : there.end - 1;
+    const std::optional<history::ScanStamp> now = history.stamp(last);
+    if (!now) return out;
+    const auto begin = now->time - history::Nanoseconds(static_cast<int64_t>(seconds * 1e9));
+    history::Position first = there.first;
+    if (begin.count() > 0)
+        if (const auto at = history.positionAt(begin)) first = std::max(first, *at);
+    if (first > last) first = last;
+    const std::vector<history::Bucket> series = history.series(binding.compiled, m_session.recompile(binding.text.toStdString()), first, last + 1, static_cast<size_t>(std::max(1, buckets)));
+    const auto secondsOf = [&](history::Position position) {
+        const auto stamp = history.stamp(position);
+        return stamp ? static_cast<double>((stamp->time - now->time).count()) * 1e-9 : 0.0;
+    };
+    for (const history::Bucket& bucket : series) {
+        CurvePiece piece{secondsOf(bucket.begin), 0, bucket.first, bucket.minimum, bucket.maximum, bucket.last, bucket.count > 0};
+        piece.to = piece.from;
+        if (!out.empty()) out.back().to = piece.from;
+        out.push_back(piece);
+    }
+    if (!out.empty()) out.back().to = 0;
+    return out;
+}
+
+Freshness PlcValues::freshness() const {
+    if (m_position) return Freshness::Past;
+    switch (m_status.state) {
+    case controller::State::Stopped: return Freshness::Stopped;
+    case controller::State::Running: return Freshness::Live;
+    case controller::State::Paused:
+    case controller::State::Halted: return Freshness::Paused;
+    case controller::State::Fault: return Freshness::Fault;
+    }
+    return Freshness::Disconnected;
+}
+
+qint64 PlcValues::clock() const {
+    if (m_image.size() < sizeof(image::ImageHeader)) return 0;
+    image::ImageHeader header;
+    std::memcpy(&header, m_image.data(), sizeof header);
+    return header.calendarNs;
+}
+
+} // namespace plc::hmi

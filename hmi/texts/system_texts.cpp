@@ -1,0 +1,67 @@
+#include "hmi/texts/system_texts.h"
+
+#include <array>
+
+namespace plc::hmi {
+
+namespace {
+
+constexpr int kLanguages = 7;
+constexpr const char* kTags[kLanguages] = {"en", "de", "da", "es", "fr", "ar", "zh"};
+
+struct Row {
+    SystemText text;
+    const char* key;
+    const char* words[kLanguages];
+};
+
+constexpr Row kRows[] = {
+    {SystemText::Ok, "ok", {"OK", "OK", "OK", "Aceptar", "OK", "موافق", "确定"}},
+    {SystemText::Cancel, "cancel", {"Cancel", "Abbrechen", "Annuller", "Cancelar", "Annuler", "إلغاء", "取消"}},
+    {SystemText::Yes, "yes", {"Yes", "Ja", "Ja", "Sí", "Oui", "نعم", "是"}},
+    {SystemText::No, "no", {"No", "Nein", "Nej", "No", "Non", "لا", "否"}},
+    {SystemText::Clear, "clear", {"Clear", "Löschen", "Ryd", "Borrar", "Effacer", "مسح", "清除"}},
+    {SystemText::Close, "close", {"Close", "Schließen", "Luk", "Cerrar", "Fermer", "إغلاق", "关闭"}},
+    {SystemText::Time, "time", {"Time", "Zeit", "Tid", "Hora", "Heure", "الوقت", "时间"}},
+    {SystemText::Alarm, "alarm", {"Alarm", "Alarm", "Alarm", "Alarma", "Alarme", "إنذار", "报警"}},
+    {SystemText::NoAlarms, "no_alarms", {"No alarms", "Keine Alarme", "Ingen alarmer", "Sin alarmas", "Aucune alarme", "لا توجد إنذارات", "无报警"}},
+    {SystemText::AcknowledgeAll, "acknowledge_all", {"Acknowledge all", "Alle quittieren", "Kvittér alle", "Confirmar todas", "Tout acquitter", "تأكيد الكل", "全部确认"}},
+    {SystemText::Stopped, "stopped", {"The controller is stopped", "Die Steuerung ist gestoppt", "Styringen er stoppet", "El controlador está parado", "L’automate est arrêté", "وحدة التحكم متوقفة", "控制器已停止"}},
+    {SystemText::Paused, "paused", {"The controller is paused", "Die Steuerung ist angehalten", "Styringen er sat på pause", "El controlador está en pausa", "L’automate est en pause", "وحدة التحكم متوقفة مؤقتًا", "控制器已暂停"}},
+    {SystemText::Fault, "fault", {"The controller has a fault", "Die Steuerung meldet einen Fehler", "Styringen har en fejl", "El controlador tiene un fallo", "L’automate est en défaut", "عطل في وحدة التحكم", "控制器故障"}},
+    {SystemText::Past, "past", {"This is the past", "Dies ist die Vergangenheit", "Dette er fortiden", "Esto es el pasado", "Ceci est le passé", "هذا من الماضي", "这是历史数据"}},
+    {SystemText::NoController, "no_controller", {"No controller", "Keine Steuerung", "Ingen styring", "Sin controlador", "Pas d’automate", "لا توجد وحدة تحكم", "无控制器"}},
+    {SystemText::Between, "between", {"%1 to %2", "%1 bis %2", "%1 til %2", "%1 a %2", "%1 à %2", "من %1 إلى %2", "%1 至 %2"}},
+    {SystemText::AtLeast, "at_least", {"at least %1", "mindestens %1", "mindst %1", "mínimo %1", "au moins %1", "على الأقل %1", "至少 %1"}},
+    {SystemText::AtMost, "at_most", {"at most %1", "höchstens %1", "højst %1", "máximo %1", "au plus %1", "على الأكثر %1", "至多 %1"}},
+    {SystemText::NotANumber, "not_a_number", {"This is not a number.", "Das ist keine Zahl.", "Det er ikke et tal.", "No es un número.", "Ce n’est pas un nombre.", "هذا ليس رقمًا.", "这不是数字。"}},
+    {SystemText::OutsideLimits, "outside_limits", {"Not written: the value lies outside its limits.", "Nicht geschrieben: Der Wert liegt außerhalb der Grenzen.", "Ikke skrevet: Værdien ligger uden for grænserne.", "No escrito: el valor está fuera de los límites.", "Non écrit : la valeur est hors limites.", "لم تتم الكتابة: القيمة خارج الحدود.", "未写入:数值超出限制。"}},
+    {SystemText::IsForced, "is_forced", {"Not written: the variable is forced.", "Nicht geschrieben: Die Variable ist geforct.", "Ikke skrevet: Variablen er tvunget.", "No escrito: la variable está forzada.", "Non écrit : la variable est forcée.", "لم تتم الكتابة: المتغير مفروض.", "未写入:变量已被强制。"}},
+    {SystemText::NotRunning, "not_running", {"Not written: the controller is not running.", "Nicht geschrieben: Die Steuerung läuft nicht.", "Ikke skrevet: Styringen kører ikke.", "No escrito: el controlador no está en marcha.", "Non écrit : l’automate ne tourne pas.", "لم تتم الكتابة: وحدة التحكم لا تعمل.", "未写入:控制器未运行。"}},
+    {SystemText::InThePast, "in_the_past", {"Not written: the panel shows the past.", "Nicht geschrieben: Das Bild zeigt die Vergangenheit.", "Ikke skrevet: Panelet viser fortiden.", "No escrito: el panel muestra el pasado.", "Non écrit : le panneau montre le passé.", "لم تتم الكتابة: تعرض اللوحة الماضي.", "未写入:面板显示历史数据。"}},
+    {SystemText::NotWritable, "not_writable", {"Not written: this is not a variable.", "Nicht geschrieben: Das ist keine Variable.", "Ikke skrevet: Det er ikke en variabel.", "No escrito: no es una variable.", "Non écrit : ce n’est pas une variable.", "لم تتم الكتابة: هذا ليس متغيرًا.", "未写入:这不是变量。"}},
+};
+
+} // namespace
+
+QString systemKey(SystemText text) {
+    for (const Row& row : kRows)
+        if (row.text == text) return QStringLiteral("hmi.") + QString::fromLatin1(row.key);
+    return {};
+}
+
+QString systemText(const TextCatalog& texts, SystemText text, const QString& tag) {
+    const QString key = systemKey(text);
+    if (texts.table().contains(key)) return texts.text(u'@' + key, tag);
+    const QString base = tag.section(u'-', 0, 0);
+    for (const Row& row : kRows) {
+        if (row.text != text) continue;
+        for (int i = 0; i < kLanguages; ++i)
+            if (base == QLatin1String(kTags[i])) return QString::fromUtf8(row.words[i]);
+        const QString english = QString::fromUtf8(row.words[0]);
+        return tag.compare(kPseudoTag, Qt::CaseInsensitive) == 0 ? pseudoText(english) : english;
+    }
+    return {};
+}
+
+} // namespace plc::hmi
