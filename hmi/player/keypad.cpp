@@ -16,7 +16,7 @@ Overlay::Overlay(const OverlayLook& look, QWidget* parent) : QWidget(parent), m_
     parent->installEventFilter(this);
     setAttribute(Qt::WA_DeleteOnClose);
     setFocusPolicy(Qt::StrongFocus);
-    setLayoutDirection(isRightToLeft(look.tag) ? Qt::RightToLeft : Qt::LeftToRight);
+    setLayoutDirection(hmi::isRightToLeft(look.tag) ? Qt::RightToLeft : Qt::LeftToRight);
     const PanelTheme& theme = *look.theme;
     const auto name = [&](const char* role) { return theme.color(role).name(); };
     const QStringList families = look.texts->settings().fontFamilies(look.tag);
