@@ -1,0 +1,1 @@
+#include "tests/runtime/compiler/parse/outline.cpp" // NOLINT: the outline serves both test programs
