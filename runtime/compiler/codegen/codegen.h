@@ -22,11 +22,22 @@ struct DebugMap {
 };
 [[nodiscard]] DebugMap makeDebugMap(const tree::Program& program);
 
-/// Entry symbols are "plc.entry.<FunctionId>". `threadSanitizer` instruments the code (tests of the thread contract).
+/// `threadSanitizer` instruments the code (tests of the thread contract).
 struct Options {
     Tier tier = Tier::Quick;
     bool threadSanitizer = false;
 };
-[[nodiscard]] std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const DebugMap& debug, const Options& options);
+
+/// What both the whole program and every function need to know; made once, shared by the threads that emit parts of it.
+class ProgramFacts;
+[[nodiscard]] std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options);
+
+/// One of several modules that together hold the quick code: each emits the functions whose number modulo `count` is `index`.
+struct Part {
+    uint32_t index = 0;
+    uint32_t count = 1;
+};
+/// The module's entries stand in the table "plc.entries.<part>": {i64 function, ptr code} …, ended by {0, null}.
+[[nodiscard]] std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts, const Options& options, Part part = {});
 
 } // namespace plc::codegen

@@ -51,7 +51,7 @@ struct Range {
 
 class ModuleEmitter {
 public:
-    ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const DebugMap& debug, const Options& options);
+    ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts, const Options& options, Part part);
     std::unique_ptr<llvm::Module> emit();
 
     [[nodiscard]] const types::TypeTable& types() const { return *program.types; }
@@ -90,9 +90,10 @@ public:
     llvm::LLVMContext& context;
     std::unique_ptr<llvm::Module> module;
     const tree::Program& program;
-    const DebugMap& debug;
     const Options& options;
-    ProgramFacts facts;
+    const ProgramFacts& facts;
+    const Part part;
+    [[nodiscard]] bool isOwn(uint32_t function) const { return function % part.count == part.index; }
     llvm::IntegerType *i1, *i8, *i16, *i32, *i64;
     llvm::PointerType* ptr;
     llvm::Type *f32, *f64, *voidType;
@@ -101,7 +102,9 @@ private:
     llvm::GlobalVariable* newConstant(const std::string& name, llvm::Constant* value);
     void taint();
     void taintType(types::TypeId type);
-    void emitEntry(uint32_t function);
+    [[nodiscard]] std::vector<uint32_t> entryFunctions() const;
+    llvm::Function* emitEntry(uint32_t function);
+    void emitEntries();
     void resolvePatches();
     uint32_t need(uint32_t function);
     void addAttributes(llvm::Function& function);

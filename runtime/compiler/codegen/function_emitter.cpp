@@ -119,7 +119,7 @@ void FunctionEmitter::emitPrologue() {
             m_site = site; // faults before the first statement are shown there
             break;
         }
-    if (m_facts.isUnbounded) {
+    if (m.isQuick() || m_facts.isUnbounded) {
         auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame, int32(0));
         m.patchNeed(tooFar, 1, m_index);
         guard(tooFar, image::FaultCode::StackOverflow);

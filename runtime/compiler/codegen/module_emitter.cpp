@@ -14,9 +14,9 @@ constexpr int64_t kUnknownNeed = -1;
 constexpr int64_t kHostStack = 4 * 1024 * 1024;
 } // namespace
 
-ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program& tree, const DebugMap& debugMap, const Options& wanted)
-    : frameSizes(tree.functions.size(), 0), context(llvmContext), module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), debug(debugMap),
-      options(wanted), facts(tree, wanted.tier), m_abis(tree.functions.size()), m_functions(tree.functions.size()), m_needs(tree.functions.size(), kUnknownNeed) {
+ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program& tree, const ProgramFacts& known, const Options& wanted, Part which)
+    : frameSizes(tree.functions.size(), 0), context(llvmContext), module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), options(wanted), facts(known),
+      part(which), m_abis(tree.functions.size()), m_functions(tree.functions.size()), m_needs(tree.functions.size(), kUnknownNeed) {
     i1 = llvm::Type::getInt1Ty(context);
     i8 = llvm::Type::getInt8Ty(context);
     i16 = llvm::Type::getInt16Ty(context);
@@ -35,33 +35,43 @@ ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program
 }
 
 std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
-    std::vector<uint32_t> entries;
-    const auto addEntry = [&](uint32_t f) {
-        if (f != 0 && f < program.functions.size() && std::find(entries.begin(), entries.end(), f) == entries.end()) entries.push_back(f);
-    };
-    for (const image::Task& task : program.tasks)
-        for (const image::TaskProgram& p : task.programs)
-            for (const uint32_t f : {p.function, p.connectIn, p.connectOut}) addEntry(f);
-    if (program.initializer.isValid()) addEntry(program.initializer.value);
-    std::vector<bool> isEntry(program.functions.size(), false);
-    for (const uint32_t f : entries) isEntry[f] = true;
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
-        const tree::Function& tree = program.functions[f];
-        if (tree.isAbstract || isEntry[f] || (!isQuick() && facts[f].isReachable)) continue;
-        // Bodies and actions that no task names: tests and tools may run them.
-        const bool hasParameters = std::any_of(tree.locals.begin(), tree.locals.end(), [](const tree::Local& l) {
-            return l.kind == LocalKind::Input || l.kind == LocalKind::InOut || l.kind == LocalKind::Output || l.kind == LocalKind::Result;
-        });
-        if (isQuick() && !hasParameters) entries.push_back(f);
-    }
-    for (uint32_t f = 1; f < program.functions.size(); ++f) {
-        if (program.functions[f].isAbstract) continue;
+        if (!isOwn(f) || program.functions[f].isAbstract) continue;
         if (!isQuick() && !facts[f].isReachable) continue;
         FunctionEmitter(*this, f).emit();
     }
-    for (const uint32_t f : entries) emitEntry(f);
+    emitEntries();
     resolvePatches();
     return std::move(module);
+}
+
+/// What tasks and the initializer run; quick code also has every body and action that needs no arguments, for tests and tools.
+std::vector<uint32_t> ModuleEmitter::entryFunctions() const {
+    std::vector<bool> isEntry(program.functions.size(), false);
+    const auto add = [&](uint32_t f) {
+        if (f != 0 && f < isEntry.size()) isEntry[f] = true;
+    };
+    for (const image::Task& task : program.tasks)
+        for (const image::TaskProgram& p : task.programs)
+            for (const uint32_t f : {p.function, p.connectIn, p.connectOut}) add(f);
+    if (program.initializer.isValid()) add(program.initializer.value);
+    std::vector<uint32_t> entries;
+    for (uint32_t f = 1; f < program.functions.size(); ++f) {
+        const tree::Function& tree = program.functions[f];
+        if (!isOwn(f) || tree.isAbstract) continue;
+        const bool hasParameters = std::any_of(tree.locals.begin(), tree.locals.end(), [](const tree::Local& l) { return l.kind != LocalKind::Local; });
+        if (isEntry[f] || (isQuick() && !hasParameters)) entries.push_back(f);
+    }
+    return entries;
+}
+
+void ModuleEmitter::emitEntries() {
+    llvm::StructType* row = llvm::StructType::get(context, {i64, ptr});
+    std::vector<llvm::Constant*> rows;
+    for (const uint32_t f : entryFunctions()) rows.push_back(llvm::ConstantStruct::get(row, {llvm::ConstantInt::get(i64, f), emitEntry(f)}));
+    rows.push_back(llvm::Constant::getNullValue(row));
+    llvm::Constant* table = llvm::ConstantArray::get(llvm::ArrayType::get(row, rows.size()), rows);
+    newConstant("plc.entries." + std::to_string(part.index), table)->setLinkage(llvm::GlobalValue::ExternalLinkage);
 }
 
 // ---------------------------------------------------------------- types and signatures
@@ -133,7 +143,8 @@ void ModuleEmitter::addAttributes(llvm::Function& f) {
 llvm::Function* ModuleEmitter::function(uint32_t index) {
     llvm::Function*& f = m_functions[index];
     if (f) return f;
-    f = llvm::Function::Create(abi(index).type, llvm::GlobalValue::InternalLinkage, "plc.f." + std::to_string(index), *module);
+    const auto linkage = part.count == 1 || program.functions[index].isAbstract ? llvm::GlobalValue::InternalLinkage : llvm::GlobalValue::ExternalLinkage;
+    f = llvm::Function::Create(abi(index).type, linkage, "plc.f." + std::to_string(index), *module);
     addAttributes(*f);
     if (program.functions[index].isAbstract) {
         llvm::IRBuilder<> builder(llvm::BasicBlock::Create(context, "", f));
@@ -148,9 +159,9 @@ uint32_t ModuleEmitter::frameOffset(uint32_t index, uint32_t local) const { retu
 
 // ---------------------------------------------------------------- entries and frame sizes
 
-void ModuleEmitter::emitEntry(uint32_t index) {
+llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     auto* type = llvm::FunctionType::get(voidType, {ptr, ptr, i32}, false);
-    auto* entry = llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage, "plc.entry." + std::to_string(index), *module);
+    auto* entry = llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.entry." + std::to_string(index), *module);
     addAttributes(*entry);
     llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", entry));
     llvm::Value* ctx = entry->getArg(0);
@@ -180,10 +191,13 @@ void ModuleEmitter::emitEntry(uint32_t index) {
     b.CreateCall(function(index), arguments);
     b.CreateStore(b.getInt32(0), field(offsetof(RuntimeContext, depth)));
     b.CreateRetVoid();
+    return entry;
 }
 
-/// Bytes of frame area a call of `index` uses at most, calls into cycles left out (those check for themselves).
+/// Bytes of frame area a call of `index` uses at most, calls into cycles left out (those check for themselves). In quick code every
+/// function checks its own.
 uint32_t ModuleEmitter::need(uint32_t index) {
+    if (isQuick()) return frameSizes[index];
     if (m_needs[index] != kUnknownNeed) return static_cast<uint32_t>(m_needs[index]);
     m_needs[index] = frameSizes[index];
     uint32_t deepest = 0;
@@ -414,8 +428,10 @@ void ModuleEmitter::taintType(types::TypeId id) {
     for (const types::Field& field : type.fields) taintType(field.type);
 }
 
-std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const DebugMap& debug, const Options& options) {
-    return ModuleEmitter(context, program, debug, options).emit();
+std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options) { return std::make_shared<ProgramFacts>(program, options.tier); }
+
+std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts, const Options& options, Part part) {
+    return ModuleEmitter(context, program, facts, options, part).emit();
 }
 
 } // namespace plc::codegen

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <thread>
 
 namespace plc::jit {
 
@@ -129,20 +130,30 @@ void dump(const llvm::Module& module, const char* name) {
 
 void setRuntimeSymbols(const image::RuntimeSymbols& symbols) { g_symbols = symbols; }
 
-Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::DebugMap& debug, const codegen::Options& options) {
-    initialiseTargets();
-    const bool isQuick = options.tier == codegen::Tier::Quick;
-    auto machineBuilder = llvm::orc::JITTargetMachineBuilder::detectHost();
-    if (!machineBuilder) return failed(machineBuilder.takeError());
-    machineBuilder->setCodeGenOptLevel(isQuick ? llvm::CodeGenOptLevel::None : llvm::CodeGenOptLevel::Default);
-    machineBuilder->getOptions().EnableFastISel = isQuick;
-    machineBuilder->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict; // a * b + c rounds twice, in every tier
-    auto machine = machineBuilder->createTargetMachine();
-    if (!machine) return failed(machine.takeError());
+namespace {
 
-    auto context = std::make_unique<llvm::LLVMContext>();
-    context->setDiscardValueNames(isQuick);
-    std::unique_ptr<llvm::Module> module = codegen::emitModule(*context, program, debug, options);
+using Object = std::unique_ptr<llvm::MemoryBuffer>;
+
+/// Processor of this machine, options of the tier.
+llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
+    auto builder = llvm::orc::JITTargetMachineBuilder::detectHost();
+    if (!builder) return builder;
+    builder->setCodeGenOptLevel(isQuick ? llvm::CodeGenOptLevel::None : llvm::CodeGenOptLevel::Default);
+    builder->getOptions().EnableFastISel = isQuick;
+    builder->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict; // a * b + c rounds twice, in every tier
+    return builder;
+}
+
+/// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
+Result<Object> compilePart(const tree::Program& program, const codegen::ProgramFacts& facts, const codegen::Options& options, codegen::Part part) {
+    const bool isQuick = options.tier == codegen::Tier::Quick;
+    auto builder = machineFor(isQuick);
+    if (!builder) return failed(builder.takeError());
+    auto machine = builder->createTargetMachine();
+    if (!machine) return failed(machine.takeError());
+    llvm::LLVMContext context;
+    context.setDiscardValueNames(isQuick);
+    const std::unique_ptr<llvm::Module> module = codegen::emitModule(context, program, facts, options, part);
     module->setDataLayout((*machine)->createDataLayout());
     module->setTargetTriple((*machine)->getTargetTriple().str());
     dump(*module, isQuick ? "quick" : "plain");
@@ -154,9 +165,44 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     if (options.threadSanitizer) instrument(*module, **machine);
     if (!isQuick) optimise(*module, **machine);
     if (!isQuick) dump(*module, "optimised");
+    auto object = llvm::orc::SimpleCompiler(**machine)(*module);
+    if (!object) return failed(object.takeError());
+    return std::move(*object);
+}
 
+/// Quick code of large programs is made by several threads; optimised code is one module, so that everything can be inlined.
+uint32_t partsFor(const tree::Program& program, const codegen::Options& options) {
+    constexpr size_t kFunctionsPerPart = 40;
+    if (options.tier != codegen::Tier::Quick) return 1;
+    const size_t wanted = program.functions.size() / kFunctionsPerPart + 1;
+    return static_cast<uint32_t>(std::min<size_t>({wanted, std::max(1u, std::thread::hardware_concurrency()), 8}));
+}
+
+std::vector<Result<Object>> compileParts(const tree::Program& program, const codegen::ProgramFacts& facts, const codegen::Options& options, uint32_t count) {
+    std::vector<Result<Object>> objects;
+    for (uint32_t i = 0; i < count; ++i) objects.push_back(Error{"not compiled", ""});
+    std::vector<std::thread> threads;
+    for (uint32_t i = 1; i < count; ++i)
+        threads.emplace_back([&, i] { objects[i] = compilePart(program, facts, options, {i, count}); });
+    objects[0] = compilePart(program, facts, options, {0, count});
+    for (std::thread& thread : threads) thread.join();
+    return objects;
+}
+
+struct EntryRow {
+    uint64_t function;
+    image::Entry code;
+};
+
+} // namespace
+
+Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::DebugMap&, const codegen::Options& options) {
+    initialiseTargets();
+    const bool isQuick = options.tier == codegen::Tier::Quick;
+    auto machine = machineFor(isQuick);
+    if (!machine) return failed(machine.takeError());
     llvm::orc::LLJITBuilder builder;
-    builder.setJITTargetMachineBuilder(std::move(*machineBuilder));
+    builder.setJITTargetMachineBuilder(std::move(*machine));
     auto jit = builder.create();
     if (!jit) return failed(jit.takeError());
     llvm::orc::JITDylib& library = (*jit)->getMainJITDylib();
@@ -167,20 +213,19 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     }
     if (auto error = library.define(llvm::orc::absoluteSymbols(runtimeSymbols(**jit)))) return failed(std::move(error));
 
-    std::vector<uint32_t> entries;
-    for (const llvm::Function& function : *module) {
-        llvm::StringRef name = function.getName();
-        uint32_t index = 0;
-        if (name.consume_front("plc.entry.") && !name.getAsInteger(10, index)) entries.push_back(index);
+    const auto facts = codegen::gatherFacts(program, options);
+    const uint32_t parts = partsFor(program, options);
+    for (Result<Object>& object : compileParts(program, *facts, options, parts)) {
+        if (!object) return object.error();
+        if (auto error = (*jit)->addObjectFile(std::move(*object))) return failed(std::move(error));
     }
-    if (auto error = (*jit)->addIRModule(llvm::orc::ThreadSafeModule(std::move(module), std::move(context)))) return failed(std::move(error));
     auto code = std::make_shared<image::Code>();
     code->hasSites = isQuick;
     code->entries.resize(program.functions.size(), nullptr);
-    for (const uint32_t index : entries) {
-        auto address = (*jit)->lookup("plc.entry." + std::to_string(index));
-        if (!address) return failed(address.takeError());
-        code->entries[index] = address->toPtr<image::Entry>();
+    for (uint32_t part = 0; part < parts; ++part) {
+        auto table = (*jit)->lookup("plc.entries." + std::to_string(part));
+        if (!table) return failed(table.takeError());
+        for (const EntryRow* row = table->toPtr<const EntryRow*>(); row->function != 0; ++row) code->entries[row->function] = row->code;
     }
     code->keepAlive = std::shared_ptr<llvm::orc::LLJIT>(std::move(*jit));
     return std::shared_ptr<const image::Code>(std::move(code));
