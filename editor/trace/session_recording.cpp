@@ -1,0 +1,101 @@
+#include "editor/trace/session_recording.h"
+
+namespace plc::trace {
+
+std::pair<Position, Position> SessionRecording::extent() const {
+    const history::Statistics s = m_session.history().statistics();
+    return {s.first, s.end};
+}
+
+Result<ChannelType> SessionRecording::typeOf(const std::string& text) const {
+    const auto expression = m_session.expression(text);
+    if (!expression) return expression.error();
+    return channelTypeOf(*expression);
+}
+
+std::vector<history::Sample> SessionRecording::samples(const std::string& text, Position from, Position to) const {
+    const auto expression = m_session.expression(text);
+    if (!expression) return {};
+    return m_session.history().samples(*expression, m_session.recompile(text), from, to);
+}
+
+std::optional<Position> SessionRecording::find(const std::string& text, Position from, history::History::Direction direction) const {
+    const auto expression = m_session.expression(text);
+    if (!expression) return std::nullopt;
+    return m_session.history().find(*expression, m_session.recompile(text), from, direction);
+}
+
+std::optional<Position> SessionRecording::findChange(const std::string& text, Position from, history::History::Direction direction) const {
+    const auto expression = m_session.expression(text);
+    if (!expression) return std::nullopt;
+    return m_session.history().findChange(*expression, m_session.recompile(text), from, direction);
+}
+
+Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& path) {
+    std::shared_ptr<FileRecording> recording(new FileRecording);
+    std::string failure;
+    auto history = history::History::load(path, [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
+        driver::BuildInput input;
+        for (const auto& [name, text] : sources) input.files.push_back({name, text});
+        input.libraries = libraries;
+        driver::Built built = driver::build(input);
+        if (!built.program) {
+            failure = built.failure.empty() ? "the program in it has errors" : built.failure;
+            return nullptr;
+        }
+        recording->m_versions.push_back({built.program, built.checked});
+        return built.program;
+    });
+    if (!history) return failure.empty() ? history.error() : Error{"The recording can not be opened: " + failure, path};
+    recording->m_history = std::move(*history);
+    return recording;
+}
+
+std::pair<Position, Position> FileRecording::extent() const {
+    const history::Statistics s = m_history->statistics();
+    return {s.first, s.end};
+}
+
+Result<expression::Expression> FileRecording::compile(const std::string& text) const {
+    if (const auto it = m_expressions.find(text); it != m_expressions.end()) return it->second;
+    if (m_versions.empty()) return Error{"The recording holds no program", ""};
+    auto expression = driver::compileExpression(m_versions.back().checked, text);
+    if (expression) m_expressions.emplace(text, *expression);
+    return expression;
+}
+
+history::Recompile FileRecording::recompile(const std::string& text) const {
+    return [this, text](const image::CompiledProgram& program) -> expression::Expression {
+        for (const Version& version : m_versions)
+            if (version.program->version == program.version) {
+                auto expression = driver::compileExpression(version.checked, text);
+                return expression ? *expression : expression::Expression();
+            }
+        return {};
+    };
+}
+
+Result<ChannelType> FileRecording::typeOf(const std::string& text) const {
+    const auto expression = compile(text);
+    if (!expression) return expression.error();
+    return channelTypeOf(*expression);
+}
+
+std::vector<history::Sample> FileRecording::samples(const std::string& text, Position from, Position to) const {
+    const auto expression = compile(text);
+    return expression ? m_history->samples(*expression, recompile(text), from, to) : std::vector<history::Sample>();
+}
+
+std::optional<Position> FileRecording::find(const std::string& text, Position from, history::History::Direction direction) const {
+    const auto expression = compile(text);
+    return expression ? m_history->find(*expression, recompile(text), from, direction) : std::nullopt;
+}
+
+std::optional<Position> FileRecording::findChange(const std::string& text, Position from, history::History::Direction direction) const {
+    const auto expression = compile(text);
+    return expression ? m_history->findChange(*expression, recompile(text), from, direction) : std::nullopt;
+}
+
+std::shared_ptr<const image::CompiledProgram> FileRecording::program() const { return m_versions.empty() ? nullptr : m_versions.back().program; }
+
+} // namespace plc::trace

@@ -1,0 +1,276 @@
+#include "editor/trace/trace_feed.h"
+
+#include <algorithm>
+
+namespace plc::trace {
+
+namespace {
+constexpr Position Slice = 8192;
+using history::Column;
+using history::ColumnGap;
+} // namespace
+
+std::optional<std::pair<int64_t, int64_t>> ColumnSource::timeRange() const {
+    const Column& c = column();
+    if (c.isEmpty()) return std::nullopt;
+    return std::pair(c.firstTime(), c.lastTime());
+}
+
+void ColumnSource::buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> out) const {
+    static_assert(sizeof(kit::PlotBucket) == sizeof(history::ColumnBucket));
+    std::vector<history::ColumnBucket> buckets(out.size());
+    column().buckets(from, to, buckets);
+    for (size_t i = 0; i < out.size(); ++i) out[i] = {buckets[i].first, buckets[i].minimum, buckets[i].maximum, buckets[i].last, buckets[i].count, buckets[i].isNumber};
+}
+
+void ColumnSource::visit(int64_t from, int64_t to, const Visitor& visitor) const {
+    const Column& c = column();
+    std::vector<kit::PlotSample> block;
+    c.visit(c.rowAtOrAfter(from), c.rowAtOrAfter(to), [&](std::span<const history::ColumnRow> rows) {
+        block.clear();
+        for (const history::ColumnRow& row : rows) block.push_back({row.time, row.value});
+        visitor(block);
+    });
+}
+
+std::optional<kit::PlotSample> ColumnSource::inForceAt(int64_t time) const {
+    const auto row = column().rowInForceAt(time);
+    if (!row) return std::nullopt;
+    const history::ColumnRow r = column().row(*row);
+    return kit::PlotSample{r.time, r.value};
+}
+
+std::optional<kit::PlotSample> ColumnSource::after(int64_t time) const {
+    const Column& c = column();
+    if (time == std::numeric_limits<int64_t>::max()) return std::nullopt;
+    const uint64_t row = c.rowAtOrAfter(time + 1);
+    if (row == c.endRow()) return std::nullopt;
+    const history::ColumnRow r = c.row(row);
+    return kit::PlotSample{r.time, r.value};
+}
+
+std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
+    std::vector<kit::PlotGap> result;
+    for (const ColumnGap& gap : column().gaps()) {
+        if (gap.from >= to || gap.to <= from) continue;
+        auto reason = kit::PlotGap::Reason::NotRecorded;
+        switch (gap.reason) {
+        case ColumnGap::Reason::Evicted: reason = kit::PlotGap::Reason::Evicted; break;
+        case ColumnGap::Reason::NoPath: reason = kit::PlotGap::Reason::NoPath; break;
+        case ColumnGap::Reason::SkippedScans: reason = kit::PlotGap::Reason::SkippedScans; break;
+        case ColumnGap::Reason::NotRecorded: break;
+        }
+        result.push_back({gap.from, gap.to, reason});
+    }
+    return result;
+}
+
+struct TraceFeed::Channel {
+    std::string expression;
+    ChannelType type;
+    std::string problem;
+    std::shared_ptr<ColumnSource> source; // null while there is a problem
+    bool hasStarted = false;
+    Position last = 0;                    // newest position read
+    int64_t lastTime = 0;                 // and its time
+    std::optional<ColumnGap::Reason> open; // since openFrom there has been no value, for this reason
+    int64_t openFrom = 0;
+};
+
+TraceFeed::TraceFeed(const Recording& recording, std::shared_ptr<history::ColumnStore> store) : m_recording(recording), m_store(std::move(store)) {}
+
+TraceFeed::~TraceFeed() {
+    for (auto& channel : m_channels)
+        if (channel->source) m_store->remove(channel->source->id());
+}
+
+void TraceFeed::restart(Channel& channel) {
+    channel.hasStarted = false;
+    channel.open.reset();
+    if (!channel.source) return;
+    channel.source->column().clear();
+    channel.source->changed();
+}
+
+void TraceFeed::setSettings(const FeedSettings& settings) {
+    if (settings == m_settings) return;
+    m_settings = settings;
+    for (auto& channel : m_channels) restart(*channel);
+}
+
+void TraceFeed::setExpressions(const std::vector<std::string>& expressions) {
+    std::vector<std::unique_ptr<Channel>> channels;
+    for (const std::string& expression : expressions) {
+        auto same = [&](const std::unique_ptr<Channel>& c) { return c && c->expression == expression; };
+        if (std::any_of(channels.begin(), channels.end(), same)) continue;
+        if (const auto old = std::find_if(m_channels.begin(), m_channels.end(), same); old != m_channels.end()) {
+            channels.push_back(std::move(*old));
+            continue;
+        }
+        auto channel = std::make_unique<Channel>();
+        channel->expression = expression;
+        channels.push_back(std::move(channel));
+    }
+    for (auto& gone : m_channels)
+        if (gone && gone->source) m_store->remove(gone->source->id());
+    m_channels = std::move(channels);
+    retryProblems();
+}
+
+void TraceFeed::retryProblems() {
+    for (auto& channel : m_channels) {
+        if (channel->source) continue;
+        const auto type = m_recording.typeOf(channel->expression);
+        channel->problem = type ? std::string() : type.error().message;
+        if (!type) continue;
+        channel->type = *type;
+        const auto kind = type->isBool ? kit::PlotValueKind::Bool : type->isInteger ? kit::PlotValueKind::Integer : type->isSingle ? kit::PlotValueKind::Single : kit::PlotValueKind::Double;
+        channel->source = std::make_shared<ColumnSource>(m_store, m_store->add(type->kind), kind);
+        restart(*channel);
+    }
+}
+
+std::shared_ptr<const ColumnSource> TraceFeed::source(const std::string& expression) const {
+    for (const auto& channel : m_channels)
+        if (channel->expression == expression) return channel->source;
+    return nullptr;
+}
+
+const ChannelType* TraceFeed::type(const std::string& expression) const {
+    for (const auto& channel : m_channels)
+        if (channel->expression == expression && channel->source) return &channel->type;
+    return nullptr;
+}
+
+std::string TraceFeed::problem(const std::string& expression) const {
+    for (const auto& channel : m_channels)
+        if (channel->expression == expression) return channel->problem;
+    return {};
+}
+
+void TraceFeed::refreshChain() {
+    const std::vector<history::Branch> branches = m_recording.branches();
+    const Position end = m_recording.extent().second;
+    m_chain = newestChain(branches, end);
+    if (branches.size() == m_branches) return;
+    // The controller went back: what was recorded after the scan it continues from is no longer the past of the present.
+    m_branches = branches.size();
+    for (auto& channel : m_channels) {
+        if (!channel->source || !channel->hasStarted) continue;
+        const bool stillThere = std::any_of(m_chain.begin(), m_chain.end(), [&](const PositionRange& r) { return channel->last >= r.begin && channel->last < r.end; });
+        if (stillThere) continue;
+        const auto kept = [&]() -> std::optional<Position> { // the newest position read that is still on the chain
+            for (size_t i = m_chain.size(); i-- > 0;)
+                if (m_chain[i].begin <= channel->last) return std::min(channel->last, m_chain[i].end - 1);
+            return std::nullopt;
+        }();
+        const auto stamp = kept ? m_recording.stamp(*kept) : std::nullopt;
+        if (!stamp) {
+            restart(*channel);
+            continue;
+        }
+        channel->last = *kept;
+        channel->lastTime = stamp->time.count();
+        channel->source->column().truncateAfter(channel->lastTime);
+        if (channel->open && channel->openFrom >= channel->lastTime) channel->open.reset();
+        channel->source->changed();
+    }
+}
+
+void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& samples, const std::vector<history::Sample>& condition) {
+    Column& column = channel.source->column();
+    size_t c = 0;
+    for (const history::Sample& sample : samples) {
+        const int64_t time = sample.at.time.count();
+        std::optional<ColumnGap::Reason> missing;
+        if (!sample.hasValue) missing = ColumnGap::Reason::NoPath;
+        if (!condition.empty() || !m_settings.condition.empty()) {
+            while (c < condition.size() && condition[c].at.position < sample.at.position) ++c;
+            const bool holds = c < condition.size() && condition[c].at.position == sample.at.position && condition[c].hasValue && condition[c].value != 0;
+            if (!holds) missing = ColumnGap::Reason::NotRecorded;
+        }
+        const bool skipped = m_settings.every > 1 && sample.at.scan % m_settings.every != 0;
+        if (missing) {
+            if (!channel.open || *channel.open != *missing) {
+                const int64_t from = column.isEmpty() ? time : std::max(column.lastTime(), channel.open ? channel.lastTime : column.lastTime());
+                if (channel.open) column.appendGap(channel.openFrom, time, *channel.open);
+                channel.open = missing;
+                channel.openFrom = channel.open && !column.isEmpty() ? from : time;
+            }
+        } else if (!skipped) {
+            if (channel.open) {
+                column.appendGap(channel.openFrom, time, *channel.open);
+                channel.open.reset();
+            }
+            column.append(time, sample.value);
+        }
+        channel.last = sample.at.position;
+        channel.lastTime = time;
+    }
+    channel.source->changed();
+}
+
+bool TraceFeed::readSlice(Channel& channel) {
+    const Position oldest = m_recording.extent().first;
+    std::optional<Position> from;
+    if (!channel.hasStarted) {
+        for (const PositionRange& range : m_chain)
+            if (oldest < range.end && range.begin < range.end) {
+                from = std::max(oldest, range.begin);
+                break;
+            }
+    } else {
+        from = nextOnChain(m_chain, channel.last);
+    }
+    if (!from) return true;
+    bool evicted = false;
+    if (*from < oldest) { // left the history before we came to read it
+        for (const PositionRange& range : m_chain)
+            if (oldest < range.end) {
+                from = std::max(oldest, range.begin);
+                break;
+            }
+        evicted = channel.hasStarted;
+    } else if (!channel.hasStarted && *from > 0) {
+        evicted = true;
+    }
+    const auto range = std::find_if(m_chain.begin(), m_chain.end(), [&](const PositionRange& r) { return *from >= r.begin && *from < r.end; });
+    if (range == m_chain.end()) return true;
+    const Position to = std::min(range->end, *from + Slice);
+    const auto samples = m_recording.samples(channel.expression, *from, to);
+    const auto condition = m_settings.condition.empty() ? std::vector<history::Sample>() : m_recording.samples(m_settings.condition, *from, to);
+    if (evicted && !samples.empty()) {
+        const int64_t since = channel.hasStarted ? channel.lastTime : 0;
+        channel.source->column().appendGap(since, samples.front().at.time.count(), ColumnGap::Reason::Evicted);
+    }
+    channel.hasStarted = true;
+    channel.last = to - 1; // also when the slice was evicted meanwhile
+    append(channel, samples, condition);
+    channel.last = to - 1;
+    return !nextOnChain(m_chain, channel.last);
+}
+
+bool TraceFeed::pump(std::chrono::steady_clock::duration budget) {
+    const auto until = std::chrono::steady_clock::now() + budget;
+    refreshChain();
+    bool done = false;
+    while (!done) {
+        done = true;
+        for (auto& channel : m_channels) {
+            if (!channel->source) continue;
+            done = readSlice(*channel) && done;
+            if (std::chrono::steady_clock::now() >= until) {
+                m_store->enforceBudget();
+                return false;
+            }
+        }
+    }
+    m_store->enforceBudget();
+    return true;
+}
+
+void TraceFeed::pumpAll() {
+    while (!pump(std::chrono::hours(1))) {}
+}
+
+} // namespace plc::trace

@@ -1,0 +1,111 @@
+#include "editor/trace/trace_picture.h"
+
+#include "editor/kit/plot_export.h"
+#include "editor/kit/plot_scale.h"
+#include "editor/kit/plot_table.h"
+#include "editor/kit/theme.h"
+#include "editor/trace/program_variables.h"
+#include "editor/trace/trace_plot.h"
+#include "editor/trace/trigger.h"
+
+#include <QCoreApplication>
+
+namespace plc::trace {
+
+namespace {
+
+struct TraceText {
+    Q_DECLARE_TR_FUNCTIONS(TraceText)
+};
+
+/// First complete shot over the whole recording; one that lacks its end when none is complete.
+std::optional<int64_t> shotOf(const TraceSetup& setup, const TraceFeed& feed) {
+    const auto source = feed.source(setup.trigger.expression);
+    if (!source || setup.trigger.mode == TriggerMode::Off) return std::nullopt;
+    TriggerMachine machine;
+    machine.setSetup(setup.trigger);
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+        for (const kit::PlotSample& s : block) machine.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
+    });
+    return machine.completeAt() ? machine.completeAt() : machine.firedAt();
+}
+
+std::string tableText(const kit::MeasureTable& table) {
+    std::vector<qsizetype> widths;
+    for (qsizetype c = 0; c < table.headers.size(); ++c) {
+        qsizetype wide = table.headers[c].size();
+        for (const auto& row : table.rows) wide = std::max(wide, row.cells[c].size());
+        widths.push_back(wide);
+    }
+    QString out = table.headline + QLatin1Char('\n');
+    auto line = [&](const QStringList& cells) {
+        for (qsizetype c = 0; c < cells.size(); ++c)
+            out += c == 0 ? cells[c].leftJustified(widths[static_cast<size_t>(c)]) : QStringLiteral("  ") + cells[c].rightJustified(widths[static_cast<size_t>(c)]);
+        out += QLatin1Char('\n');
+    };
+    line(table.headers);
+    for (const auto& row : table.rows) line(row.cells);
+    return out.toStdString();
+}
+
+} // namespace
+
+Result<std::string> renderTrace(const Recording& recording, const TraceOutput& output) {
+    TraceFeed feed(recording, std::make_shared<history::ColumnStore>(size_t(2) << 30));
+    TraceSetup setup = output.setup;
+    ProgramVariables variables;
+    variables.setProgram(recording.program());
+    for (ChannelSetup& channel : setup.channels)
+        if (channel.unit.empty()) channel.unit = variables.unitOf(QString::fromStdString(channel.expression)).toStdString();
+    feed.setSettings({setup.every, setup.condition});
+    feed.setExpressions(expressionsOf(setup));
+    for (const std::string& expression : expressionsOf(setup))
+        if (const std::string problem = feed.problem(expression); !problem.empty()) return Error{problem, expression};
+    if (!setup.condition.empty())
+        if (const auto type = recording.typeOf(setup.condition); !type) return Error{type.error().message, setup.condition};
+    feed.pumpAll();
+
+    kit::Theme& theme = kit::Theme::current();
+    const kit::ThemeChoice before = theme.choice();
+    theme.setChoice(output.isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
+    kit::PlotModel model;
+    applySetup(model, setup, &feed);
+    applyMarks(model, recording, feed.chain());
+    std::unique_ptr<TraceFeed> older;
+    if (output.beneath) {
+        older = std::make_unique<TraceFeed>(*output.beneath, std::make_shared<history::ColumnStore>(size_t(2) << 30));
+        older->setExpressions(expressionsOf(setup));
+        older->pumpAll();
+        applyBeneath(model, setup, *older);
+    }
+    std::string text;
+    const auto whole = kit::wholeRange(model);
+    model.from = output.from.value_or(whole ? whole->first : 0);
+    model.to = std::max(output.to.value_or(whole ? whole->second : 1), model.from + 1);
+    if (const auto shot = shotOf(setup, feed)) {
+        model.trigger = shot;
+        model.origin = *shot;
+        if (!output.from) model.from = *shot - setup.trigger.before;
+        if (!output.to) model.to = std::max(*shot + setup.trigger.after, model.from + 1);
+        text += TraceText::tr("Triggered at %1.").arg(kit::momentText(*shot)).toStdString() + "\n";
+    } else if (setup.trigger.mode != TriggerMode::Off && !setup.trigger.expression.empty()) {
+        text += TraceText::tr("The trigger did not fire.").toStdString() + "\n";
+    }
+    model.cursorA = setup.cursorA;
+    model.cursorB = setup.cursorB;
+    model.hasTable = setup.hasTable;
+    if (output.wantsStatistics) { // without cursors: over all that is shown
+        kit::PlotModel measured = model;
+        measured.cursorA = kit::snappedTime(model, model.cursorA.value_or(model.from));
+        measured.cursorB = kit::snappedTime(model, model.cursorB.value_or(model.to));
+        text += tableText(kit::measureTable(measured));
+    }
+    Result<void> done;
+    if (!output.picture.isEmpty()) done = kit::exportPicture(model, output.picture, {output.size, output.scale});
+    if (done && !output.csv.isEmpty()) done = kit::exportCsv(model, model.from, model.to, output.csv);
+    theme.setChoice(before);
+    if (!done) return done.error();
+    return text;
+}
+
+} // namespace plc::trace

@@ -1,0 +1,135 @@
+#include "editor/trace/trace_plot.h"
+
+#include "editor/kit/theme.h"
+#include "runtime/controller/controller.h"
+
+namespace plc::trace {
+
+namespace {
+
+kit::AxisMode modeOf(ScaleMode mode) {
+    switch (mode) {
+    case ScaleMode::Automatic: return kit::AxisMode::Automatic;
+    case ScaleMode::Fit: return kit::AxisMode::Fit;
+    case ScaleMode::Fixed: return kit::AxisMode::Fixed;
+    }
+    return kit::AxisMode::Automatic;
+}
+
+/// What a mark of the history is on the chart; nothing for those that would only be in the way.
+std::optional<kit::MarkerKind> markerOf(int kind) {
+    using controller::EventKind;
+    switch (static_cast<EventKind>(kind)) {
+    case EventKind::Started:
+    case EventKind::Stopped:
+    case EventKind::Paused: return kit::MarkerKind::Start;
+    case EventKind::Fault: return kit::MarkerKind::Fault;
+    case EventKind::Reset: return kit::MarkerKind::Reset;
+    case EventKind::Force:
+    case EventKind::Release: return kit::MarkerKind::Force;
+    case EventKind::OnlineChange: return kit::MarkerKind::OnlineChange;
+    case EventKind::Breakpoint: return kit::MarkerKind::Breakpoint;
+    case EventKind::SkippedScans: return kit::MarkerKind::SkippedScans;
+    case EventKind::WentBack: return kit::MarkerKind::Branch;
+    case EventKind::Write:
+    case EventKind::RetainSaved:
+    case EventKind::RetainRestored: return std::nullopt;
+    }
+    return kit::MarkerKind::Event;
+}
+
+} // namespace
+
+QColor channelColor(const TraceSetup& setup, size_t channel) {
+    const QColor own(QString::fromStdString(setup.channels[channel].color));
+    return own.isValid() ? own : kit::colors().curve(static_cast<int>(channel));
+}
+
+kit::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
+    switch (channel.style) {
+    case ChannelStyle::Line: return kit::CurveStyle::Line;
+    case ChannelStyle::Hold: return kit::CurveStyle::Hold;
+    case ChannelStyle::Digital: return kit::CurveStyle::Digital;
+    case ChannelStyle::Automatic: return type && (type->isBool || !type->valueNames.empty()) ? kit::CurveStyle::Digital : kit::CurveStyle::Hold;
+    }
+    return kit::CurveStyle::Hold;
+}
+
+std::vector<std::string> expressionsOf(const TraceSetup& setup) {
+    std::vector<std::string> out;
+    for (const ChannelSetup& channel : setup.channels) out.push_back(channel.expression);
+    if (!setup.trigger.expression.empty()) out.push_back(setup.trigger.expression);
+    return out;
+}
+
+void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed) {
+    model.title = QString::fromStdString(setup.title);
+    std::vector<kit::PlotChart> before = std::move(model.charts);
+    model.charts.clear();
+    for (size_t c = 0; c < setup.charts.size(); ++c) {
+        kit::PlotChart chart;
+        chart.title = QString::fromStdString(setup.charts[c].title);
+        chart.weight = setup.charts[c].weight;
+        chart.axes.clear();
+        for (size_t a = 0; a < setup.charts[c].axes.size(); ++a) {
+            const AxisSetup& axis = setup.charts[c].axes[a];
+            kit::PlotAxis shown;
+            shown.title = QString::fromStdString(axis.title);
+            shown.unit = QString::fromStdString(axis.unit);
+            shown.mode = modeOf(axis.mode);
+            shown.fixed = {axis.minimum, axis.maximum};
+            shown.isOnRight = axis.isOnRight;
+            if (c < before.size() && a < before[c].axes.size()) shown.zoom = before[c].axes[a].zoom;
+            chart.axes.push_back(std::move(shown));
+        }
+        model.charts.push_back(std::move(chart));
+    }
+    model.curves.clear();
+    for (size_t i = 0; i < setup.channels.size(); ++i) {
+        const ChannelSetup& channel = setup.channels[i];
+        const ChannelType* type = feed ? feed->type(channel.expression) : nullptr;
+        kit::PlotCurve curve;
+        curve.id = QString::number(i);
+        curve.name = QString::fromStdString(channel.label.empty() ? channel.expression : channel.label);
+        curve.unit = QString::fromStdString(channel.unit);
+        curve.color = channelColor(setup, i);
+        curve.width = channel.width;
+        curve.style = styleOf(channel, type);
+        curve.chart = channel.chart;
+        curve.axis = channel.axis;
+        curve.scale = channel.scale;
+        curve.offset = channel.offset;
+        curve.isVisible = channel.isVisible;
+        if (feed) curve.source = feed->source(channel.expression);
+        if (feed) curve.problem = QString::fromStdString(feed->problem(channel.expression));
+        if (type) {
+            for (const auto& [value, name] : type->valueNames) curve.valueNames.emplace(value, QString::fromStdString(name));
+            if (type->isTime) { // kept as nanoseconds, read as milliseconds
+                curve.scale *= 1e-6;
+                if (curve.unit.isEmpty()) curve.unit = QStringLiteral("ms");
+            }
+        }
+        model.curves.push_back(std::move(curve));
+    }
+}
+
+void applyMarks(kit::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain) {
+    model.markers.clear();
+    for (const history::Mark& mark : recording.marks()) {
+        const auto kind = markerOf(mark.kind);
+        if (!kind) continue;
+        const bool onChain = std::any_of(chain.begin(), chain.end(), [&](const PositionRange& r) { return mark.position >= r.begin && mark.position < r.end; });
+        if (onChain || chain.empty()) model.markers.push_back({mark.time.count(), *kind, QString::fromStdString(mark.text)});
+    }
+    std::stable_sort(model.markers.begin(), model.markers.end(), [](const kit::PlotMarker& a, const kit::PlotMarker& b) { return a.time < b.time; });
+}
+
+void applyBeneath(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed& older) {
+    for (size_t i = 0; i < model.curves.size() && i < setup.channels.size(); ++i) {
+        const auto source = older.source(setup.channels[i].expression);
+        model.curves[i].beneath.clear();
+        if (source) model.curves[i].beneath.push_back({source, 0});
+    }
+}
+
+} // namespace plc::trace

@@ -1,0 +1,516 @@
+#include "editor/trace/trace_view.h"
+
+#include "editor/kit/edit_history.h"
+#include "editor/kit/icons.h"
+#include "editor/kit/plot_export.h"
+#include "editor/kit/plot_table.h"
+#include "editor/kit/theme.h"
+#include "editor/trace/channel_panel.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace plc::trace {
+
+namespace {
+constexpr auto Frame = std::chrono::milliseconds(33);
+constexpr auto ReadBudget = std::chrono::milliseconds(8);
+} // namespace
+
+TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_shared<history::ColumnStore>()) {
+    setAccessibleName(tr("Trace"));
+    m_plot = new kit::PlotView(this);
+    m_channels = new ChannelPanel(this);
+    m_table = new QTableWidget(this);
+    m_table->setAccessibleName(tr("Measurements"));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->verticalHeader()->hide();
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->hide();
+    m_state = new QLabel(this);
+    m_memory = new QLabel(this);
+    auto* bar = new QToolBar(this);
+    makeActions(bar);
+
+    auto* right = new QSplitter(Qt::Vertical, this);
+    right->addWidget(m_plot);
+    right->addWidget(m_table);
+    right->setStretchFactor(0, 4);
+    right->setStretchFactor(1, 1);
+    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->addWidget(m_channels);
+    splitter->addWidget(right);
+    splitter->setStretchFactor(0, 0);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({260, 900});
+    auto* status = new QHBoxLayout;
+    status->setContentsMargins(8, 2, 8, 3);
+    status->addWidget(m_state);
+    status->addStretch();
+    status->addWidget(m_memory);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addWidget(splitter, 1);
+    layout->addLayout(status);
+
+    m_channels->setCompletionSource([this](const QString& text, int cursor) { return m_variables.complete(text, cursor); });
+    m_channels->setCheck([this](const QString& text) {
+        if (!m_recording) return QString();
+        const auto type = m_recording->typeOf(text.trimmed().toStdString());
+        return type ? QString() : QString::fromStdString(type.error().message);
+    });
+    m_channels->setPicker([this](const QString& current) { return kit::pickVariable(m_variables, current, this); });
+    connect(m_channels, &ChannelPanel::changeRequested, this, [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
+    connect(m_channels, &ChannelPanel::channelWanted, this, &TraceView::addChannel);
+    connect(m_channels, &ChannelPanel::channelSelected, this, [this](int channel) {
+        m_plot->edit([channel](kit::PlotModel& model) { model.selected = channel >= 0 ? QString::number(channel) : QString(); });
+    });
+    connect(m_plot, &kit::PlotView::variablesDropped, this, [this](const QStringList& paths, int chart) {
+        for (const QString& path : paths) addChannel(path, chart);
+    });
+    connect(m_plot, &kit::PlotView::curveToggled, this, [this](const QString& id, bool visible) {
+        const int channel = id.toInt();
+        change(visible ? tr("Show channel") : tr("Hide channel"), [channel, visible](TraceSetup& s) { s.channels[static_cast<size_t>(channel)].isVisible = visible; });
+    });
+    connect(m_plot, &kit::PlotView::curveSelected, this, [this](const QString& id) {
+        if (!id.isEmpty()) m_channels->selectChannel(id.toInt());
+    });
+    connect(m_plot, &kit::PlotView::followingChanged, m_follow, &QAction::setChecked);
+    connect(m_plot, &kit::PlotView::toolChanged, this, [this](kit::PlotTool tool) { (tool == kit::PlotTool::Pan ? m_panTool : m_zoomTool)->setChecked(true); });
+    connect(m_plot, &kit::PlotView::cursorsChanged, this, [this] {
+        m_cursors->setChecked(m_plot->hasCursors());
+        showTable();
+        m_channels->showValues(m_plot->model());
+    });
+    connect(m_plot, &kit::PlotView::menuRequested, this, &TraceView::plotMenu);
+    connect(m_plot, &kit::PlotView::timeActivated, this, [this](qint64 time) {
+        if (!m_recording) return;
+        if (const auto position = m_recording->positionAt(time)) emit positionActivated(*position);
+    });
+    connect(&m_undo, &QUndoStack::indexChanged, this, &TraceView::setupChanged);
+    m_timer.setInterval(Frame);
+    connect(&m_timer, &QTimer::timeout, this, &TraceView::tick);
+    m_plot->edit([](kit::PlotModel& model) { model.to = 10'000'000'000; });
+    m_plot->setFollowing(true);
+    m_follow->setChecked(true);
+    setupTaken();
+}
+
+TraceView::~TraceView() {
+    m_undo.disconnect(this);
+    m_plot->disconnect(this);
+}
+
+void TraceView::makeActions(QToolBar* bar) {
+    bar->setIconSize(QSize(18, 18));
+    auto add = [&](kit::Icon icon, const QString& text, const QString& tip, auto&& run) {
+        QAction* action = bar->addAction(kit::icon(icon), text);
+        action->setToolTip(tip);
+        connect(action, &QAction::triggered, this, run);
+        return action;
+    };
+    auto toggle = [&](QAction* action) {
+        action->setCheckable(true);
+        return action;
+    };
+    m_follow = toggle(add(kit::Icon::Follow, tr("Follow"), tr("Follow the newest scan (End)"), [this] { m_plot->setFollowing(m_follow->isChecked()); }));
+    add(kit::Icon::Fit, tr("Fit"), tr("Show everything recorded (Home)"), [this] {
+        m_plot->setFollowing(false);
+        m_plot->fit();
+    });
+    add(kit::Icon::ZoomY, tr("Fit values"), tr("Let the value axes fit again"), [this] { m_plot->fitValues(); });
+    add(kit::Icon::Back, tr("Zoom back"), tr("Back to the view before (Backspace)"), [this] { m_plot->zoomBack(); });
+    bar->addSeparator();
+    auto* tools = new QActionGroup(this);
+    m_zoomTool = toggle(add(kit::Icon::ZoomBox, tr("Zoom"), tr("Drag a box to zoom: flat for time, upright for values"), [this] { m_plot->setTool(kit::PlotTool::ZoomBox); }));
+    m_panTool = toggle(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"), [this] { m_plot->setTool(kit::PlotTool::Pan); }));
+    tools->addAction(m_zoomTool);
+    tools->addAction(m_panTool);
+    m_zoomTool->setChecked(true);
+    m_cursors = toggle(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"), [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
+    m_tableShown = toggle(add(kit::Icon::Statistics, tr("Measure"), tr("Table of values and statistics between the cursors"), [this] {
+        const bool shown = m_tableShown->isChecked();
+        if (shown && !m_plot->hasCursors()) m_plot->setCursorsShown(true);
+        change(tr("Measuring table"), [shown](TraceSetup& s) { s.hasTable = shown; });
+    }));
+    bar->addSeparator();
+    m_arm = toggle(add(kit::Icon::Trigger, tr("Trigger"), tr("Arm the trigger set in the properties of the trace"), [this] { m_arm->isChecked() ? armTrigger() : m_trigger.disarm(); }));
+    add(kit::Icon::ChevronLeft, tr("Previous trigger"), tr("Where the trigger would have fired before"), [this] { findTrigger(history::History::Direction::Backward); });
+    add(kit::Icon::ChevronRight, tr("Next trigger"), tr("Where the trigger would have fired next"), [this] { findTrigger(history::History::Direction::Forward); });
+    bar->addSeparator();
+    add(kit::Icon::Add, tr("Add chart"), tr("Another chart over the same time"), [this] { change(tr("Add chart"), [](TraceSetup& s) { s.charts.emplace_back(); }); });
+    add(kit::Icon::Layers, tr("Compare"), tr("Load an older recording beneath the present one"), [this] { m_beneath ? setBeneath(nullptr) : recordingWanted(); });
+
+    auto* spacer = new QWidget(bar);
+    spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(spacer);
+    auto menuButton = [&](kit::Icon icon, const QString& text) {
+        auto* button = new QToolButton(bar);
+        button->setIcon(kit::icon(icon));
+        button->setToolTip(text);
+        button->setAccessibleName(text);
+        button->setPopupMode(QToolButton::InstantPopup);
+        auto* menu = new QMenu(text, button);
+        button->setMenu(menu);
+        bar->addWidget(button);
+        return menu;
+    };
+    QMenu* files = menuButton(kit::Icon::Save, tr("Trace set-up"));
+    files->addAction(kit::icon(kit::Icon::Open), tr("Open set-up…"), this, [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Open trace set-up"), m_folder, tr("Trace set-ups (*.trace.json)"));
+        if (!path.isEmpty()) report(openSetup(path));
+    });
+    auto saveAs = [this] {
+        QString path = QFileDialog::getSaveFileName(this, tr("Save trace set-up"), m_path.isEmpty() ? m_folder : m_path, tr("Trace set-ups (*.trace.json)"));
+        if (path.isEmpty()) return;
+        if (!path.endsWith(QLatin1String(".trace.json"))) path += QStringLiteral(".trace.json");
+        report(storeSetup(path));
+    };
+    files->addAction(kit::icon(kit::Icon::Save), tr("Save set-up"), this, [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
+    files->addAction(tr("Save set-up as…"), this, saveAs);
+    QMenu* exports = menuButton(kit::Icon::Export, tr("Export"));
+    exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] { kit::copyPicture(m_plot->model(), {m_plot->size(), 2}); });
+    for (const char* suffix : {"png", "svg", "pdf", "csv"})
+        exports->addAction(suffix == QLatin1String("csv") ? tr("Save samples in view as CSV…") : tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()), this,
+                           [this, suffix] { exportTo(QLatin1String(suffix)); });
+    exports->addAction(kit::icon(kit::Icon::Print), tr("Print…"), this, [this] {
+        QPrinter printer(QPrinter::HighResolution);
+        printer.setPageOrientation(QPageLayout::Landscape);
+        QPrintDialog dialog(&printer, this);
+        if (dialog.exec() != QDialog::Accepted) return;
+        QPainter painter(&printer);
+        const double scale = printer.resolution() / 96.0; // laid out in screen units, printed finer
+        painter.scale(scale, scale);
+        kit::printPlot(m_plot->model(), painter, QRectF(QPointF(), printer.pageLayout().paintRectPixels(96).size()));
+    });
+    addAction(kit::makeUndoAction(m_undo, this));
+    addAction(kit::makeRedoAction(m_undo, this));
+    for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+}
+
+void TraceView::report(const Result<void>& result) {
+    if (!result) emit failed(QString::fromStdString(result.error().text()));
+}
+
+void TraceView::exportTo(const QString& suffix) {
+    QString path = QFileDialog::getSaveFileName(this, tr("Save as %1").arg(suffix.toUpper()), m_folder, QStringLiteral("*.%1").arg(suffix));
+    if (path.isEmpty()) return;
+    if (!path.endsWith(QLatin1Char('.') + suffix)) path += QLatin1Char('.') + suffix;
+    const kit::PlotModel& model = m_plot->model();
+    report(suffix == QLatin1String("csv") ? kit::exportCsv(model, model.from, model.to, path) : kit::exportPicture(model, path, {m_plot->size(), 2}));
+}
+
+void TraceView::setRecording(const Recording* recording) {
+    m_plot->edit([](kit::PlotModel& model) {
+        model.curves.clear();
+        model.markers.clear();
+        model.trigger.reset();
+        model.present.reset();
+        model.origin = 0;
+    });
+    m_feed.reset();
+    m_recording = recording;
+    m_marks = SIZE_MAX;
+    m_variables.setProgram(recording ? recording->program() : nullptr);
+    if (recording) m_feed = std::make_unique<TraceFeed>(*recording, m_store);
+    setupTaken();
+}
+
+void TraceView::programChanged() {
+    if (!m_recording) return;
+    m_variables.setProgram(m_recording->program());
+    m_feed->retryProblems();
+    rebuildModel();
+}
+
+void TraceView::setBeneath(std::shared_ptr<const Recording> recording) {
+    m_plot->edit([](kit::PlotModel& model) {
+        for (kit::PlotCurve& curve : model.curves) curve.beneath.clear();
+    });
+    m_olderFeed.reset();
+    m_beneath = std::move(recording);
+    if (m_beneath) m_olderFeed = std::make_unique<TraceFeed>(*m_beneath, m_store);
+    setupTaken();
+}
+
+void TraceView::setSetup(TraceSetup setup) {
+    m_setup = std::move(setup);
+    m_undo.clear();
+    m_plot->edit([this](kit::PlotModel& model) {
+        model.to = model.from + std::max<int64_t>(m_setup.span, 1000);
+        model.cursorA = m_setup.cursorA;
+        model.cursorB = m_setup.cursorB;
+        for (kit::PlotChart& chart : model.charts)
+            for (kit::PlotAxis& axis : chart.axes) axis.zoom.reset();
+    });
+    m_cursors->setChecked(m_plot->hasCursors());
+    setupTaken();
+    emit setupChanged();
+}
+
+Result<void> TraceView::openSetup(const QString& path) {
+    auto setup = loadSetup(path.toStdString());
+    if (!setup) return setup.error();
+    m_path = path;
+    setSetup(std::move(*setup));
+    return {};
+}
+
+Result<void> TraceView::storeSetup(const QString& path) {
+    m_setup.span = m_plot->model().to - m_plot->model().from;
+    m_setup.cursorA = m_plot->model().cursorA;
+    m_setup.cursorB = m_plot->model().cursorB;
+    auto result = saveSetup(m_setup, path.toStdString());
+    if (!result) return result;
+    m_path = path;
+    m_undo.setClean();
+    emit setupChanged();
+    return {};
+}
+
+TraceSetup TraceView::applyEdit(const TraceSetup& next) {
+    TraceSetup before = std::exchange(m_setup, next);
+    setupTaken();
+    return before;
+}
+
+void TraceView::change(const QString& text, const std::function<void(TraceSetup&)>& change, int mergeId) {
+    TraceSetup next = m_setup;
+    change(next);
+    if (next == m_setup) return;
+    m_undo.push(new kit::EditCommand<TraceSetup>(text, std::move(next), [this](const TraceSetup& edit) { return applyEdit(edit); }, mergeId));
+}
+
+void TraceView::addChannel(const QString& expression, int chart) {
+    change(tr("Add channel"), [&](TraceSetup& s) {
+        ChannelSetup channel;
+        channel.expression = expression.trimmed().toStdString();
+        channel.chart = std::clamp(chart, 0, static_cast<int>(s.charts.size()) - 1);
+        channel.unit = m_variables.unitOf(expression.trimmed()).toStdString();
+        s.channels.push_back(std::move(channel));
+    });
+}
+
+void TraceView::setupTaken() {
+    if (m_feed) {
+        m_feed->setSettings({m_setup.every, m_setup.condition});
+        m_feed->setExpressions(expressionsOf(m_setup));
+        m_feed->pump(ReadBudget);
+    }
+    if (m_olderFeed) {
+        m_olderFeed->setExpressions(expressionsOf(m_setup));
+        m_olderFeed->pump(ReadBudget);
+    }
+    m_trigger.setSetup(m_setup.trigger);
+    m_triggerRead = INT64_MIN;
+    m_shots = 0;
+    if (const auto source = m_feed ? m_feed->source(m_setup.trigger.expression) : nullptr) // only what is yet to come fires it
+        if (const auto range = source->timeRange()) m_triggerRead = range->second;
+    m_tableShown->setChecked(m_setup.hasTable);
+    rebuildModel();
+}
+
+void TraceView::rebuildModel() {
+    m_plot->edit([this](kit::PlotModel& model) {
+        applySetup(model, m_setup, m_feed.get());
+        if (m_olderFeed) applyBeneath(model, m_setup, *m_olderFeed);
+    });
+    m_channels->showSetup(m_setup, m_plot->model());
+    showTable();
+    showStatus();
+}
+
+void TraceView::tick() {
+    if (!m_recording) return;
+    m_feed->pump(ReadBudget);
+    if (m_olderFeed) m_olderFeed->pump(ReadBudget);
+    if (const size_t marks = m_recording->marks().size(); marks != m_marks) {
+        m_marks = marks;
+        m_plot->edit([this](kit::PlotModel& model) { applyMarks(model, *m_recording, m_feed->chain()); });
+    }
+    runTrigger();
+    m_plot->refresh();
+    if (++m_ticks % 4 != 0) return; // figures are read by people
+    m_channels->showValues(m_plot->model());
+    showStatus();
+}
+
+void TraceView::runTrigger() {
+    if (m_trigger.state() == TriggerState::Off || m_trigger.state() == TriggerState::Done) return;
+    const auto source = m_feed->source(m_setup.trigger.expression);
+    if (!source) return;
+    const auto range = source->timeRange();
+    if (!range) return;
+    if (range->second < m_triggerRead) m_triggerRead = range->second; // went back
+    source->visit(m_triggerRead == INT64_MIN ? INT64_MIN : m_triggerRead + 1, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+        for (const kit::PlotSample& s : block) m_trigger.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
+    });
+    m_triggerRead = range->second;
+    if (m_trigger.shots() == m_shots) return;
+    m_shots = m_trigger.shots();
+    showShot(*m_trigger.completeAt());
+}
+
+void TraceView::showShot(int64_t time) {
+    m_plot->setFollowing(false);
+    m_plot->edit([time](kit::PlotModel& model) {
+        model.trigger = time;
+        model.origin = time;
+    });
+    m_plot->setRange(time - m_setup.trigger.before, std::max(time + m_setup.trigger.after, time - m_setup.trigger.before + 1000));
+    m_arm->setChecked(m_trigger.state() == TriggerState::Armed);
+    showTable();
+    showStatus();
+}
+
+void TraceView::armTrigger() {
+    if (m_setup.trigger.mode == TriggerMode::Off && !m_setup.trigger.expression.empty())
+        change(tr("Arm trigger"), [](TraceSetup& s) { s.trigger.mode = TriggerMode::Single; });
+    else m_trigger.arm();
+    m_arm->setChecked(m_trigger.state() == TriggerState::Armed);
+    if (m_setup.trigger.expression.empty()) {
+        m_channels->list()->setCurrentItem(nullptr); // the trace's own properties hold the trigger
+        emit failed(tr("The trigger has no expression yet: enter one in the properties of the trace."));
+    }
+    m_plot->edit([](kit::PlotModel& model) {
+        model.trigger.reset();
+        model.origin = 0;
+    });
+    m_plot->setFollowing(true);
+    showStatus();
+}
+
+bool TraceView::findTrigger(history::History::Direction direction) {
+    const TriggerSetup& t = m_setup.trigger;
+    if (!m_recording || t.expression.empty()) return false;
+    const kit::PlotModel& model = m_plot->model();
+    const auto from = m_recording->positionAt(model.trigger.value_or(model.from + (model.to - model.from) / 2));
+    if (!from) return false;
+    std::optional<Position> found;
+    auto look = [&](const std::string& expression) {
+        const auto position = m_recording->find(expression, *from, direction);
+        if (position && (!found || (direction == history::History::Direction::Forward) == (*position < *found))) found = position;
+    };
+    if (t.edge != TriggerEdge::Falling) look(t.expression);
+    if (t.edge == TriggerEdge::Falling || t.edge == TriggerEdge::Both) look("NOT (" + t.expression + ")");
+    const auto stamp = found ? m_recording->stamp(*found) : std::nullopt;
+    if (!stamp) return false;
+    showShot(stamp->time.count());
+    return true;
+}
+
+void TraceView::showPosition(std::optional<Position> position) {
+    const auto stamp = position && m_recording ? m_recording->stamp(*position) : std::nullopt;
+    m_plot->edit([&](kit::PlotModel& model) {
+        model.present.reset();
+        if (stamp) model.present = stamp->time.count();
+    });
+    if (stamp) showTime(stamp->time.count());
+    m_channels->showValues(m_plot->model());
+}
+
+void TraceView::showTime(int64_t time) {
+    const kit::PlotModel& model = m_plot->model();
+    if (time >= model.from && time <= model.to) return;
+    const int64_t span = model.to - model.from;
+    m_plot->setFollowing(false);
+    m_plot->setRange(time - span / 2, time - span / 2 + span);
+}
+
+void TraceView::setColumnBudget(size_t bytes) {
+    m_store->setBudget(bytes);
+    showStatus();
+}
+
+void TraceView::showTable() {
+    const bool shown = m_setup.hasTable && m_plot->hasCursors();
+    m_table->setVisible(shown);
+    if (!shown) return;
+    const kit::MeasureTable table = kit::measureTable(m_plot->model(), true);
+    m_table->setColumnCount(static_cast<int>(table.headers.size()));
+    m_table->setHorizontalHeaderLabels(table.headers);
+    m_table->setRowCount(static_cast<int>(table.rows.size()));
+    for (int r = 0; r < m_table->rowCount(); ++r)
+        for (int c = 0; c < m_table->columnCount(); ++c) {
+            const kit::MeasureTable::Row& row = table.rows[static_cast<size_t>(r)];
+            auto* item = new QTableWidgetItem(row.cells[c]);
+            if (c == 0) item->setForeground(row.color);
+            else item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_table->setItem(r, c, item);
+        }
+    m_table->resizeColumnsToContents();
+    m_table->resizeRowsToContents();
+    m_table->setToolTip(table.headline);
+}
+
+QString TraceView::statusText() const {
+    QString trigger;
+    switch (m_trigger.state()) {
+    case TriggerState::Off: break;
+    case TriggerState::Armed: trigger = tr("Trigger armed"); break;
+    case TriggerState::Collecting: trigger = tr("Triggered, collecting"); break;
+    case TriggerState::Done: trigger = tr("Triggered"); break;
+    }
+    if (m_shots > 0 && m_setup.trigger.mode == TriggerMode::Repeated) trigger += QLatin1Char(' ') + tr("(%n shot(s))", nullptr, static_cast<int>(m_shots));
+    if (const kit::PlotModel& model = m_plot->model(); model.cursorA && model.cursorB) {
+        const QString cursors = kit::measureTable(model).headline;
+        return trigger.isEmpty() ? cursors : trigger + QStringLiteral("     ") + cursors;
+    }
+    return trigger;
+}
+
+void TraceView::showStatus() {
+    m_state->setText(statusText());
+    if (!m_recording) {
+        m_memory->setText(tr("Not running"));
+        return;
+    }
+    const history::Statistics s = m_recording->statistics();
+    auto megabytes = [](size_t bytes) { return QLocale().toString(static_cast<double>(bytes) / 1048576.0, 'f', 1); };
+    m_memory->setText(tr("%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB")
+                          .arg(s.scans).arg(megabytes(s.bytes), megabytes(s.budget), megabytes(m_store->bytes()), megabytes(m_store->budget())));
+}
+
+void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) {
+    QMenu menu(this);
+    if (!curve.isEmpty()) {
+        const int channel = curve.toInt();
+        menu.addAction(kit::icon(kit::Icon::Configuration), tr("Properties"), this, [this, channel] { m_channels->selectChannel(channel); });
+        menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove channel"), this, [this, channel] { change(tr("Remove channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); }); });
+        menu.addSeparator();
+    }
+    menu.addAction(kit::icon(kit::Icon::Add), tr("Add channel…"), this, [this, chart] {
+        if (const auto path = kit::pickVariable(m_variables, {}, this)) addChannel(*path, chart);
+    });
+    menu.addAction(kit::icon(kit::Icon::Fit), tr("Fit"), m_plot, &kit::PlotView::fit);
+    menu.addAction(kit::icon(kit::Icon::Cursor), tr("Cursors"), this, [this] { m_plot->setCursorsShown(!m_plot->hasCursors()); });
+    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] { kit::copyPicture(m_plot->model(), {m_plot->size(), 2}); });
+    menu.exec(global);
+}
+
+void TraceView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_timer.start();
+}
+
+void TraceView::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    m_timer.stop();
+}
+
+} // namespace plc::trace

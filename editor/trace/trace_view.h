@@ -1,0 +1,114 @@
+// The trace view: charts of a recording, live or past, with channels, trigger, cursors and set-ups. It reads the recording 30 times
+// a second while it can be seen; the recording may come and go. Owned by its dock; GUI thread.
+#pragma once
+
+#include "editor/kit/plot_view.h"
+#include "editor/trace/program_variables.h"
+#include "editor/trace/trace_plot.h"
+#include "editor/trace/trigger.h"
+
+#include <QTimer>
+#include <QUndoStack>
+
+class QLabel;
+class QSplitter;
+class QTableWidget;
+class QToolBar;
+
+namespace plc::trace {
+
+class ChannelPanel;
+
+class TraceView : public QWidget {
+    Q_OBJECT
+public:
+    explicit TraceView(QWidget* parent = nullptr);
+    ~TraceView() override;
+
+    /// The recording to show; null while there is none. It must outlive its stay here.
+    void setRecording(const Recording* recording);
+    /// The program has changed: names and completion follow, expressions are tried again.
+    void programChanged();
+    /// Draws an older recording beneath; null takes it away.
+    void setBeneath(std::shared_ptr<const Recording> recording);
+
+    const TraceSetup& setup() const { return m_setup; }
+    void setSetup(TraceSetup setup); // forgets undo
+    bool isModified() const { return !m_undo.isClean(); }
+    Result<void> openSetup(const QString& path);
+    Result<void> storeSetup(const QString& path);
+    QString setupPath() const { return m_path; }
+    QUndoStack* undoStack() { return &m_undo; }
+
+    void addChannel(const QString& expression, int chart = 0);
+    /// The scan that the other windows show; nothing: the newest.
+    void showPosition(std::optional<Position> position);
+    /// Moves the view so that a time is in it.
+    void showTime(int64_t time);
+    /// Reads what is new and draws it; the timer does this, tests call it.
+    void tick();
+    /// Memory for the columns of open traces.
+    void setColumnBudget(size_t bytes);
+
+    kit::PlotView* plot() const { return m_plot; }
+    ChannelPanel* channels() const { return m_channels; }
+    TriggerState triggerState() const { return m_trigger.state(); }
+    void armTrigger();
+    bool findTrigger(history::History::Direction direction);
+    QString statusText() const;
+    /// Folder that file dialogs begin in: the project's traces.
+    void setFolder(const QString& folder) { m_folder = folder; }
+
+signals:
+    void setupChanged();
+    void positionActivated(quint64 position); // double click on a chart
+    void failed(const QString& message);
+    void recordingWanted(); // "Load recording beneath…": the owner opens it and calls setBeneath
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void makeActions(QToolBar* bar);
+    void change(const QString& text, const std::function<void(TraceSetup&)>& change, int mergeId = -1);
+    TraceSetup applyEdit(const TraceSetup& next);
+    void setupTaken();
+    void rebuildModel();
+    void runTrigger();
+    void showShot(int64_t time);
+    void showTable();
+    void showStatus();
+    void plotMenu(const QPoint& global, int chart, const QString& curve);
+    void exportTo(const QString& suffix);
+    void report(const Result<void>& result);
+
+    const Recording* m_recording = nullptr;
+    std::shared_ptr<const Recording> m_beneath;
+    std::shared_ptr<history::ColumnStore> m_store;
+    std::unique_ptr<TraceFeed> m_feed, m_olderFeed;
+    ProgramVariables m_variables;
+    TraceSetup m_setup;
+    QString m_path, m_folder;
+    QUndoStack m_undo;
+    TriggerMachine m_trigger;
+    int64_t m_triggerRead = INT64_MIN;
+    uint64_t m_shots = 0;
+    size_t m_marks = SIZE_MAX;
+    QTimer m_timer;
+    int m_ticks = 0;
+
+    kit::PlotView* m_plot;
+    ChannelPanel* m_channels;
+    QTableWidget* m_table;
+    QLabel* m_state;
+    QLabel* m_memory;
+    QAction* m_follow = nullptr;
+    QAction* m_cursors = nullptr;
+    QAction* m_tableShown = nullptr;
+    QAction* m_zoomTool = nullptr;
+    QAction* m_panTool = nullptr;
+    QAction* m_arm = nullptr;
+};
+
+} // namespace plc::trace
