@@ -207,7 +207,8 @@ void registerCorpus() {
     auto corpus = std::make_shared<Corpus>();
     corpus->folder = folder;
     std::ifstream in(corpus->folder / "index.json");
-    for (json& listing : json::parse(in)["listings"]) {
+    json index = json::parse(in);
+    for (json& listing : index["listings"]) {
         const std::string id = listing["id"].get<std::string>();
         corpus->listings.emplace(id, std::move(listing));
     }
