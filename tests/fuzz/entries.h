@@ -1,0 +1,12 @@
+// What the fuzz targets do with their bytes; used by the libFuzzer programs and by the replay of seeds and findings.
+#pragma once
+#include <string_view>
+
+namespace plc::fuzz {
+
+void lexText(std::string_view bytes);
+void parseText(std::string_view bytes);
+/// Checks, compiles and runs a bounded number of scans; the controller must stay alive whatever the program does.
+void runText(std::string_view bytes);
+
+} // namespace plc::fuzz

@@ -1,0 +1,8 @@
+#include "tests/fuzz/entries_impl.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
+    static const bool ready = (plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols()), true);
+    (void)ready;
+    plc::fuzz::lexText(std::string_view(reinterpret_cast<const char*>(data), size));
+    return 0;
+}
