@@ -21,6 +21,13 @@ json readJson(const std::string& name) {
     return json::parse(file);
 }
 
+/// A member of an object; an empty one where there is none.
+const json& part(const json& object, const char* name) {
+    static const json empty = json::object();
+    const auto found = object.find(name);
+    return found == object.end() ? empty : *found;
+}
+
 /// One program with every object of the Toolbox; `choice` says which one a scan calls, by its place in the list.
 std::string everyObject(const json& interfaces) {
     std::ostringstream declarations, calls;
@@ -28,11 +35,9 @@ std::string everyObject(const json& interfaces) {
     int index = 0;
     for (const json& object : interfaces) {
         const std::string name = object["name"], kind = object["kind"];
-        if (kind == "STRUCT") {
-            ++index;
-            continue;
-        }
-        calls << "    " << index++ << ": ";
+        const int number = index++;
+        if (kind == "STRUCT") continue;
+        calls << "    " << number << ": ";
         if (kind == "FUNCTION") {
             calls << name << "_result := Toolbox." << name << '(';
             declarations << "    " << name << "_result : " << object["returns"]["type"].get<std::string>() << ";\n";
@@ -76,22 +81,22 @@ public:
         int scan = 0;
         std::map<std::string, std::vector<bool>> series;
         for (const json& step : m_vector["steps"]) {
-            for (const auto& [pin, wanted] : step.value("set", json::object()).items()) m_bench.write(pathOf(pin), fromJson(m_bench.value(pathOf(pin)), wanted));
+            for (const auto& [pin, wanted] : part(step, "set").items()) m_bench.write(pathOf(pin), fromJson(m_bench.value(pathOf(pin)), wanted));
             for (int i = 0; i < step.value("repeat", 1); ++i, ++scan) {
                 m_bench.scan();
-                for (const json& aggregate : m_vector.value("aggregate", json::array())) series[aggregate["pin"]].push_back(m_bench.is(pathOf(aggregate["pin"])));
+                for (const json& aggregate : part(m_vector, "aggregate")) series[aggregate["pin"]].push_back(m_bench.is(pathOf(aggregate["pin"])));
                 if (step.contains("expect_each")) compare(step, step["expect_each"], scan);
             }
             if (step.contains("expect")) compare(step, step["expect"], scan - 1);
-            for (const auto& [pin, range] : step.value("expect_range", json::object()).items()) {
+            for (const auto& [pin, range] : part(step, "expect_range").items()) {
                 const double actual = m_bench.real(pathOf(pin));
                 if (actual < range[0].get<double>() || actual > range[1].get<double>()) fail(scan - 1, pin, range.dump(), std::to_string(actual));
             }
-            for (const auto& [pin, bits] : step.value("expect_bits", json::object()).items())
+            for (const auto& [pin, bits] : part(step, "expect_bits").items())
                 for (const auto& [bit, wanted] : bits.items())
                     if (((m_bench.integer(pathOf(pin)) >> std::stoi(bit)) & 1) != wanted.get<int>()) fail(scan - 1, pin + "." + bit, wanted.dump(), "the other");
         }
-        for (const json& aggregate : m_vector.value("aggregate", json::array())) checkAggregate(aggregate, series[aggregate["pin"]]);
+        for (const json& aggregate : part(m_vector, "aggregate")) checkAggregate(aggregate, series[aggregate["pin"]]);
         return m_failures;
     }
 
@@ -105,7 +110,7 @@ private:
     }
 
     [[nodiscard]] types::Value fromJson(types::Value like, const json& wanted) const {
-        const types::TypeTable& types = *m_bench.built().program->types;
+        const types::TypeTable& types = *m_bench.built().program->layout.types;
         if (wanted.is_array()) {
             auto& elements = std::get<std::vector<types::Value>>(like.data);
             for (size_t i = 0; i < elements.size(); ++i) elements[i].data = i < wanted.size() ? wanted[i].get<int64_t>() : int64_t{0};
@@ -133,10 +138,10 @@ private:
                 const double goal = wanted.get<double>();
                 same = std::abs(*number - goal) <= step.value("tol", 1e-4 * std::max(1.0, std::abs(goal)));
             } else if (step.contains("tol") && std::holds_alternative<int64_t>(actual.data) && wanted.is_number()) {
-                const bool isTime = (*m_bench.built().program->types)[actual.type].kind == types::TypeKind::Time;
+                const bool isTime = (*m_bench.built().program->layout.types)[actual.type].kind == types::TypeKind::Time;
                 same = std::abs(static_cast<double>(actual.integer() - target.integer())) <= step["tol"].get<double>() * (isTime ? 1e6 : 1);
             }
-            if (!same) fail(scan, pin, wanted.dump(), types::toText(*m_bench.built().program->types, actual));
+            if (!same) fail(scan, pin, wanted.dump(), types::toText(*m_bench.built().program->layout.types, actual));
         }
     }
 
