@@ -60,6 +60,7 @@ public:
     // literals.cpp
     Operand literal(const syntax::Expr& e, TypeId hint);
     Operand typedName(const syntax::Expr& e);
+    std::optional<Operand> quotedName(const syntax::Expr& e, TypeId hint);
     Operand enumerator(const EnumeratorRef& ref, SourceRange range);
 
     // names.cpp
@@ -73,6 +74,7 @@ public:
     Denoted denoteAddress(const syntax::Expr& e);
     Denoted found(const World::Found& found, const syntax::Name& name, Access access, TypeId hint);
     Denoted ofVariable(Variable& variable, tree::Place* instance, SourceRange range, Access access);
+    bool hasMembers(Variable& variable, std::string_view name);
     Denoted memberOf(tree::Place* base, Denoted from, const syntax::Name& name, SourceRange range, Access access);
     tree::Place* thisPlace(SourceRange range);
     tree::Place* fieldPlace(tree::Place* base, uint32_t offset, TypeId type, int16_t bit, SourceRange range);

@@ -152,6 +152,12 @@ void World::resolveUsings() {
         for (const syntax::Path* path : space.usingPaths)
             if (!path->empty())
                 if (Space* used = resolve(space, *path)) space.usings.push_back(used);
+    for (Unit& unit : units) {
+        if (!unit.pou) continue;
+        for (const syntax::Path& path : unit.pou->usings)
+            if (!path.empty())
+                if (Space* used = resolve(*unit.space, path)) unitUsings[&unit].push_back(used);
+    }
     for (const syntax::SyntaxFile* file : fileOf) {
         if (!file) continue;
         for (const syntax::Decl* decl : file->declarations) {
@@ -246,8 +252,8 @@ void World::declareMembers(Unit& unit) {
         unit.resultVariable = &addVariable(unit, std::move(result), nullptr);
     }
     const auto taken = [&](const syntax::Name& name) {
-        const auto it = unit.members.find(key(name.text));
-        if (it == unit.members.end()) return false;
+        const auto it = unit.members.find(key(name.text)); // a variable may share its name: a call or an access from outside means the other
+        if (it == unit.members.end() || (!it->second.unit && !it->second.property)) return false;
         emit(name.range, Kind::DuplicateName, {std::string(name.text)});
         return true;
     };

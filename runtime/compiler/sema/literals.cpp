@@ -176,6 +176,8 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
     case TokenKind::StringLiteral:
     case TokenKind::WstringLiteral: {
         const bool isWide = e.op == TokenKind::WstringLiteral;
+        if (isWide && !typed.isValid())
+            if (const auto named = quotedName(e, hint)) return *named;
         const std::u32string characters = parseText(e.text, isWide);
         const TypeKind wanted = typed.isValid() ? types.storageKind(typed) : hint.isValid() ? types.storageKind(hint) : TypeKind::Unknown;
         std::string narrow;
@@ -207,6 +209,20 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
     }
     default: return unknown(e.range);
     }
+}
+
+/// "Motor speed" where a variable was declared with that name in quotes.
+std::optional<Operand> Checker::quotedName(const syntax::Expr& e, TypeId hint) {
+    if (e.text.size() < 3 || world.frozen) return std::nullopt;
+    const std::string_view inner = e.text.substr(1, e.text.size() - 2);
+    const NameId id = world.names.find(inner);
+    if (!id.isValid()) return std::nullopt;
+    const World::Found result = world.lookup(scope, id);
+    const Variable* variable = result.member.variable ? result.member.variable : result.entity.variable;
+    if (!variable || !variable->range.file.isValid()) return std::nullopt;
+    const std::string_view written = world.textOf({variable->range.file, variable->range.begin ? variable->range.begin - 1 : 0, variable->range.end});
+    if (written.substr(0, 2).find('"') == std::string_view::npos) return std::nullopt;
+    return value(found(result, {inner, e.range}, Access::Read, hint), e, hint);
 }
 
 Operand Checker::enumerator(const EnumeratorRef& ref, SourceRange range) {

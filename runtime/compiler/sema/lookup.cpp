@@ -36,7 +36,7 @@ World::Found World::lookupIn(Space& space, NameId id) {
             if (entity.unit && !found.entity.unit) found.entity.unit = entity.unit;
             if (entity.type && !found.entity.type) found.entity.type = entity.type;
         }
-        if (owners.size() > 1) found.ambiguous = std::move(owners);
+        if (owners.size() > 1 && !found.entity.unit && !found.entity.type) found.ambiguous = std::move(owners);
     }
     if (const auto it = space.enumerators.find(id); it != space.enumerators.end()) found.enumerators = it->second;
     if (const auto it = space.lists.find(id); it != space.lists.end()) found.list = it->second;
@@ -44,14 +44,15 @@ World::Found World::lookupIn(Space& space, NameId id) {
     return found;
 }
 
-World::Found World::lookup(const Scope& scope, NameId id) {
+World::Found World::lookup(const Scope& scope, NameId id, bool wantsType) {
     if (!id.isValid()) return {};
     Found found;
+    const auto isEnough = [&](const Found& f) { return wantsType ? f.entity.type || (f.entity.unit && f.entity.unit->type.isValid()) || f.space : !f.isNothing(); };
     const auto enumeratorsIn = [&](Unit& unit) {
         const auto it = unit.enumerators.find(id);
         if (it != unit.enumerators.end() && found.enumerators.empty()) found.enumerators = it->second;
     };
-    if (scope.unit) {
+    if (scope.unit && !wantsType) {
         found.member = findMember(*scope.unit, id);
         enumeratorsIn(*scope.unit);
         Unit* self = scope.unit->self();
@@ -62,31 +63,39 @@ World::Found World::lookup(const Scope& scope, NameId id) {
         for (Unit* base = self; base && found.enumerators.empty(); base = base->base) enumeratorsIn(*base);
         if (!found.isNothing()) return found;
     }
+    for (const Unit* unit = scope.unit; unit; unit = unit->owner) {
+        const auto used = unitUsings.find(unit);
+        if (used == unitUsings.end()) continue;
+        for (Space* space : used->second) {
+            found = lookupIn(*space, id);
+            if (isEnough(found)) return found;
+        }
+    }
     bool searchedTop = false;
     for (Space* space = scope.space; space; space = space->parent) {
         searchedTop = searchedTop || space == &top;
         found = lookupIn(*space, id);
-        if (!found.isNothing()) return found;
+        if (isEnough(found)) return found;
         for (Space* used : space->usings) {
             found = lookupIn(*used, id);
-            if (!found.isNothing()) return found;
+            if (isEnough(found)) return found;
         }
     }
     if (const auto it = fileUsings.find(scope.file); it != fileUsings.end()) {
         for (Space* used : it->second) {
             found = lookupIn(*used, id);
-            if (!found.isNothing()) return found;
+            if (isEnough(found)) return found;
         }
     }
     if (!searchedTop) {
         found = lookupIn(top, id);
-        if (!found.isNothing()) return found;
+        if (isEnough(found)) return found;
     }
     std::vector<std::string> where;
     Found first;
     for (Space* library : libraries) {
         Found next = lookupIn(*library, id);
-        if (next.isNothing()) continue;
+        if (!isEnough(next)) continue;
         where.push_back(library->name);
         if (where.size() == 1) first = std::move(next);
     }
@@ -96,7 +105,7 @@ World::Found World::lookup(const Scope& scope, NameId id) {
 
 World::Found World::lookupPath(const Scope& scope, const syntax::Path& path) {
     if (path.empty()) return {};
-    Found found = lookup(scope, key(path.front().text));
+    Found found = lookup(scope, key(path.front().text), true);
     for (size_t i = 1; i < path.size(); ++i) {
         if (!found.space) return {};
         found = lookupIn(*found.space, key(path[i].text));

@@ -35,6 +35,8 @@ Denoted unitOf(Unit& unit, tree::Place* instance) {
     return out;
 }
 
+bool isParameterKind(SectionKind kind) { return kind == SectionKind::Input || kind == SectionKind::Output || kind == SectionKind::InOut; }
+
 std::string_view accessWord(syntax::Access access) {
     switch (access) {
     case syntax::Access::Private: return "PRIVATE";
@@ -304,7 +306,9 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
     case TypeKind::Block: {
         Unit* unit = world.unitOf(type);
         if (!unit) return unknownMember();
-        const Member member = world.findMember(*unit, id);
+        Member member = world.findMember(*unit, id);
+        const bool fromInside = base->kind == tree::PlaceKind::Instance && base->offset == 0 && scope.unit && scope.unit->self() && types.isDerivedFrom(scope.unit->self()->type, type);
+        if (member.variable && (member.unit || member.property) && !fromInside && !isParameterKind(member.variable->kind)) member.variable = nullptr;
         if (member.unit && (access == Access::Call || !member.variable)) {
             Unit& called = *member.unit;
             checkAccess(called.access, called.owner, called.name, name.range);
@@ -316,8 +320,7 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
         }
         if (member.variable) {
             checkAccess(accessOf(member.variable->section), member.variable->owner, member.variable->name, name.range);
-            const bool own = base->kind == tree::PlaceKind::Instance && base->offset == 0 && scope.unit && scope.unit->self() && types.isDerivedFrom(scope.unit->self()->type, type);
-            Denoted out = ofVariable(*member.variable, own ? nullptr : base, range, access);
+            Denoted out = ofVariable(*member.variable, fromInside ? nullptr : base, range, access);
             if (out.kind == DK::Place && name.range.file.isValid() && !out.variable) out.variable = member.variable;
             return out;
         }
@@ -362,6 +365,14 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
     }
 }
 
+/// Whether a variable of this type could have such a member; scalars have none.
+bool Checker::hasMembers(Variable& variable, std::string_view name) {
+    const TypeId type = world.typeOf(variable);
+    const TypeKind kind = types.kind(type);
+    if (kind == TypeKind::Struct || kind == TypeKind::Union) return types[type].findField(name) != nullptr;
+    return kind == TypeKind::Block || kind == TypeKind::Interface || kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Unknown;
+}
+
 Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint) {
     if (!e.base) return {};
     const syntax::Expr& base = *e.base;
@@ -371,7 +382,17 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
     const Access baseAccess = access == Access::Address ? Access::ReadWrite : access;
     if (base.kind == ExprKind::NameRef) {
         const World::Found result = world.lookup(scope, world.key(base.name.text));
-        const bool isOwn = result.member.variable || (result.entity.variable && result.ambiguous.empty());
+        Variable* own = result.member.variable ? result.member.variable : result.ambiguous.empty() ? result.entity.variable : nullptr;
+        if (own && !hasMembers(*own, e.name.text)) { // a variable may have the name of its type: Light.Red
+            const World::Found outer = world.lookup(scope, world.key(base.name.text), true);
+            if (outer.entity.type && world.enumsByType.count(world.resolveDeclared(*outer.entity.type))) {
+                World::Found typeOnly;
+                typeOnly.entity.type = outer.entity.type;
+                from = found(typeOnly, base.name, Access::Read, {});
+                own = nullptr;
+            }
+        }
+        const bool isOwn = own || from.kind != DK::Nothing;
         if (!isOwn && result.list) { // GVL.x, also where a program unit has the list's name
             if (const auto it = result.list->variables.find(id); it != result.list->variables.end()) return ofVariable(*it->second, nullptr, e.range, access);
             if (!result.entity.unit && !result.entity.type && !result.space) {
@@ -384,7 +405,7 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
         if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
             return found(world.lookupIn(*result.space, id), e.name, access, hint);
         }
-        from = found(result, base.name, baseAccess == Access::Call ? Access::ReadWrite : baseAccess, {});
+        if (from.kind == DK::Nothing) from = found(result, base.name, baseAccess == Access::Call ? Access::ReadWrite : baseAccess, {});
     } else {
         from = denote(base, baseAccess == Access::Call ? Access::ReadWrite : baseAccess);
     }

@@ -87,7 +87,7 @@ public:
         [[nodiscard]] bool isNothing() const { return !entity && !member && enumerators.empty() && !list && !space && ambiguous.empty(); }
     };
     [[nodiscard]] Member findMember(Unit& unit, NameId id);
-    [[nodiscard]] Found lookup(const Scope& scope, NameId id);
+    [[nodiscard]] Found lookup(const Scope& scope, NameId id, bool wantsType = false);
     [[nodiscard]] Found lookupIn(Space& space, NameId id);
     [[nodiscard]] Found lookupPath(const Scope& scope, const syntax::Path& path);
     [[nodiscard]] std::vector<std::string> visibleNames(const Scope& scope);
@@ -192,6 +192,7 @@ public:
     std::map<TypeId, InitialValue> typeInitials;
     std::map<TypeId, tree::FunctionId> initialisers;
     std::unordered_map<const syntax::SyntaxFile*, std::vector<Space*>> fileUsings;
+    std::unordered_map<const Unit*, std::vector<Space*>> unitUsings;
     std::vector<const syntax::SyntaxFile*> fileOf; // by FileId
 
     std::vector<Symbol> symbols;
