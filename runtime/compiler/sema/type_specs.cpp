@@ -305,6 +305,7 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
         completeAlias(*alias->second, usedAt);
         return types[type].size != 0;
     }
+    if (kind == TypeKind::Array && aliasOf.count(type)) return true; // has its own initial value
     switch (kind) {
     case TypeKind::Enum:
         if (const auto it = enumsByType.find(type); it != enumsByType.end()) completeEnum(*it->second);
