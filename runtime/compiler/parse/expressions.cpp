@@ -226,7 +226,13 @@ Expr* Parser::parsePrimary() {
             case TokenKind::Assign:
             case TokenKind::SetAssign:
             case TokenKind::ResetAssign: advance(); return makeName(nameOf(token));
-            default: break;
+            default:
+                for (std::string_view quoted : m_quotedNames)
+                    if (equalsIgnoringCase(quoted, nameOf(token).text)) {
+                        advance();
+                        return makeName(nameOf(token));
+                    }
+                break;
             }
         break;
     default: break;

@@ -214,6 +214,7 @@ public:
     bool m_inCondition = false;
     int m_caseDepth = 0;    // statements directly in a CASE arm: a label ends them
     bool m_inCaseArm = false;
+    std::vector<std::string_view> m_quotedNames; // declared in this text: "…" in an expression is such a name, else a literal
     std::string_view m_gvlName;
     Pou* m_lastPou = nullptr; // members written behind END_xxx belong to it
 

@@ -57,6 +57,7 @@ Name Parser::takeName(const char* what) {
     }
     take(TokenKind::Hash);
     const Name name = nameOf(peek());
+    if (at(TokenKind::WstringLiteral)) m_quotedNames.push_back(name.text);
     advance();
     return name;
 }

@@ -63,6 +63,7 @@ TEST(Declarations, OfVariables) {
          "PROGRAM p VAR(m:Motor(speed := 5); t:TON={PT := T#1s}; a:array[1..3] INT=[1, 2*(0)]; b:array[1..3] INT=[1, 2*(0)])"},
         {"FUNCTION f : INT VAR_IN_OUT a : ARRAY[*, *] OF REAL; END_VAR VAR_TEMP t : STRING(10) := 'x'; END_VAR VAR_STAT s : LREAL; END_VAR END_FUNCTION",
          "FUNCTION f:INT IN_OUT(a:array[*, *] REAL) TEMP(t:STRING(10)='x') STAT(s:LREAL)"},
+        {"PROGRAM p VAR \"a b\" : INT; w : WSTRING; END_VAR x := #y + \"A b\"; w := \"a b c\"; END_PROGRAM", "PROGRAM p VAR(a b:INT; w:WSTRING) ST{x := (y + A b); w := \"a b c\"}"},
         {"PROGRAM p VAR T, IN, ST, N, R, d, z, CONSTANT : INT; END_VAR END_PROGRAM", "PROGRAM p VAR(T,IN,ST,N,R,d,z,CONSTANT:INT)"},
         {"PROGRAM p VAR_EXTERNAL CONSTANT g : INT; END_VAR VAR PERSISTENT RETAIN h : INT; END_VAR END_PROGRAM", "PROGRAM p EXTERNAL constant(g:INT) VAR retain persistent(h:INT)"},
     });
