@@ -116,6 +116,7 @@ void PlotAxes::setValueAxes(const std::vector<AxisSpec>& specs) {
     for (size_t i = 0; sameSides && i < specs.size(); ++i) sameSides = specs[i].isOnRight == m->valueSpecs[i].isOnRight;
     if (!sameSides) {
         for (QCategoryAxis* axis : m->values) {
+            axis->setVisible(false); // what it drew is only deleted by the event loop, which the command line does not run
             m->chart->removeAxis(axis);
             delete axis;
         }

@@ -80,9 +80,12 @@ QSize PropertyDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
 }
 
 void PropertyDelegate::finish(QWidget* editor) const {
+    // Closed before the commit is told: whoever hears of it may give the grid other rows.
+    const QString id = idOf(m_grid.currentIndex());
     auto* self = const_cast<PropertyDelegate*>(this);
-    emit self->commitData(editor);
+    const std::optional<QVariant> value = valueOf(editor, id);
     emit self->closeEditor(editor);
+    if (value) m_grid.commit(id, *value);
 }
 
 QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) const {
@@ -190,21 +193,25 @@ void PropertyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) 
     }
 }
 
-void PropertyDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
-    const QString id = idOf(index);
+std::optional<QVariant> PropertyDelegate::valueOf(QWidget* editor, const QString& id) const {
     if (auto* spin = qobject_cast<QSpinBox*>(editor)) {
         spin->interpretText();
-        m_grid.commit(id, spin->value());
-    } else if (auto* number = qobject_cast<QDoubleSpinBox*>(editor)) {
-        number->interpretText();
-        m_grid.commit(id, number->value());
-    } else if (auto* combo = qobject_cast<QComboBox*>(editor)) {
-        if (combo->currentIndex() >= 0) m_grid.commit(id, combo->currentData());
-    } else if (auto* line = qobject_cast<ExpressionEdit*>(editor)) {
-        if (!(m_grid.isVarious(id) && line->text().isEmpty())) m_grid.commit(id, line->text());
-    } else if (auto* both = dynamic_cast<LineWithButton*>(editor)) {
-        if (!(m_grid.isVarious(id) && both->line()->text().isEmpty())) m_grid.commit(id, both->line()->text());
+        return spin->value();
     }
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(editor)) {
+        number->interpretText();
+        return number->value();
+    }
+    if (auto* combo = qobject_cast<QComboBox*>(editor)) return combo->currentIndex() >= 0 ? std::optional(combo->currentData()) : std::nullopt;
+    auto* line = qobject_cast<ExpressionEdit*>(editor);
+    if (auto* both = dynamic_cast<LineWithButton*>(editor)) line = both->line();
+    if (!line || (m_grid.isVarious(id) && line->text().isEmpty())) return std::nullopt;
+    return line->text();
+}
+
+void PropertyDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
+    const QString id = idOf(index);
+    if (const auto value = valueOf(editor, id)) m_grid.commit(id, *value);
 }
 
 bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {

@@ -4,6 +4,8 @@
 #include <QStyledItemDelegate>
 #include <QVariant>
 
+#include <optional>
+
 namespace plc::kit {
 
 class PropertyGrid;
@@ -22,6 +24,7 @@ public:
 
 private:
     QWidget* makeTextEditor(QWidget* parent, const QString& id) const;
+    std::optional<QVariant> valueOf(QWidget* editor, const QString& id) const;
     void finish(QWidget* editor) const;
 
     PropertyGrid& m_grid;

@@ -63,6 +63,9 @@ PropertyGrid::PropertyGrid(QWidget* parent) : QTreeWidget(parent) {
 }
 
 void PropertyGrid::setDescriptors(std::vector<PropertyDescriptor> descriptors) {
+    bool same = descriptors.size() == m_entries.size();
+    for (size_t i = 0; same && i < descriptors.size(); ++i) same = descriptors[i] == m_entries[i].descriptor;
+    if (same) return;
     clear();
     m_entries.clear();
     std::map<QString, QTreeWidgetItem*> groups;

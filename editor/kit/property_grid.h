@@ -32,6 +32,7 @@ struct PropertyChoice {
     QVariant value;
     QString label;
     std::optional<Icon> icon;
+    bool operator==(const PropertyChoice&) const = default;
 };
 
 struct PropertyDescriptor {
@@ -48,6 +49,7 @@ struct PropertyDescriptor {
     QVariant defaultValue; // shown in the plain face; valid: "Reset" is offered
     QString placeholder;
     bool isReadOnly = false;
+    bool operator==(const PropertyDescriptor&) const = default;
 };
 
 class PropertyGrid : public QTreeWidget {
@@ -55,6 +57,7 @@ class PropertyGrid : public QTreeWidget {
 public:
     explicit PropertyGrid(QWidget* parent = nullptr);
 
+    /// The same descriptors again leave rows and an open editor as they are.
     void setDescriptors(std::vector<PropertyDescriptor> descriptors);
     const PropertyDescriptor* descriptor(const QString& id) const;
     void setValue(const QString& id, const QVariant& value);

@@ -20,12 +20,12 @@ namespace {
 
 constexpr qreal Radius = 4;
 
-void fillRound(QPainter* painter, const QRectF& rect, const QColor& fill, const QColor& line = QColor()) {
+void fillRound(QPainter* painter, const QRectF& rect, const QColor& fill, const QColor& line = QColor(), qreal radius = Radius) {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(line.isValid() ? QPen(line, 1) : QPen(Qt::NoPen));
     painter->setBrush(fill.isValid() ? QBrush(fill) : QBrush(Qt::NoBrush));
-    painter->drawRoundedRect(line.isValid() ? rect.adjusted(0.5, 0.5, -0.5, -0.5) : rect, Radius, Radius);
+    painter->drawRoundedRect(line.isValid() ? rect.adjusted(0.5, 0.5, -0.5, -0.5) : rect, radius, radius);
     painter->restore();
 }
 
@@ -187,7 +187,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
         const QRectF box = QRectF(option->rect).adjusted(1, 1, -1, -1);
         const bool on = option->state & State_On, partly = option->state & State_NoChange;
         const QColor fill = !enabled ? c.window : (on || partly) ? c.accent : hover ? c.hover : c.base;
-        fillRound(painter, box, fill, !enabled ? c.divider : (on || partly) ? c.accent : (option->state & State_HasFocus) ? c.accent : c.border);
+        fillRound(painter, box, fill, !enabled ? c.divider : (on || partly) ? c.accent : (option->state & State_HasFocus) ? c.accent : c.border, 2.5);
         const QColor ink = enabled ? c.onAccent : c.disabled;
         const QPointF o = box.topLeft();
         const qreal w = box.width(), h = box.height();

@@ -30,7 +30,9 @@ QIcon swatch(const QColor& color) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
     painter.drawRoundedRect(QRectF(2, 3, 12, 10), 3, 3);
-    return QIcon(pixmap);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    return icon;
 }
 
 std::string utf8(const QVariant& v) { return v.toString().toStdString(); }
@@ -115,7 +117,9 @@ ChannelPanel::ChannelPanel(QWidget* parent) : QWidget(parent) {
         const int channel = item->data(0, ChannelRole).toInt();
         const bool visible = item->checkState(0) == Qt::Checked;
         if (m_setup.channels[static_cast<size_t>(channel)].isVisible == visible) return;
+        m_isTicked = true;
         emit changeRequested(visible ? tr("Show channel") : tr("Hide channel"), [channel, visible](TraceSetup& s) { s.channels[static_cast<size_t>(channel)].isVisible = visible; });
+        m_isTicked = false;
     });
     connect(m_grid, &kit::PropertyGrid::committed, this, &ChannelPanel::commit);
 }
@@ -150,7 +154,8 @@ void ChannelPanel::selectChannel(int channel) {
 
 void ChannelPanel::showSetup(const TraceSetup& setup, const kit::PlotModel& model) {
     m_setup = setup;
-    rebuild();
+    if (m_isTicked) QMetaObject::invokeMethod(this, [this] { rebuild(); }, Qt::QueuedConnection);
+    else rebuild();
     showValues(model);
 }
 

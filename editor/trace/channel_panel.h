@@ -61,7 +61,7 @@ private:
     kit::ExpressionEdit* m_entry;
     QTreeWidget* m_list;
     kit::PropertyGrid* m_grid;
-    bool m_filling = false;
+    bool m_filling = false, m_isTicked = false; // ticked: the list is telling us of a change and must not be rebuilt yet
 };
 
 } // namespace plc::trace

@@ -103,6 +103,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
         if (const auto position = m_recording->positionAt(time)) emit positionActivated(*position);
     });
     connect(&m_undo, &QUndoStack::indexChanged, this, &TraceView::setupChanged);
+    connect(&kit::Theme::current(), &kit::Theme::changed, this, &TraceView::rebuildModel);
     m_timer.setInterval(Frame);
     connect(&m_timer, &QTimer::timeout, this, &TraceView::tick);
     m_plot->edit([](kit::PlotModel& model) { model.to = 10'000'000'000; });
@@ -455,6 +456,10 @@ void TraceView::showTable() {
         }
     m_table->resizeColumnsToContents();
     m_table->resizeRowsToContents();
+    int height = m_table->horizontalHeader()->sizeHint().height() + 4;
+    for (int r = 0; r < std::min(6, m_table->rowCount()); ++r) height += m_table->rowHeight(r);
+    m_table->setMinimumHeight(height);
+    m_table->setMaximumHeight(std::max(height, 300));
     m_table->setToolTip(table.headline);
 }
 

@@ -63,6 +63,7 @@ protected:
 
 void keep(QWidget& widget, const QString& name) {
     const QString folder = qEnvironmentVariable("STEPWISE_PICTURES");
+    for (int i = 0; i < 3; ++i) QApplication::processEvents();
     if (!folder.isEmpty()) widget.grab().save(folder + '/' + name + ".png");
 }
 
