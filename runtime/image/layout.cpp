@@ -59,18 +59,24 @@ Result<FoundRoot> ambiguous(std::string_view name, const std::vector<const Root*
 Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& parts) {
     std::vector<const Root*> plain; // matched by the first name alone
     FoundRoot qualified;
+    const Root* program = nullptr;
     const size_t names = static_cast<size_t>(std::find_if(parts.begin(), parts.end(), [](const PathPart& p) { return p.kind != PathPart::Kind::Name; }) - parts.begin());
     std::vector<std::string> qualifiers(1);
     for (size_t k = 1; k < std::min<size_t>(names, 6); ++k) qualifiers.push_back(joinedNames(parts, k));
     for (const Root& root : layout.roots) {
         for (size_t k = 0; k < qualifiers.size(); ++k) {
             if (!same(root.name, parts[k].name) || !isQualifiedBy(root, qualifiers[k])) continue;
-            if (k == 0 && root.area == Area::Program) return FoundRoot{&root, 1};
+            if (k == 0 && root.area == Area::Program) {
+                program = &root;
+                continue;
+            }
             if (k == 0) plain.push_back(&root);
             if (k > 0 && k + 1 > qualified.used) qualified = {&root, k + 1};
         }
     }
+    // a located variable or a constant of a program is a root of its own, in the list of the program's name
     if (qualified.root) return qualified;
+    if (program) return FoundRoot{program, 1};
     if (plain.size() == 1) return FoundRoot{plain[0], 1};
     if (plain.size() > 1) { // a name of its own hides those of lists and libraries
         const auto own = std::find_if(plain.begin(), plain.end(), [](const Root* r) { return r->list.empty() && r->space.empty(); });

@@ -121,8 +121,8 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
             continue;
         }
         if (variable.isConstant && variable.kind == SectionKind::Var) {
-            if (isFoldable(types, variableType)) continue;
-            makeStatic(variable);
+            if (isFoldable(types, variableType) && unit.kind != UnitKind::Program) continue;
+            makeStatic(variable); // a program's constants can be watched
             continue;
         }
         if (variable.isLocated && variable.declaration->address.find('*') == std::string_view::npos) {
