@@ -1,0 +1,187 @@
+// Panels on a running controller: press, see, be refused with a reason, switch language, alarms, the past.
+#include "running.h"
+
+#include "hmi/player/keypad.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+
+namespace plc::hmi {
+namespace {
+
+struct Machine {
+    PanelProject project = machineProject();
+    session::Session session{builtMachine()};
+    std::unique_ptr<PanelPlayer> player;
+
+    explicit Machine(const std::string& elements, bool run = true) {
+        project.panels.push_back({QStringLiteral("main"), panelOf(elements)});
+        project.startPanel = QStringLiteral("main");
+        player = std::make_unique<PanelPlayer>(project, &session);
+        player->resize(640, 400);
+        player->show();
+        if (run) session.startThread({session::Pace::Factor, 5});
+    }
+    Value value(const char* expression) {
+        const BindingId id = player->values()->bind(QLatin1String(expression));
+        player->frame();
+        return player->values()->value(id);
+    }
+    bool waitFor(const char* expression) {
+        const BindingId id = player->values()->bind(QLatin1String(expression));
+        return hmi::waitFor(*player, [&] { return player->values()->value(id).toBool(); });
+    }
+    QString write(const char* target, const Value& value) { return player->post(WriteRequest{{}, QLatin1String(target), WriteKind::Write, value, {}}); }
+};
+
+TEST(Player, AButtonPressedOnThePanelRunsTheMachineAndTheLampShowsIt) {
+    Machine machine(R"({"id":"b","kind":"button","rect":[10,10,120,60],"text":"@start","target":"Main.start"},
+                       {"id":"l","kind":"lamp","rect":[200,10,60,60],"value":"Main.running"})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 2"));
+    const QImage dark = machine.player->scene().picture().copy(200, 10, 60, 60);
+    for (int press = 1; press <= 3; ++press) {
+        QTest::mousePress(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 40));
+        QTest::mouseRelease(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 40)); // quicker than a scan
+        ASSERT_TRUE(machine.waitFor(QStringLiteral("Main.presses = %1").arg(press).toLatin1().constData())) << press;
+    }
+    EXPECT_TRUE(machine.waitFor("Main.running AND NOT Main.start"));
+    EXPECT_NE(dark, machine.player->scene().picture().copy(200, 10, 60, 60));
+}
+
+TEST(Player, SaysWhyAWriteIsRefused) {
+    Machine machine(R"({"id":"l","kind":"lamp","rect":[200,10,60,60],"value":"Main.running"})", false);
+    EXPECT_EQ(machine.write("Main.start", Value::ofBool(true)).toStdString(), "Not written: the controller is not running.");
+    machine.session.startThread({session::Pace::Factor, 5});
+    ASSERT_TRUE(machine.waitFor("Main.count > 2"));
+    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(), "Not written: the value lies outside its limits. 300 does not fit into SINT");
+    EXPECT_EQ(machine.write("Main.count + 1", Value::ofInteger(3)).toStdString(), "Not written: this is not a variable.");
+    EXPECT_FALSE(machine.write("Main.cuont", Value::ofInteger(3)).isEmpty());
+    machine.session.force("Main.forced", types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(1)});
+    ASSERT_TRUE(machine.waitFor("Main.forced"));
+    machine.player->setLanguage(QStringLiteral("da"));
+    EXPECT_EQ(machine.write("Main.forced", Value::ofBool(false)).toStdString(), "Ikke skrevet: Variablen er tvunget.");
+    EXPECT_EQ(machine.player->lastRefusal().toStdString(), "Ikke skrevet: Variablen er tvunget.");
+    EXPECT_TRUE(machine.write("Main.small", Value::ofInteger(-100)).isEmpty());
+    EXPECT_TRUE(machine.waitFor("Main.small = -100"));
+    EXPECT_TRUE(machine.write("Main.name", Value::ofText(QStringLiteral("Grød"))).isEmpty());
+    EXPECT_TRUE(machine.waitFor("Main.name = 'Grød'"));
+    EXPECT_FALSE(machine.write("Main.name", Value::ofText(QStringLiteral("Too long"))).isEmpty());
+    EXPECT_TRUE(machine.write("Main.mode", Value::ofInteger(2)).isEmpty());
+    EXPECT_TRUE(machine.waitFor("Main.mode = Mode.Auto"));
+    EXPECT_TRUE(machine.write("Main.wait", Value::ofReal(2.5)).isEmpty());
+    EXPECT_TRUE(machine.waitFor("Main.wait = T#2s500ms"));
+}
+
+TEST(Player, TheKeypadKeepsItsLimitsAndWritesTheNumber) {
+    Machine machine(R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level","minimum":"0","maximum":"50","unit":"°C"})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 2"));
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 30));
+    auto* keypad = dynamic_cast<Keypad*>(machine.player->overlay());
+    ASSERT_TRUE(keypad);
+    EXPECT_EQ(keypad->entered().toStdString(), "12.5");
+    for (const QPushButton* button : keypad->findChildren<QPushButton*>()) {
+        EXPECT_GE(button->height(), 44);
+        EXPECT_GE(button->width(), 44);
+    }
+    for (const char key : std::string("99")) QTest::keyClick(keypad, key);
+    QTest::keyClick(keypad, Qt::Key_Return);
+    ASSERT_TRUE(machine.player->overlay()); // refused, still open
+    EXPECT_TRUE(keypad->complaint().contains(QStringLiteral("50")));
+    QTest::keyClick(keypad, Qt::Key_Backspace);
+    QTest::keyClick(keypad, '.');
+    QTest::keyClick(keypad, '2');
+    QTest::keyClick(keypad, Qt::Key_Return);
+    EXPECT_TRUE(machine.waitFor("Main.level > 9.1 AND Main.level < 9.3"));
+}
+
+TEST(Player, TheLanguageFollowsTheVariableAndIsWrittenToIt) {
+    Machine machine(R"({"id":"s","kind":"languages","rect":[10,10,300,44]})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 2"));
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(160, 30));
+    EXPECT_EQ(machine.player->language().toStdString(), "da"); // at once
+    EXPECT_TRUE(machine.waitFor("Language = 1"));
+    EXPECT_EQ(machine.player->language().toStdString(), "da");
+    machine.write("Language", Value::ofInteger(2));
+    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.player->language() == QStringLiteral("ar"); }));
+}
+
+TEST(Player, AnAlarmOfOneScanIsNotLostAndAcknowledgingEndsIt) {
+    Machine machine(R"({"id":"a","kind":"alarmList","rect":[10,10,600,300]})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 120"));
+    machine.player->alarmWatch()->catchUp();
+    std::vector<AlarmEntry> present = machine.player->alarms().present({}, AlarmOrder::Time);
+    ASSERT_EQ(present.size(), 1u);
+    EXPECT_EQ(present[0].id.toStdString(), "flash");
+    EXPECT_EQ(present[0].state, AlarmState::Returned);
+    EXPECT_EQ(present[0].raised.scan, 49u);
+    EXPECT_EQ(present[0].returned->scan, 50u);
+    machine.write("Main.overload", Value::ofBool(true));
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->alarms().present({}, AlarmOrder::Time).size() == 2; }));
+    const AlarmEntry raised = machine.player->alarms().present({}, AlarmOrder::Priority)[0];
+    EXPECT_EQ(raised.state, AlarmState::Unacknowledged);
+    const QString danish = AlarmBook::render(raised, machine.project.texts, QStringLiteral("da"));
+    EXPECT_EQ(danish, QStringLiteral("Overbelastet ved %1").arg(raised.raised.scan + 1)); // count of that scan
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(560, 290)); // acknowledge all
+    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.player->alarms().unacknowledgedCount() == 0; }));
+    EXPECT_EQ(machine.player->alarms().present({}, AlarmOrder::Time).size(), 1u); // overload is still there
+}
+
+TEST(Player, FollowsTheTimeSliderAndRefusesToWriteIntoThePast) {
+    Machine machine(R"({"id":"n","kind":"number","rect":[10,10,140,44],"value":"Main.count","format":"%d"})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 30"));
+    const auto position = machine.session.history().positionOfScan(9);
+    ASSERT_TRUE(position);
+    machine.player->setPosition(*position);
+    EXPECT_EQ(machine.value("Main.count").toInteger(), 10);
+    EXPECT_EQ(machine.player->values()->freshness(), Freshness::Past);
+    EXPECT_EQ(machine.write("Main.level", Value::ofReal(1)).toStdString(), "Not written: the panel shows the past.");
+    machine.player->setPosition(std::nullopt);
+    EXPECT_GT(machine.value("Main.count").toInteger(), 30);
+}
+
+TEST(Player, ATrendShowsTheRecordedScans) {
+    Machine machine(R"({"id":"t","kind":"trend","rect":[10,10,400,300],"seconds":1,"series":[{"value":"Main.count"}]})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 150"));
+    machine.session.pause();
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->status().state == controller::State::Paused; }));
+    const BindingId id = machine.player->values()->bind(QStringLiteral("Main.count"));
+    const std::vector<CurvePiece> curve = machine.player->values()->curve(id, 1.0, 1000);
+    ASSERT_GT(curve.size(), 90u);
+    EXPECT_EQ(curve.back().last, machine.value("Main.count").toNumber());
+    EXPECT_NEAR(curve.front().from, -1.0, 0.011);
+    for (size_t i = 1; i < curve.size(); ++i) EXPECT_EQ(curve[i].first, curve[i - 1].last + 1);
+}
+
+TEST(Player, PicturesOfEveryPanelInEveryLanguage) {
+    Machine machine(R"({"id":"b","kind":"button","rect":[10,10,120,60],"text":"@start"})", false);
+    machine.session.runHere([](const controller::Controller& controller) { return controller.nextScan() > 10; });
+    const QString folder = QDir::tempPath() + QStringLiteral("/stepwise_pictures_%1").arg(QCoreApplication::applicationPid());
+    PictureOptions options;
+    options.folder = folder;
+    const auto paths = renderPanels(machine.project, &machine.session, options);
+    ASSERT_TRUE(paths) << paths.error().text();
+    EXPECT_EQ(paths->size(), 3u);
+    EXPECT_NE(QImage(folder + QStringLiteral("/main.en.png")), QImage(folder + QStringLiteral("/main.ar.png")));
+    QDir(folder).removeRecursively();
+}
+
+TEST(Check, TheFrontEndChecksEveryBinding) {
+    const driver::Built built = builtMachine();
+    const struct {
+        const char *expression, *wanted;
+        bool isTarget;
+        const char* complaint;
+    } rows[] = {
+        {"Main.running", "bool", false, ""},        {"Main.level > 3", "bool", false, ""},          {"Main.level", "bool", false, "BOOL"},     {"Main.levle", "number", false, "level"},
+        {"Main.level + 1", "number", true, "not a"}, {"Main.level", "number", true, ""},             {"Main.name", "number", false, "number"},  {"Main.name", "text", true, ""},
+        {"Main.numbers", "array", false, ""},       {"Main.numbers[2]", "number", true, ""},        {"Main.numbers", "any", false, "single"},  {"Main.mode", "number", true, ""},
+    };
+    for (const auto& row : rows) {
+        const std::string complaint = checkBinding(built.checked, QLatin1String(row.expression), row.wanted, row.isTarget).toStdString();
+        if (*row.complaint) EXPECT_NE(complaint.find(row.complaint), std::string::npos) << row.expression << ": " << complaint;
+        else EXPECT_EQ(complaint, "") << row.expression;
+    }
+}
+
+} // namespace
+} // namespace plc::hmi
