@@ -45,7 +45,10 @@ inline driver::Built builtMachine() {
     driver::BuildInput input;
     input.files.push_back({"main.st", kMachine});
     driver::Built built = driver::build(input);
-    EXPECT_TRUE(built.program) << built.failure;
+    std::string messages = built.failure;
+    if (built.checked.analysis)
+        for (const auto& one : built.checked.analysis->diagnostics) messages += diagnostics::renderText(*built.checked.sources, one, false) + "\n";
+    EXPECT_TRUE(built.program) << messages;
     return built;
 }
 

@@ -1,0 +1,214 @@
+#include "hmi/designer/design_context.h"
+
+#include "editor/kit/edit_history.h"
+#include "hmi/model/walk.h"
+#include "hmi/player/plc_convert.h"
+
+namespace plc::hmi {
+
+DesignContext::DesignContext(PanelProject& project, QObject* parent)
+    : QObject(parent), m_project(project), m_language(project.texts.settings().languages.value(0, QStringLiteral("en"))) {}
+
+void DesignContext::setChecked(driver::Checked checked) {
+    m_checked = std::move(checked);
+    emit programChanged();
+}
+
+void DesignContext::setSession(session::Session* session) {
+    m_session = session;
+    emit programChanged();
+}
+
+void DesignContext::setLanguage(const QString& tag) {
+    if (tag == m_language || tag.isEmpty()) return;
+    m_language = tag;
+    emit languageChanged();
+}
+
+QString DesignContext::shownText(const QString& reference) const {
+    if (!isTextKey(reference)) return reference;
+    const QString key = keyOf(reference);
+    if (!m_project.texts.table().contains(key)) return reference;
+    const QString own = m_project.texts.table().text(key, m_language);
+    return own.isEmpty() ? m_project.texts.text(reference, m_language) : own;
+}
+
+QString DesignContext::storeText(const QString& present, const QString& typed, const QString& panel, QUndoStack& undo) {
+    if (typed.isEmpty() || typed.startsWith(u'@')) return typed;
+    int letters = 0;
+    for (const QChar c : typed) letters += c.isLetter();
+    // Signs and units need no translation; a project with one language and no table needs no keys.
+    if (letters < 2 || (m_project.texts.settings().languages.size() < 2 && !m_project.hasTexts)) return typed;
+    const TextTable before = m_project.texts.table();
+    TextTable after = before;
+    QString key;
+    if (isTextKey(present) && before.contains(keyOf(present))) key = keyOf(present); // the text of its key is changed
+    else key = before.keyOfText(m_language, typed);                                  // a text that is there is used again
+    if (key.isEmpty()) key = before.newKeyFor(panel, typed);
+    if (before.text(key, m_language) == typed) return u'@' + key;
+    after.setText(key, m_language, typed);
+    undo.push(new kit::ClosureCommand(tr("Text"), [this, after] { setTable(after); }, [this, before] { setTable(before); }));
+    return u'@' + key;
+}
+
+void DesignContext::setTable(TextTable table) {
+    m_project.texts.setTable(std::move(table));
+    m_project.hasTexts = true;
+    m_textsChanged = true;
+    emit textsChanged();
+}
+
+void DesignContext::setAlarms(AlarmFile alarms) {
+    m_project.alarms = std::move(alarms);
+    m_project.hasAlarms = true;
+    m_alarmsChanged = true;
+    emit alarmsChanged();
+}
+
+Result<void> DesignContext::save() {
+    if (m_textsChanged)
+        if (auto saved = saveTexts(m_project); !saved) return saved;
+    m_textsChanged = false;
+    if (m_alarmsChanged)
+        if (auto saved = saveAlarms(m_project); !saved) return saved;
+    m_alarmsChanged = false;
+    return {};
+}
+
+std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {
+    if (!m_checked.analysis) return {};
+    const auto compiled = driver::compileExpression(m_checked, path.toStdString());
+    if (!compiled) return {};
+    return hmi::factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
+}
+
+QString DesignContext::checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const {
+    return m_checked.analysis && !expression.trimmed().isEmpty() ? hmi::checkBinding(m_checked, expression, wanted, isTarget) : QString();
+}
+
+CheckInput DesignContext::checkInput() const {
+    CheckInput input = m_project.checkInput();
+    if (m_checked.analysis) input.checkBinding = [this](const QString& expression, std::string_view wanted, bool isTarget) { return checkBinding(expression, wanted, isTarget); };
+    return input;
+}
+
+QStringList DesignContext::usersOf(const QString& key) const {
+    QStringList out;
+    const auto look = [&](const QString& owner, const Properties& properties, const QString& id) {
+        forEachText(properties, [&](const Found& found) {
+            if (found.text == u'@' + key) out += owner + QStringLiteral(": ") + (id.isEmpty() ? QString() : id + u'.') + found.place();
+        });
+        forEachTextList(properties, [&](const Found& found) {
+            const QString prefix = (isTextKey(found.text) ? keyOf(found.text) : found.text) + u'.';
+            if (key.startsWith(prefix) && !key.mid(prefix.size()).contains(u'.')) out += owner + QStringLiteral(": ") + id + u'.' + found.place();
+        });
+    };
+    for (const NamedPanel& panel : m_project.panels) {
+        look(panel.name, panel.panel, {});
+        for (const Element& element : panel.panel.elements()) look(panel.name, element, element.id());
+    }
+    for (const Properties& alarm : m_project.alarms.rows()) look(tr("Alarms"), alarm, alarm.text("id"));
+    for (const Properties& one : m_project.alarms.classRows()) look(tr("Alarms"), one, one.text("name"));
+    return out;
+}
+
+namespace {
+
+Element madeFor(ElementKind kind, const char* property, const QString& path) {
+    Element element = Element::make(kind, QString(), QRectF(QPointF(), descriptorOf(kind).size));
+    element.set(property, toUtf8(path));
+    return element;
+}
+
+/// A table of an array of structures: a column per member that is a single value.
+Element tableFor(const QString& path, const expression::Expression& compiled, const types::Type& array) {
+    Element table = Element::make(ElementKind::ArrayTable, QString(), QRectF(QPointF(), descriptorOf(ElementKind::ArrayTable).size));
+    Json columns = Json::array();
+    const types::TypeTable& types = compiled.types();
+    for (const types::Field& field : types[array.element].fields) {
+        if (types.isAggregate(field.type) || field.isPrivate || columns.size() >= 8) continue;
+        Json column = Json::object();
+        column["title"] = field.name;
+        column["value"] = toUtf8(path) + "[#]." + field.name;
+        if (types.family(field.type) == types::Family::Real) column["format"] = "%.2f";
+        columns.push_back(std::move(column));
+    }
+    table.set("columns", columns);
+    return table;
+}
+
+std::optional<Element> arrayElementFor(const QString& path, const DesignContext& context, const ValueFacts& facts) {
+    const auto compiled = driver::compileExpression(context.checked(), path.toStdString());
+    if (!compiled || facts.arrayBounds.empty()) return {};
+    const types::TypeTable& types = compiled->types();
+    const types::Type& array = types[compiled->type()];
+    const auto [first, last] = facts.arrayBounds.front();
+    if (types.kind(array.element) == types::TypeKind::Struct || types.kind(array.element) == types::TypeKind::Block) {
+        Element table = tableFor(path, *compiled, array);
+        table.set("first", first);
+        table.set("count", last - first + 1);
+        return table;
+    }
+    if (types.family(array.element) == types::Family::Bool || facts.arrayBounds.size() > 1) {
+        Element grid = madeFor(ElementKind::CellGrid, "value", path);
+        const int count = last - first + 1;
+        const bool isTable = facts.arrayBounds.size() > 1;
+        const int columns = isTable ? facts.arrayBounds[1].second - facts.arrayBounds[1].first + 1 : std::min(count, count <= 10 ? count : 10);
+        grid.set("columns", columns);
+        grid.set("rows", isTable ? count : (count + columns - 1) / columns);
+        grid.set("first", first);
+        return grid;
+    }
+    Element chart = madeFor(ElementKind::BarChart, "value", path);
+    chart.set("first", first);
+    return chart;
+}
+
+} // namespace
+
+std::vector<Element> elementsForVariable(const QString& path, const DesignContext& context, bool operates) {
+    const std::optional<ValueFacts> known = context.factsOf(path);
+    const ValueFacts facts = known.value_or(ValueFacts());
+    const QString name = path.section(u'.', -1);
+    Element element = madeFor(ElementKind::NumericDisplay, "value", path);
+    switch (facts.kind) {
+    case ValueKind::Bool:
+        element = operates ? madeFor(ElementKind::Switch, "target", path) : madeFor(ElementKind::Lamp, "value", path);
+        break;
+    case ValueKind::Integer:
+    case ValueKind::Unsigned:
+        if (!facts.enumValues.empty()) {
+            element = operates ? madeFor(ElementKind::ComboBox, "target", path) : madeFor(ElementKind::MultiState, "value", path);
+            break;
+        }
+        element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
+        element.set("format", "%d");
+        break;
+    case ValueKind::Real:
+        element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
+        break;
+    case ValueKind::Text:
+        element = operates ? madeFor(ElementKind::TextEntry, "target", path) : element;
+        if (!operates) element.set("rect", rectToJson(QRectF(0, 0, 200, 40)));
+        break;
+    case ValueKind::Time:
+        if (operates) {
+            element = madeFor(ElementKind::NumericEntry, "target", path);
+            element.set("unit", "s");
+        } else {
+            element.set("format", "");
+        }
+        break;
+    case ValueKind::Date:
+    case ValueKind::DateTime:
+    case ValueKind::TimeOfDay: element = madeFor(ElementKind::DateTime, "value", path); break;
+    case ValueKind::Array:
+        if (auto array = arrayElementFor(path, context, facts)) element = std::move(*array);
+        break;
+    case ValueKind::None: break;
+    }
+    element.set("name", toUtf8(name));
+    return {element};
+}
+
+} // namespace plc::hmi

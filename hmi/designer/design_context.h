@@ -1,0 +1,70 @@
+// What the parts of the designer share: the project's operator side, the checked program, completion, the language that is
+// shown. It also gives typed texts their keys. Owned by the application; main thread.
+#pragma once
+#include "editor/kit/expression_edit.h"
+#include "hmi/model/document.h"
+#include "hmi/player/panel_commands.h"
+
+#include <QObject>
+
+namespace plc::hmi {
+
+class DesignContext final : public QObject {
+    Q_OBJECT
+public:
+    explicit DesignContext(PanelProject& project, QObject* parent = nullptr);
+
+    PanelProject& project() { return m_project; }
+    const PanelProject& project() const { return m_project; }
+    const driver::Checked& checked() const { return m_checked; }
+    /// After each build; findings and facts follow.
+    void setChecked(driver::Checked checked);
+    session::Session* session() const { return m_session; }
+    void setSession(session::Session* session);
+    void setCompletions(kit::CompletionSource completions) { m_completions = std::move(completions); }
+    const kit::CompletionSource& completions() const { return m_completions; }
+    void setPicker(std::function<std::optional<QString>(const QString&)> picker) { m_picker = std::move(picker); }
+    const std::function<std::optional<QString>(const QString&)>& picker() const { return m_picker; }
+
+    const QString& language() const { return m_language; }
+    void setLanguage(const QString& tag);
+
+    // Texts
+    QString shownText(const QString& reference) const;
+    /// What a typed text is stored as: the key it has, a new key, or (beginning with @) the key that was typed. Changes of the
+    /// table are pushed on `undo`, inside the macro that the caller has begun.
+    QString storeText(const QString& present, const QString& typed, const QString& panel, QUndoStack& undo);
+    void setTable(TextTable table);
+    void setAlarms(AlarmFile alarms);
+    bool areTextsChanged() const { return m_textsChanged; }
+    bool areAlarmsChanged() const { return m_alarmsChanged; }
+    /// Writes texts and alarms where they changed.
+    Result<void> save();
+
+    /// Facts of a variable in the checked program; nothing when it is unknown.
+    std::optional<ValueFacts> factsOf(const QString& path) const;
+    QString checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const;
+    CheckInput checkInput() const;
+    /// Panels, alarms and elements that use a key: "main: button1.text".
+    QStringList usersOf(const QString& key) const;
+
+signals:
+    void textsChanged();
+    void alarmsChanged();
+    void languageChanged();
+    void programChanged();
+
+private:
+    PanelProject& m_project;
+    driver::Checked m_checked;
+    session::Session* m_session = nullptr;
+    kit::CompletionSource m_completions;
+    std::function<std::optional<QString>(const QString&)> m_picker;
+    QString m_language;
+    bool m_textsChanged = false, m_alarmsChanged = false;
+};
+
+/// The element that fits a variable; `operates`: one that writes it, else one that shows it. The rectangle begins at (0, 0).
+std::vector<Element> elementsForVariable(const QString& path, const DesignContext& context, bool operates);
+
+} // namespace plc::hmi
