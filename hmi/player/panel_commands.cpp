@@ -1,9 +1,11 @@
 #include "hmi/player/panel_commands.h"
 
 #include "hmi/player/panel_player.h"
+#include "runtime/base/text.h"
 
 #include <QApplication>
 #include <QDir>
+#include <QRegularExpression>
 
 namespace plc::hmi {
 
@@ -52,10 +54,32 @@ Result<std::vector<QString>> renderPanels(const PanelProject& project, session::
     return out;
 }
 
+namespace {
+
+/// The nearest name of the program for the first name in the expression that nothing is called.
+QString nearMatch(const driver::Checked& checked, const QString& expression) {
+    if (!checked.analysis) return {};
+    std::vector<std::string> names;
+    for (const sema::Symbol& symbol : checked.analysis->symbols) names.push_back(symbol.name);
+    static const QRegularExpression word(QStringLiteral("[\\p{L}_][\\p{L}\\p{N}_]*"));
+    for (auto it = word.globalMatch(expression); it.hasNext();) {
+        const std::string name = it.next().captured().toStdString();
+        const bool isKnown = std::any_of(names.begin(), names.end(), [&](const std::string& one) { return equalsIgnoringCase(one, name); });
+        if (isKnown) continue;
+        if (const std::optional<std::string> near = nearestName(name, names)) return QString::fromStdString(*near);
+    }
+    return {};
+}
+
+} // namespace
+
 QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("HmiCheck", text); };
     const auto compiled = driver::compileExpression(checked, expression.toStdString());
-    if (!compiled) return QString::fromStdString(compiled.error().message);
+    if (!compiled) {
+        const QString message = QString::fromStdString(compiled.error().message), near = nearMatch(checked, expression);
+        return near.isEmpty() || message.contains(near) ? message : message + QStringLiteral("; ") + tr("did you mean %1?").arg(near);
+    }
     const types::TypeTable& types = compiled->types();
     const types::TypeId type = compiled->type();
     const QString name = QString::fromStdString(types[type].name);

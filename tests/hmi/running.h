@@ -21,7 +21,7 @@ VAR
     level : REAL := 12.5;
     small : SINT;
     count : DINT;
-    mode : Mode;
+    operation : Mode;
     name : STRING(5);
     wait : TIME := T#1s;
     numbers : ARRAY[1..3] OF INT := [1, 2, 3];
