@@ -58,7 +58,8 @@ driver::Built buildOrDie(const std::string& name, const std::string& text) {
     input.files.push_back({name, text});
     driver::Built built = driver::build(input);
     if (built.program) return built;
-    for (const auto& diagnostic : built.checked.analysis->diagnostics) std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message().c_str());
+    for (const auto& diagnostic : built.checked.analysis->diagnostics)
+        if (diagnostic.severity == diagnostics::Severity::Error) std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message().c_str());
     std::fprintf(stderr, "%s does not compile %s\n", name.c_str(), built.failure.c_str());
     std::exit(1);
 }

@@ -363,24 +363,6 @@ int32_t gcd(Guards& g, int32_t a, int32_t b) {
     return a;
 }
 
-void enter(Guards& g, uint32_t site, uint32_t function) {
-    if (g.depth >= 256) [[unlikely]] fault("stack", 0, 0, 0);
-    g.calls[g.depth++] = {site, function, 0, 0};
-}
-
-int32_t fib(Guards& g, int32_t n) {
-    if (n < 2) return n;
-    charge(g, 1);
-    enter(g, 1, 2);
-    const int32_t a = fib(g, sub(n, 1));
-    --g.depth;
-    charge(g, 1);
-    enter(g, 1, 2);
-    const int32_t b = fib(g, sub(n, 2));
-    --g.depth;
-    return add(a, b);
-}
-
 int32_t largest(Guards& g, int32_t* values, int64_t low, int64_t high) {
     int32_t best = values[at(low, low, high)];
     const auto first = static_cast<int32_t>(low + 1), last = static_cast<int32_t>(high);
@@ -401,7 +383,7 @@ public:
         }
         charge(g, 20);
         for (m_i = 1; m_i <= 20; ++m_i) m_sum = add(m_sum, largest(g, m_values, 1, 200));
-        m_check = add(m_sum, fib(g, 16));
+        m_check = m_sum;
     }
     double check() const override { return m_check; }
 

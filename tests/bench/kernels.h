@@ -1,5 +1,5 @@
 // The kernels of kernels/*.st in C++, as a careful programmer would write them by hand: state in a structure that lives on
-// between scans, wrapping integers, the same guards (index, division, loop budget, recursion depth). Compiled with -O2.
+// between scans, wrapping integers, the same guards (index, division, loop budget). Compiled with -O2.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -9,10 +9,6 @@ namespace plc::bench {
 struct Guards {
     int64_t budget = INT64_MAX / 2;
     int64_t timeNs = 0;
-    uint32_t depth = 0;
-    struct Record {
-        uint32_t site, function, instance, frame;
-    } calls[256];
 };
 
 class Kernel {

@@ -144,7 +144,7 @@ void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* fram
         const Local& local = callee.locals[argument.local];
         if (m.isScalar(local.type)) continue;
         Address from;
-        from.baseOffset = b.CreateZExt(frame, m.i64);
+        from.baseOffset = frame;
         from.base = b.CreateInBoundsGEP(m.i8, m_image, from.baseOffset);
         from.constant = m.frameOffset(calleeIndex, argument.local);
         from.type = local.type;
@@ -186,11 +186,14 @@ FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
     const uint32_t callee = call.callee.value;
     const FunctionFacts& facts = m.facts[callee];
     Value* self64 = int64(0);
+    Value* self = m_image;
     if (call.dispatch == Call::Dispatch::Interface && call.interface) {
         self64 = b.CreateZExtOrTrunc(scalar(*call.interface), m.i64);
+        self = b.CreateInBoundsGEP(m.i8, m_image, self64);
     } else if (call.instance) {
         const Address a = address(*call.instance);
         self64 = a.isImage ? offset(a) : int64(0);
+        if (a.isImage) self = pointer(a);
     }
     std::vector<Value*> arguments = callArguments(call);
     Value* target = nullptr;
@@ -202,11 +205,10 @@ FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
         if (call.dispatch == Call::Dispatch::Interface) guardReference(self64, int64(8));
         target = resolveTarget(call, self64, functionId);
     }
-    Value* self = b.CreateTrunc(self64, m.i32);
     if (m.program.functions[callee].mayRecurse || facts.inCycle) charge(int64(1));
     const bool isRecorded = m.isQuick() || !isDirect || facts.canFault;
     const bool charges = !isDirect || facts.charges;
-    Value* depth = isRecorded ? pushCall(functionId, self, m_nextFrame) : nullptr;
+    Value* depth = isRecorded ? pushCall(functionId, b.CreateTrunc(self64, m.i32), b.CreateTrunc(m_nextFrame, m.i32)) : nullptr;
     if (charges) flushBudget();
     arguments.insert(arguments.begin(), {m_context, m_image, self, m_nextFrame});
     llvm::CallInst* returned = b.CreateCall(m.abi(callee).type, target, arguments);

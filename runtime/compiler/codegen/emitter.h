@@ -14,7 +14,7 @@
 
 namespace plc::codegen {
 
-/// How a function of the tree looks to LLVM: (ctx, image, this, frame, arguments…) → {result, scalar outputs…}.
+/// How a function of the tree looks to LLVM: (ctx, image, this as pointer, frame as i64 offset, arguments…) → {result, scalar outputs…}.
 struct Abi {
     llvm::FunctionType* type = nullptr;
     bool returnsScalar = false;            // the result is element 0 of what is returned
@@ -64,7 +64,7 @@ public:
     [[nodiscard]] bool isQuick() const { return options.tier == Tier::Quick; }
 
     /// A C function of the runtime library; `effects` none: only a value, no memory touched.
-    enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Any };
+    enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Context, Fault, Any };
     llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects);
     llvm::Function* raise();                      // stores code, site and details, leaves
     llvm::Function* siteCheck();                  // quick tier: notes the statement, stops when flagged
@@ -251,7 +251,7 @@ private:
     // calls.cpp
     struct Returned {
         Value* result = nullptr;      // scalar result
-        Value* frame = nullptr;       // i32 callee's frame: aggregate results lie at its begin
+        Value* frame = nullptr;       // i64 callee's frame: aggregate results lie at its begin
     };
     Returned call(const tree::Call& call);
     Value* pushCall(Value* function, Value* self, Value* frame);
@@ -308,8 +308,8 @@ private:
     const FunctionFacts& m_facts;
     const Abi& m_abi;
     llvm::Function* m_function;
-    Value *m_context, *m_image, *m_this, *m_frame;
-    Value *m_this64 = nullptr, *m_thisPointer = nullptr, *m_frame64 = nullptr, *m_framePointer = nullptr, *m_nextFrame = nullptr;
+    Value *m_context, *m_image, *m_thisPointer, *m_frame64;
+    Value *m_this64 = nullptr, *m_framePointer = nullptr, *m_nextFrame = nullptr; // offsets: i64
     llvm::AllocaInst* m_budget = nullptr; // optimised tier: the loop budget in a register
     llvm::Instruction* m_entryEnd = nullptr;
     Block* m_return = nullptr;

@@ -263,7 +263,7 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
     if (expr.kind == ExprKind::Call) {
         const Returned returned = call(*expr.call);
         Address from;
-        from.baseOffset = b.CreateZExt(returned.frame, m.i64);
+        from.baseOffset = returned.frame;
         from.base = b.CreateInBoundsGEP(m.i8, m_image, from.baseOffset);
         copy(target, from, size);
         return;

@@ -234,6 +234,83 @@ private:
 };
 } // namespace
 
+// ---------------------------------------------------------------- what functions write
+
+void WriteSummary::addAbsolute(Extent extent) {
+    constexpr size_t kMany = 32; // then one extent around all
+    for (Extent& known : absolutes) {
+        if (extent.begin > known.end || known.begin > extent.end) continue;
+        known = {std::min(known.begin, extent.begin), std::max(known.end, extent.end)};
+        return;
+    }
+    absolutes.push_back(extent);
+    if (absolutes.size() <= kMany) return;
+    Extent all = absolutes.front();
+    for (const Extent& each : absolutes) all = {std::min(all.begin, each.begin), std::max(all.end, each.end)};
+    absolutes = {all};
+}
+
+bool extentOf(const types::TypeTable& types, const Place& place, WriteSummary::Extent& extent) {
+    const Place* whole = &place; // the outermost part without an index below it
+    for (const Place* p = &place; p; p = p->base) {
+        if (p->kind == PlaceKind::InOutSlot || p->kind == PlaceKind::Deref || p->kind == PlaceKind::Temporary) return false;
+        if ((p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex || p->kind == PlaceKind::Bit) && p->base) whole = p->base;
+    }
+    extent.begin = 0;
+    for (const Place* p = whole; p; p = p->base) extent.begin += p->offset;
+    extent.end = extent.begin + std::max(1u, types[whole->type].size);
+    return true;
+}
+
+namespace {
+class WriteScan : public Walker {
+public:
+    WriteScan(const tree::Program& program, uint32_t function, std::vector<FunctionFacts>& all)
+        : m_program(program), m_writes(all[function].writes) {}
+
+protected:
+    void onPlace(const Place& place, Use use) override {
+        if (use == Use::Read || place.kind == PlaceKind::Temporary) return;
+        const Place& root = rootOf(place);
+        if (root.kind == PlaceKind::Local) return; // its own, or an IN_OUT: the caller's affair
+        WriteSummary::Extent extent;
+        if (!extentOf(*m_program.types, place, extent)) m_writes.anything = true;
+        else if (root.kind == PlaceKind::Instance) m_writes.instance = true;
+        else m_writes.addAbsolute(extent);
+    }
+    void onExpr(const Expr& expr) override {
+        if (expr.kind != ExprKind::Call || !expr.call) return;
+        if (expr.call->dispatch != tree::Call::Dispatch::Direct) m_writes.anything = true;
+    }
+
+private:
+    const tree::Program& m_program;
+    WriteSummary& m_writes;
+};
+} // namespace
+
+/// Callees' writes in the caller's terms: their THIS was already counted where its place escaped into the call.
+void ProgramFacts::spreadWrites() {
+    for (uint32_t f = 1; f < m_functions.size(); ++f) WriteScan(m_program, f, m_functions).walkFunction(m_program.functions[f]);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (FunctionFacts& f : m_functions) {
+            for (const uint32_t g : f.callees) {
+                const WriteSummary& callee = m_functions[g].writes;
+                if (callee.anything && !f.writes.anything) f.writes.anything = changed = true;
+                if (f.writes.anything) continue;
+                for (const WriteSummary::Extent& extent : std::vector(callee.absolutes)) {
+                    const bool isKnown = std::any_of(f.writes.absolutes.begin(), f.writes.absolutes.end(),
+                                                     [&](const WriteSummary::Extent& e) { return e.begin <= extent.begin && extent.end <= e.end; });
+                    if (isKnown) continue;
+                    f.writes.addAbsolute(extent);
+                    changed = true;
+                }
+            }
+        }
+    }
+}
+
 ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier) : m_program(program), m_tier(tier), m_sites(program), m_functions(program.functions.size()) {
     const types::TypeTable& types = *program.types;
     for (uint32_t t = 0; t < types.count(); ++t) {
@@ -246,6 +323,7 @@ ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier) : m_program(
     for (uint32_t f = 1; f < program.functions.size(); ++f) collect(f);
     findCycles();
     spread();
+    spreadWrites();
 }
 
 void ProgramFacts::collect(uint32_t index) {

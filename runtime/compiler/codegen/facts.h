@@ -35,6 +35,20 @@ private:
     std::unordered_map<const tree::Stmt*, Place> m_places;
 };
 
+/// What a function may write besides its own locals, callees included; IN_OUT parameters count where they are bound.
+struct WriteSummary {
+    struct Extent {
+        uint32_t begin = 0, end = 0;
+    };
+    bool anything = false;          // through pointers, slots, dispatched calls
+    bool instance = false;          // of THIS
+    std::vector<Extent> absolutes;
+    void addAbsolute(Extent extent);
+};
+
+/// The bytes a place may touch, from its root's begin: all of an indexed array. False when they are not fixed to THIS or the image.
+bool extentOf(const types::TypeTable& types, const tree::Place& place, WriteSummary::Extent& extent);
+
 struct FunctionFacts {
     FrameLayout frame;               // of this tier
     std::vector<bool> mayBeNull;     // IN_OUT locals that a caller leaves out
@@ -45,6 +59,7 @@ struct FunctionFacts {
     bool hasSlots = false;           // follows IN_OUT slots of its instance
     bool inCycle = false;            // of calls
     bool isUnbounded = false;        // reaches a cycle: frames are checked as they come
+    WriteSummary writes;
     bool isReachable = false;        // from a task, the initializer or a dispatch table
 };
 
@@ -69,6 +84,7 @@ private:
     void collect(uint32_t function);
     void findCycles();
     void spread();
+    void spreadWrites();
 
     const tree::Program& m_program;
     Tier m_tier;

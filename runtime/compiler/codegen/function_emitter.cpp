@@ -37,8 +37,8 @@ FunctionEmitter::FunctionEmitter(ModuleEmitter& module, uint32_t index)
       m_function(module.function(index)) {
     m_context = m_function->getArg(0);
     m_image = m_function->getArg(1);
-    m_this = m_function->getArg(2);
-    m_frame = m_function->getArg(3);
+    m_thisPointer = m_function->getArg(2);
+    m_frame64 = m_function->getArg(3);
 }
 
 void FunctionEmitter::emit() {
@@ -89,11 +89,10 @@ void FunctionEmitter::emitPrologue() {
     enter(entry);
     m_entryEnd = b.CreateBr(start);
     b.SetInsertPoint(m_entryEnd);
-    m_this64 = b.CreateZExt(m_this, m.i64);
-    m_thisPointer = b.CreateInBoundsGEP(m.i8, m_image, m_this64);
-    m_frame64 = b.CreateZExt(m_frame, m.i64);
+    if (m_tree.instanceType.isValid()) m_this64 = b.CreateSub(b.CreatePtrToInt(m_thisPointer, m.i64), b.CreatePtrToInt(m_image, m.i64));
+    else m_this64 = int64(0);
     m_framePointer = b.CreateInBoundsGEP(m.i8, m_image, m_frame64);
-    auto* next = llvm::BinaryOperator::CreateAdd(m_frame, int32(0), "next", m_entryEnd->getIterator());
+    auto* next = llvm::BinaryOperator::CreateAdd(m_frame64, int64(0), "next", m_entryEnd->getIterator());
     m_nextFrame = next;
     m.patchFrameSize(next, 1, m_index);
     m_localsSize = m_temporaryTop = m_frameSize = m_facts.frame.size;
@@ -120,7 +119,7 @@ void FunctionEmitter::emitPrologue() {
             break;
         }
     if (m.isQuick() || m_facts.isUnbounded) {
-        auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame, int32(0));
+        auto* tooFar = new llvm::ICmpInst(b.GetInsertBlock(), llvm::CmpInst::ICMP_UGT, m_frame64, int64(0));
         m.patchNeed(tooFar, 1, m_index);
         guard(tooFar, image::FaultCode::StackOverflow);
     }

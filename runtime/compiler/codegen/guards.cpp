@@ -35,7 +35,7 @@ llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
     const int64_t dataBegin = sizeof(image::ImageHeader);
     Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
     Value* inData = b.CreateAnd(b.CreateICmpSGE(dataRoom, int64(0)), b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom));
-    Value* frameLast = b.CreateSub(b.CreateZExt(m_nextFrame, m.i64), size);
+    Value* frameLast = b.CreateSub(m_nextFrame, size);
     Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
     return b.CreateOr(inData, inFrame);
 }
@@ -52,7 +52,7 @@ void FunctionEmitter::guardReference(Value* at, Value* size) {
     llvm::BranchInst* branch = b.CreateCondBr(inData, ok, frames);
     if (!m.isQuick()) branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1 << 10, 1));
     enter(frames);
-    Value* frameLast = b.CreateSub(b.CreateZExt(m_nextFrame, m.i64), size);
+    Value* frameLast = b.CreateSub(m_nextFrame, size);
     Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
     branchUnlikely(b.CreateNot(inFrame), bad, ok);
     enter(bad);

@@ -61,27 +61,16 @@ namespace {
 /// Looks for anything in a loop's body that could write the loop's variable.
 class WriteFinder : public Walker {
 public:
-    WriteFinder(const tree::Program& program, const tree::Function& function, const Place& variable) : m_program(program), m_function(function), m_root(rootOf(variable)) {
-        m_isLocal = m_root.kind == PlaceKind::Local && !m_function.locals[m_root.local].isInOut;
-        m_size = extent(variable, m_begin) ? std::max(1u, program.types->operator[](variable.type).size) : 0;
+    WriteFinder(const tree::Program& program, const ProgramFacts& facts, const tree::Function& function, const Place& variable)
+        : m_program(program), m_facts(facts), m_function(function), m_root(rootOf(variable)) {
+        m_isLocal = m_root.kind == PlaceKind::Local;
+        extentOf(*program.types, variable, m_extent);
     }
     bool found = false;
-    /// Static extent of a place: offset from its root's base; the whole of an indexed array.
-    bool extent(const Place& place, uint32_t& begin) const {
-        begin = 0;
-        for (const Place* p = &place; p; p = p->base) {
-            if (p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex) {
-                begin = 0;
-                continue;
-            }
-            begin += p->offset;
-        }
-        return true;
-    }
 
 protected:
     void onPlace(const Place& place, Use use) override {
-        if (use == Use::Read) return;
+        if (use == Use::Read || place.kind == PlaceKind::Temporary) return;
         const Place& root = rootOf(place);
         if (m_isLocal) {
             // Its address never leaves (then it is no counter): only a direct write counts.
@@ -89,32 +78,53 @@ protected:
             return;
         }
         if (root.kind == PlaceKind::Local && !m_function.locals[root.local].isInOut) return;
-        if (root.kind != m_root.kind || use == Use::Address) {
+        WriteSummary::Extent extent;
+        if (root.kind == PlaceKind::Local || !extentOf(*m_program.types, place, extent)) found = true;
+        else if (root.kind != m_root.kind) found = found || mayMeet(root, extent);
+        else if (extent.begin < m_extent.end && m_extent.begin < extent.end) found = true;
+    }
+    void onExpr(const tree::Expr& expr) override {
+        if (expr.kind != ExprKind::Call || !expr.call || m_isLocal) return;
+        if (expr.call->dispatch != tree::Call::Dispatch::Direct) {
             found = true;
             return;
         }
-        uint32_t begin = 0, end = 0;
-        writtenRange(place, begin, end);
-        if (begin < m_begin + m_size && m_begin < end) found = true;
-    }
-    void onExpr(const tree::Expr& expr) override {
-        if (expr.kind == ExprKind::Call && !m_isLocal) found = true;
+        // Its THIS and its IN_OUTs are places of this call and looked at as such.
+        const WriteSummary& writes = m_facts[expr.call->callee.value].writes;
+        found = found || writes.anything;
+        for (const WriteSummary::Extent& extent : writes.absolutes) {
+            if (m_root.kind == PlaceKind::Absolute) found = found || (extent.begin < m_extent.end && m_extent.begin < extent.end);
+            else found = found || holdsBlocks(extent);
+        }
     }
 
 private:
-    void writtenRange(const Place& place, uint32_t& begin, uint32_t& end) const {
-        // The outermost part without an index below it.
-        const Place* whole = &place;
-        for (const Place* p = &place; p; p = p->base)
-            if ((p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex || p->kind == PlaceKind::Bit) && p->base) whole = p->base;
-        extent(*whole, begin);
-        end = begin + std::max(1u, (*m_program.types)[whole->type].size);
+    /// THIS may lie where an absolute place lies, if that is within an instance.
+    bool mayMeet(const Place& root, const WriteSummary::Extent& extent) const {
+        if (root.kind == PlaceKind::Absolute) return holdsBlocks(extent);
+        return holdsBlocks(m_extent); // the variable is absolute, the write relative to THIS
+    }
+    bool holdsBlocks(const WriteSummary::Extent& extent) const {
+        for (const image::Root& r : m_program.layout.roots) {
+            const uint32_t end = r.offset + std::max(1u, (*m_program.types)[r.type].size);
+            if (extent.begin < end && r.offset < extent.end && !m_program.types->isText(r.type) && m_program.types->isAggregate(r.type) && mayHoldBlock(r.type)) return true;
+        }
+        return false;
+    }
+    bool mayHoldBlock(types::TypeId id) const {
+        const types::Type& type = (*m_program.types)[id];
+        if (type.kind == TypeKind::Block) return true;
+        if (type.kind == TypeKind::Array) return mayHoldBlock(type.element);
+        for (const types::Field& field : type.fields)
+            if (mayHoldBlock(field.type)) return true;
+        return false;
     }
     const tree::Program& m_program;
+    const ProgramFacts& m_facts;
     const tree::Function& m_function;
     const Place& m_root;
     bool m_isLocal = false;
-    uint32_t m_begin = 0, m_size = 0;
+    WriteSummary::Extent m_extent;
 };
 } // namespace
 
@@ -129,7 +139,7 @@ bool FunctionEmitter::mayChange(const Place& variable, const std::vector<Stmt*>&
         if (m.isQuick() ? local.isAddressTaken : m_facts.frame.offsets[root.local] != kNoFrame && local.isAddressTaken) return true;
         if (!m.isScalar(local.type)) return true;
     }
-    WriteFinder finder(m.program, m_tree, variable);
+    WriteFinder finder(m.program, m.facts, m_tree, variable);
     finder.walkBody(statements);
     return finder.found;
 }

@@ -104,7 +104,7 @@ const Abi& ModuleEmitter::abi(uint32_t index) {
     Abi& abi = m_abis[index];
     if (abi.type) return abi;
     const tree::Function& tree = program.functions[index];
-    std::vector<llvm::Type*> parameters{ptr, ptr, i32, i32}, returned;
+    std::vector<llvm::Type*> parameters{ptr, ptr, ptr, i64}, returned;
     if (tree.resultLocal < tree.locals.size() && isScalar(tree.locals[tree.resultLocal].type)) {
         abi.returnsScalar = true;
         returned.push_back(scalarType(tree.locals[tree.resultLocal].type));
@@ -185,7 +185,7 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     b.CreateStore(entry->getArg(2), field(record + offsetof(image::CallRecord, instance)));
     b.CreateStore(frame, field(record + offsetof(image::CallRecord, frame)));
     b.CreateStore(b.getInt32(1), field(offsetof(RuntimeContext, depth)));
-    std::vector<llvm::Value*> arguments{ctx, entry->getArg(1), entry->getArg(2), frame};
+    std::vector<llvm::Value*> arguments{ctx, entry->getArg(1), b.CreateInBoundsGEP(i8, entry->getArg(1), b.CreateZExt(entry->getArg(2), i64)), b.CreateZExt(frame, i64)};
     llvm::FunctionType* called = abi(index).type;
     for (unsigned i = 4; i < called->getNumParams(); ++i) arguments.push_back(llvm::Constant::getNullValue(called->getParamType(i)));
     b.CreateCall(function(index), arguments);
@@ -214,7 +214,7 @@ void ModuleEmitter::resolvePatches() {
             const uint32_t wanted = need(patch.function);
             value = wanted > program.layout.imageSize ? 0 : program.layout.imageSize - wanted;
         }
-        patch.instruction->setOperand(patch.operand, llvm::ConstantInt::get(i32, value));
+        patch.instruction->setOperand(patch.operand, llvm::ConstantInt::get(patch.instruction->getOperand(patch.operand)->getType(), value));
     }
 }
 
@@ -239,6 +239,12 @@ llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result,
         for (unsigned i = 0; i < parameters.size(); ++i)
             if (parameters[i]->isPointerTy()) f->addParamAttr(i, llvm::Attribute::NoCapture);
         break;
+    case Effects::Context: // keeps off the image, may not come back: loops may hold variables in registers meanwhile
+    case Effects::Fault:   // the image at the fault is the last record: what was written before must be there
+        f->setMemoryEffects(llvm::MemoryEffects::argMemOnly() | llvm::MemoryEffects::inaccessibleMemOnly() |
+                            (effects == Effects::Fault ? llvm::MemoryEffects::readOnly() : llvm::MemoryEffects::none()));
+        f->addParamAttr(0, llvm::Attribute::NoCapture);
+        break;
     case Effects::Any: break;
     }
     return callee;
@@ -257,7 +263,7 @@ llvm::Function* ModuleEmitter::raise() {
     put(1, offsetof(RuntimeContext, fault));
     put(2, offsetof(RuntimeContext, faultSite));
     for (unsigned i = 0; i < 3; ++i) put(3 + i, offsetof(RuntimeContext, faultDetail) + i * 8);
-    llvm::FunctionCallee leave = helper("plc_fault", voidType, {ptr}, Effects::Any);
+    llvm::FunctionCallee leave = helper("plc_fault", voidType, {ptr}, Effects::Fault);
     llvm::cast<llvm::Function>(leave.getCallee())->setDoesNotReturn();
     b.CreateCall(leave, {m_raise->getArg(0)});
     b.CreateUnreachable();
@@ -293,7 +299,7 @@ llvm::Function* ModuleEmitter::siteCheck() {
 }
 
 llvm::FunctionCallee ModuleEmitter::budgetUsedUp() {
-    llvm::FunctionCallee callee = helper("plc_budget_used_up", voidType, {ptr}, Effects::Any);
+    llvm::FunctionCallee callee = helper("plc_budget_used_up", voidType, {ptr}, Effects::Context);
     llvm::cast<llvm::Function>(callee.getCallee())->addFnAttr(llvm::Attribute::Cold);
     return callee;
 }

@@ -94,7 +94,7 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);
         Address from;
-        from.base = b.CreateInBoundsGEP(m.i8, m_image, b.CreateZExt(returned.frame, m.i64));
+        from.base = b.CreateInBoundsGEP(m.i8, m_image, returned.frame);
         from.type = expr.type;
         assignText(target, textAt(from));
         return;
