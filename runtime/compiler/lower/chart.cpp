@@ -206,7 +206,7 @@ private:
             Block before;
             Expr* condition = t.condition;
             if (!condition) {
-                LoweredList list = lowerInstructions(t.ilCondition, m_builder, m_unit.pou.sections, m_unit.blockTypes, m_unit.section, m_unit.instructionVariables, true, m_sink);
+                LoweredList list = lowerInstructions(t.ilCondition, {m_builder, m_unit.pou.sections, m_unit.blockTypes, m_unit.section, m_unit.instructionVariables, m_sink, Keep::Every}, true);
                 before = std::move(list.statements);
                 condition = list.result;
             }

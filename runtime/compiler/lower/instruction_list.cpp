@@ -34,9 +34,9 @@ bool isWord(std::string_view a, std::string_view b) { return a.size() == b.size(
 
 class Lowering {
 public:
-    Lowering(Builder& builder, const std::vector<syntax::VarSection*>& sections, const std::vector<std::string>& blockTypes, syntax::VarSection& section, int& counter, diagnostics::Sink& sink)
-        : m_builder(builder), m_section(section), m_counter(counter), m_sink(sink) {
-        for (const syntax::VarSection* s : sections)
+    explicit Lowering(const ListContext& context) : m_builder(context.builder), m_section(context.section), m_counter(context.counter), m_sink(context.sink), m_keep(context.keep) {
+        const std::vector<std::string>& blockTypes = context.blockTypes;
+        for (const syntax::VarSection* s : context.sections)
             for (const syntax::VarDecl* decl : s->declarations)
                 for (const Name& name : decl->names) {
                     std::string type = decl->type && !decl->type->path.empty() ? foldCase(decl->type->path.back().text) : std::string();
@@ -207,6 +207,7 @@ private:
                 }
             }
             acc = instruction(il, acc, origin, live, outermost);
+            if (acc && m_keep == Keep::Every && defines(il)) acc = capture(acc, origin);
         }
         return acc;
     }
@@ -358,6 +359,7 @@ private:
     syntax::VarSection& m_section;
     int& m_counter;
     diagnostics::Sink& m_sink;
+    Keep m_keep;
     std::map<std::string, bool> m_variables; // of the unit; true: a block instance
     std::map<std::string, size_t> m_labels;
     std::map<std::string, LabelVariable> m_labelVariables;
@@ -368,9 +370,6 @@ private:
 
 } // namespace
 
-LoweredList lowerInstructions(const Block& instructions, Builder& builder, const std::vector<syntax::VarSection*>& sections, const std::vector<std::string>& blockTypes, syntax::VarSection& section, int& counter,
-                              bool wantsResult, diagnostics::Sink& sink) {
-    return Lowering(builder, sections, blockTypes, section, counter, sink).run(instructions, wantsResult);
-}
+LoweredList lowerInstructions(const Block& instructions, const ListContext& context, bool wantsResult) { return Lowering(context).run(instructions, wantsResult); }
 
 } // namespace plc::lower

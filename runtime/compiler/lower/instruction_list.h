@@ -10,9 +10,19 @@ struct LoweredList {
     Expr* result = nullptr; // the current result at the end, when wanted
 };
 
-/// Declares what it needs in `section`; `sections` are the unit's own, to know its block instances. `counter` numbers the
-/// compiler variables of the unit.
-[[nodiscard]] LoweredList lowerInstructions(const Block& instructions, Builder& builder, const std::vector<syntax::VarSection*>& sections, const std::vector<std::string>& blockTypes,
-                                            syntax::VarSection& section, int& counter, bool wantsResult, diagnostics::Sink& sink);
+/// Every: each line's current result is kept in a variable whose declaration stands at that line, for online values.
+enum class Keep : uint8_t { Needed, Every };
+
+struct ListContext {
+    Builder& builder;
+    const std::vector<syntax::VarSection*>& sections; // the unit's own, to know its block instances
+    const std::vector<std::string>& blockTypes;       // folded names of the file's function blocks
+    syntax::VarSection& section;                      // compiler variables are declared here
+    int& counter;                                     // and numbered with this
+    diagnostics::Sink& sink;
+    Keep keep = Keep::Needed;
+};
+
+[[nodiscard]] LoweredList lowerInstructions(const Block& instructions, const ListContext& context, bool wantsResult);
 
 } // namespace plc::lower

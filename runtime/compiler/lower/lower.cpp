@@ -73,7 +73,9 @@ private:
 
     void body(Body& body, Pou& pou, ChartUnit& charts) {
         if (body.language == BodyLanguage::Il) {
-            body.statements = lowerInstructions(body.statements, m_builder, pou.sections, m_blocks, charts.section, charts.instructionVariables, false, m_sink).statements;
+            const bool isStatic = pou.kind == PouKind::Program || pou.kind == PouKind::FunctionBlock;
+            const ListContext context{m_builder, pou.sections, m_blocks, charts.section, charts.instructionVariables, m_sink, isStatic ? Keep::Every : Keep::Needed};
+            body.statements = lowerInstructions(body.statements, context, false).statements;
         } else if (body.language == BodyLanguage::Sfc && body.chart) {
             if (pou.kind != PouKind::Program && pou.kind != PouKind::FunctionBlock) {
                 m_sink.emit(pou.name.range, diagnostics::Kind::NotAllowedHere, {"A chart", pou.kind == PouKind::Function ? "a FUNCTION" : "a METHOD"});

@@ -8,8 +8,9 @@
 //   __fired<n>            ARRAY OF BOOL: transition k of the text (from 0) was taken in this scan
 //   __action_<name>       SFC_ACTION: Q is the action's control
 //   __timed_<name>_<k>    the timers of SD and SL associations
-// What an instruction list leaves: __il<k>, the current result where it is used more than once, and __at_<label>, the
-// current result at a label.
+// What an instruction list leaves: __il<k>, the current result of a line (its declaration's range is that line; every line of
+// programs and blocks, in functions only where it is used twice; a constant needs none), and __at_<label>_<k>, the current
+// result at a label.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 

@@ -23,6 +23,8 @@ struct Lowered {
 
 std::string program(const std::string& body, const std::string& variables = "") { return "PROGRAM p\n" + (variables.empty() ? "" : "VAR " + variables + " END_VAR\n") + body + "\nEND_PROGRAM\n"; }
 
+std::string function(const std::string& body, const std::string& variables) { return "FUNCTION p : INT\nVAR " + variables + " END_VAR\n" + body + "\nEND_FUNCTION\n"; }
+
 struct Row {
     const char* list;
     const char* statements;
@@ -52,14 +54,22 @@ TEST(InstructionListLowering, FollowsTheCurrentResult) {
              {"again: LD i\nADD 1\nST i\nLT 10\nJMPC again", "again:; __il0 := (i + 1); i := __il0; JMP again if (__il0 < 10)"},
              {"LD a\nJMPC x\nLD 5\nJMP out\nx: LD i\nout: ST j", "JMP x if a; __at_out_0 := 5; JMP out; x:; __at_out_0 := i; out:; j := __at_out_0"},
          }) {
-        const Lowered lowered(program(row.list, "tmr : TON; ff : SR; a, b, c, d : BOOL; i : INT;"));
+        const Lowered lowered(function(row.list, "tmr : TON; ff : SR; a, b, c, d : BOOL; i : INT;"));
         EXPECT_EQ(lowered.statements(), row.statements) << row.list;
         EXPECT_EQ(lowered.codes, "") << row.list;
     }
 }
 
+TEST(InstructionListLowering, KeepsTheResultOfEachLineOfAProgram) {
+    const Lowered lowered(program("LD a\nAND b\nST c\nLD 5\nST i", "a, b, c : BOOL; i : INT;"));
+    EXPECT_EQ(lowered.statements(), "__il0 := a; __il1 := (__il0 AND b); c := __il1; i := 5");
+    EXPECT_EQ(lowered.variables(), "VAR(__il0:inferred a; __il1:inferred (__il0 AND b))");
+    const auto& decl = *lowered.pou().sections.back()->declarations[1];
+    EXPECT_EQ(lowered.parsed.sources.files[0].slice(decl.range), "AND b");
+}
+
 TEST(InstructionListLowering, GivesLabelVariablesTheTypeOfAValueThatHasOne) {
-    const Lowered lowered(program("LD a\nJMPC x\nLD 5\nJMP out\nx: LD i\nout: ST j", "a : BOOL; i, j : INT;"));
+    const Lowered lowered(function("LD a\nJMPC x\nLD 5\nJMP out\nx: LD i\nout: ST j", "a : BOOL; i, j : INT;"));
     EXPECT_EQ(lowered.variables(), "VAR(__at_out_0:inferred i)");
 }
 
