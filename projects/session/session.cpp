@@ -221,6 +221,10 @@ std::vector<controller::TaskStatistics> Session::taskStatistics() const {
     return m->shared.tasks;
 }
 
+void Session::resetTaskStatistics() {
+    m->post(When::Now, [s = m.get()] { s->controller.resetStatistics(); });
+}
+
 std::vector<controller::Event> Session::eventsSince(size_t index) const {
     if (!m->isQueueing.load(std::memory_order_acquire)) m->share(true);
     const std::lock_guard lock(m->mutex);

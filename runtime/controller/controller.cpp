@@ -99,10 +99,11 @@ namespace {
 struct InitialiserCall {
     image::RuntimeContext* context;
     image::Entry entry;
+    uint32_t instance = 0;
 };
 void callInitialiser(void* argument) {
     const auto& call = *static_cast<InitialiserCall*>(argument);
-    call.entry(call.context, call.context->image, 0);
+    call.entry(call.context, call.context->image, call.instance);
 }
 
 struct TaskCall {
@@ -158,6 +159,19 @@ void Controller::State_::keepSafeOutputs() {
 void Controller::State_::makeOutputsSafe() {
     if (!safeOutputs.empty()) std::memcpy(image.get() + layout().outputs.begin, safeOutputs.data(), safeOutputs.size());
     forces.apply(image.get());
+}
+
+bool Controller::runFunction(uint32_t function, uint32_t instance) {
+    const image::Code* code = m->currentCode();
+    if (!code || function == 0 || function >= code->entries.size() || !code->entries[function]) return false;
+    m->isRealTime = false;
+    m->task = nullptr;
+    m->prepareContext(m->image.get());
+    m->entry = image::CallRecord{0, function, instance, m->layout().frameBegin};
+    InitialiserCall call{m->context.get(), code->entries[function], instance};
+    if (m->exit.run(&callInitialiser, &call)) return true;
+    m->enterFault(false);
+    return false;
 }
 
 // ---------------------------------------------------------------- states
