@@ -1,0 +1,35 @@
+// The projects of the guide's usage examples: their own tests, and their trace set-ups.
+#include "tests/library/bench.h"
+
+#include "projects/storage/project_file.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace plc::test {
+namespace {
+
+TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
+    int channels = 0;
+    for (const char* name : {"pid_pt1", "pt1_filter", "pwm_sine", "hour_meter"}) {
+        const std::string folder = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name;
+        const auto project = projects::openProject({folder});
+        ASSERT_TRUE(project) << project.error().text();
+        const driver::Checked checked = driver::check(project->buildInput());
+        ASSERT_FALSE(checked.analysis->hasErrors) << name;
+        EXPECT_FALSE(project->traces.empty()) << name;
+        for (const std::string& trace : project->traces) {
+            const auto text = projects::readFile(folder + "/traces/" + trace);
+            ASSERT_TRUE(text) << text.error().text();
+            for (const auto& channel : nlohmann::json::parse(*text)["channels"]) {
+                const auto expression = driver::compileExpression(checked, channel["expression"].get<std::string>());
+                EXPECT_TRUE(expression) << name << ": " << channel["expression"] << (expression ? "" : expression.error().text());
+                ++channels;
+            }
+        }
+    }
+    EXPECT_GE(channels, 14);
+}
+
+} // namespace
+} // namespace plc::test
