@@ -199,8 +199,8 @@ bool Machine::character(TypeId text) {
     const auto unit = [&](int64_t at) -> int64_t { return isWide ? read<uint16_t>(m_image, offset + 2 * at) : read<uint8_t>(m_image, offset + at); };
     int64_t length = 0;
     while (length < type.capacity && unit(length) != 0) ++length;
-    if (index < 0 || index >= length) return fail(Failure::Kind::Character, index, length);
-    top().integer = unit(index);
+    if (index < 0 || index > length) return fail(Failure::Kind::Character, index, length);
+    top().integer = index == length ? 0 : unit(index);
     return true;
 }
 

@@ -251,7 +251,7 @@ template <class C> Evaluated textFunction(const Call& call) {
     case Intrinsic::AsciiOf: return integerResult(call, size(0) ? static_cast<std::make_unsigned_t<C>>(text(0)[0]) : 0);
     case Intrinsic::CharAt: {
         const int64_t index = call.count(1);
-        if (index < 0 || index >= static_cast<int64_t>(size(0))) return failed(EvaluationError::StringIndex);
+        if (index < 0 || index > static_cast<int64_t>(size(0))) return failed(EvaluationError::StringIndex);
         return integerResult(call, static_cast<std::make_unsigned_t<C>>(text(0)[index]));
     }
     default: return failed(EvaluationError::NotEvaluable);

@@ -174,7 +174,8 @@ private:
     Address slotAddress(const tree::Place& place);      // the IN_OUT slot itself, not followed
     Address followSlot(const tree::Place& place);
     Address indexAddress(const tree::Place& place);
-    Address textIndexAddress(const tree::Place& place);
+    enum class Purpose : uint8_t { Read, Write };
+    Address textIndexAddress(const tree::Place& place, Purpose purpose);
     Address derefAddress(const tree::Place& place);
     Address imageAddress(Value* offset, types::TypeId type);
     void describeField(Address& address, types::TypeId container, uint32_t offset, types::TypeId wanted);

@@ -20,6 +20,7 @@ llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
     case ExprKind::Constant: return scalarConstant(expr.value, expr.type);
     case ExprKind::Load:
         if (const Counter* counter = counterOf(*expr.place)) return b.CreateTrunc(b.CreateLoad(m.i64, counter->value), m.scalarType(expr.type));
+        if (expr.place->kind == tree::PlaceKind::TextIndex) return load(textIndexAddress(*expr.place, Purpose::Read));
         return load(address(*expr.place));
     case ExprKind::Unary: return unary(expr);
     case ExprKind::Binary: return binary(expr);

@@ -145,7 +145,7 @@ Address FunctionEmitter::address(const Place& place) {
         a.bit = place.bit;
         return a;
     }
-    case PlaceKind::TextIndex: return textIndexAddress(place);
+    case PlaceKind::TextIndex: return textIndexAddress(place, Purpose::Write);
     case PlaceKind::Deref: return derefAddress(place);
     case PlaceKind::Temporary: {
         if (m.types().isText(place.type)) {
@@ -321,13 +321,15 @@ Address FunctionEmitter::indexAddress(const Place& place) {
     return a;
 }
 
-Address FunctionEmitter::textIndexAddress(const Place& place) {
+/// The end mark behind the last character may be read (it is 0), as loops over a text do; it can not be written.
+Address FunctionEmitter::textIndexAddress(const Place& place, Purpose purpose) {
     Address a = address(*place.base);
     const Text text = textAt(a);
     const tree::Expr& indexExpr = *place.indices.front();
     Value* index = castInteger(scalar(indexExpr), indexExpr.type, m.i64);
     Value* length = b.CreateZExt(textCall("length", text.isWide, m.i32, {text.pointer, text.capacity}, false), m.i64);
-    guard(b.CreateICmpUGE(index, length), FaultCode::StringIndex, index, int64(0), b.CreateSub(length, int64(1)));
+    if (purpose == Purpose::Read) guard(b.CreateICmpUGT(index, length), FaultCode::StringIndex, index, int64(0), length);
+    else guard(b.CreateICmpUGE(index, length), FaultCode::StringIndex, index, int64(0), b.CreateSub(length, int64(1)));
     Value* bytes = text.isWide ? b.CreateShl(index, int64(1)) : index;
     a.dynamic = a.dynamic ? b.CreateAdd(a.dynamic, bytes) : bytes;
     a.align = 1;

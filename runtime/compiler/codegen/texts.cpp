@@ -213,7 +213,7 @@ llvm::Value* FunctionEmitter::textIntrinsicScalar(const Expr& expr) {
     default: { // CharAt
         Value* index = countOf(*expr.operands[1]);
         Value* length = b.CreateZExt(textCall("length", t.isWide, m.i32, {t.pointer, t.capacity}, false), m.i64);
-        guard(b.CreateICmpUGE(index, length), FaultCode::StringIndex, index, int64(0), b.CreateSub(length, int64(1)));
+        guard(b.CreateICmpUGT(index, length), FaultCode::StringIndex, index, int64(0), length);
         Value* at = b.CreateInBoundsGEP(t.isWide ? m.i16 : m.i8, t.pointer, index);
         return b.CreateZExtOrTrunc(b.CreateAlignedLoad(t.isWide ? m.i16 : m.i8, at, llvm::Align(1)), wanted);
     }

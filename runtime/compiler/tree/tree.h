@@ -35,7 +35,7 @@ enum class PlaceKind : uint8_t {
     Field,    // base + offset
     Index,    // base[indices…] of an Array or OpenArray: guarded
     Bit,      // bit `bit` of the integer at base (constant)
-    TextIndex,// character `index` (from 0) of the STRING/WSTRING at base: guarded by LEN for reading and writing
+    TextIndex,// character `index` (from 0) of the STRING/WSTRING at base: guarded: 0..LEN-1 for writing, 0..LEN for reading (the end mark is 0)
     Deref,    // variable at the offset `pointer`: null and foreign references guarded; writes lie within declared variables
     Temporary,// the value of `value` kept in a temporary (struct or array result of a call, function result's member)
 };

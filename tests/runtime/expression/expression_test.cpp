@@ -200,7 +200,8 @@ TEST_F(Fixture, ACharacterOfATextIsGuarded) {
     };
     EXPECT_EQ(at(0), "97");
     EXPECT_EQ(at(2), "99");
-    EXPECT_EQ(at(3), "character 3 of a text with 3");
+    EXPECT_EQ(at(3), "0") << "the end mark";
+    EXPECT_EQ(at(4), "character 4 of a text with 3");
     EXPECT_EQ(at(-1), "character -1 of a text with 3");
 }
 

@@ -247,9 +247,10 @@ TEST_F(Intrinsics, ACharacterOfATextIsGuarded) {
     };
     EXPECT_EQ(at("STRING 'ABC'", 0), "BYTE 65");
     EXPECT_EQ(at("STRING 'ABC'", 2), "BYTE 67");
-    EXPECT_EQ(at("STRING 'ABC'", 3), "string index");
+    EXPECT_EQ(at("STRING 'ABC'", 3), "BYTE 0") << "the end mark";
+    EXPECT_EQ(at("STRING 'ABC'", 4), "string index");
     EXPECT_EQ(at("STRING 'ABC'", -1), "string index");
-    EXPECT_EQ(at("STRING ''", 0), "string index");
+    EXPECT_EQ(at("STRING ''", 1), "string index");
 }
 
 TEST_F(Intrinsics, TheClockIsTheHeaders) {

@@ -284,7 +284,7 @@ TEST(Texts, AnElementOutsideTheTextFaults) {
     const TypeId s = t.types.string(10);
     const auto character = of(TypeKind::Char);
     const uint32_t a = t.global(s), c = t.global(character), i = t.global(of(TypeKind::Lint));
-    t.set<int64_t>(i, 3);
+    t.set<int64_t>(i, 4);
     const uint32_t main = t.function("Main");
     t.add(main, t.assign(t.at(a, s), t.textConstant("abc")));
     t.add(main, t.assign(t.character(t.at(a, s), index(t, 2)), t.constant(character, 'X')));
@@ -293,7 +293,23 @@ TEST(Texts, AnElementOutsideTheTextFaults) {
     EXPECT_EQ(FaultCode::StringIndex, t.runBoth(main));
     EXPECT_EQ("abX", t.text(a));
     EXPECT_EQ('a', t.get<char>(c));
-    EXPECT_EQ(3, t.context.faultDetail[0]);
+    EXPECT_EQ(4, t.context.faultDetail[0]);
+    EXPECT_EQ(3, t.context.faultDetail[2]);
+}
+
+TEST(Texts, TheEndMarkIsReadAndNotWritten) {
+    Bench t;
+    const TypeId s = t.types.string(10);
+    const auto character = of(TypeKind::Char);
+    const uint32_t a = t.global(s), c = t.global(character);
+    const uint32_t main = t.function("Main");
+    t.add(main, t.assign(t.at(a, s), t.textConstant("abc")));
+    t.add(main, t.assign(t.at(c, character), t.constant(character, 'X')));
+    t.add(main, t.assign(t.at(c, character), t.load(t.character(t.at(a, s), index(t, 3)))));
+    t.add(main, t.assign(t.character(t.at(a, s), index(t, 3)), t.constant(character, 'X')));
+    EXPECT_EQ(FaultCode::StringIndex, t.runBoth(main));
+    EXPECT_EQ("abc", t.text(a));
+    EXPECT_EQ(0, t.get<char>(c));
     EXPECT_EQ(2, t.context.faultDetail[2]);
 }
 
