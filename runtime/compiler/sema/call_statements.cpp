@@ -23,7 +23,7 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         if (e.kind == syntax::ExprKind::Error) return;
         if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member || e.kind == syntax::ExprKind::Index || e.kind == syntax::ExprKind::Deref) {
             const Denoted denoted = denote(e, Access::Call);
-            if (denoted.kind == Denoted::Kind::Nothing) return;
+            if (denoted.kind == Denoted::Kind::Nothing || world.hasSyntaxErrorAt(stmt.range)) return;
             const bool callable = denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard || (denoted.kind == Denoted::Kind::Place && isKind(denoted.place->type, TypeKind::Block));
             auto& diagnostic = emit(e.range, callable ? Kind::Expected : Kind::NotCallable, callable ? std::vector<std::string>{"()", ";"} : std::vector<std::string>{textOf(e.range)});
             if (callable) diagnostic.fixes.push_back({"Call it", {{{e.range.file, e.range.end, e.range.end}, "()"}}});

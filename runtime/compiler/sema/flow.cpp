@@ -12,6 +12,8 @@ void World::checkUsage() {
         for (Variable& variable : unit.variables) {
             const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp || variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
             if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() || variable.name.starts_with("__")) continue;
+            const auto known = unit.members.find(variable.id);
+            if (types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() || known->second.variable != &variable) continue;
             if (variable.reads == 0 && variable.writes == 0) {
                 if (variable.isLocated) continue;
                 auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});

@@ -107,6 +107,11 @@ Denoted Checker::denoteName(const syntax::Expr& e, Access access, TypeId hint) {
 
 
 Denoted Checker::found(const World::Found& result, const syntax::Name& name, Access access, TypeId hint) {
+    if (result.member.variable && result.member.variable->isResult && access == Access::Call && !result.member.unit) { // F(…) inside F
+        Unit& own = *result.member.variable->owner;
+        refer(name.range, own.symbol, Access::Read);
+        return unitOf(own, own.owner ? thisPlace(name.range) : nullptr);
+    }
     if (result.member.variable && !(access == Access::Call && result.member.unit)) return ofVariable(*result.member.variable, nullptr, name.range, access);
     if (result.member.unit) {
         refer(name.range, result.member.unit->symbol, Access::Read);
@@ -201,6 +206,7 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
             if (access != Access::Read) ++counted->writes;
         }
     }
+    if (declared.isResult && access != Access::Read && access != Access::Call) flow.isResultSet = true;
     Denoted out;
     out.variable = &variable;
     const bool isRead = access == Access::Read || access == Access::Call;

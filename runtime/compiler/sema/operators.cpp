@@ -301,11 +301,11 @@ Operand Checker::arithmeticOnTimes(BinaryOp op, std::string_view spelling, Opera
         const TypeId lint = elementary(TypeKind::Lint);
         return makeBinary(op, lint, as(a, lint), as(b, lint), range);
     }
-    if (f != Family::Duration && isTimeFamily(f) && g == Family::Duration && (adds || subtracts)) {
+    if ((f == Family::TimeOfDay || f == Family::DateTime) && g == Family::Duration && (adds || subtracts)) {
         const TypeId type = types.storage(a.type());
         return makeBinary(op, type, as(a, type), as(b, type), range);
     }
-    if (f == Family::Duration && g != Family::Duration && isTimeFamily(g) && adds) {
+    if (f == Family::Duration && (g == Family::TimeOfDay || g == Family::DateTime) && adds) {
         const TypeId type = types.storage(b.type());
         return makeBinary(op, type, as(b, type), as(a, type), range);
     }

@@ -29,6 +29,10 @@ SymbolId World::addSymbol(SymbolKind kind, std::string_view name, std::string_vi
 
 bool World::isLibraryFile(FileId file) const { return file.isValid() && file.index() < fileOf.size() && fileOf[file.index()] && !fileOf[file.index()]->library.empty(); }
 
+bool World::hasSyntaxErrorAt(SourceRange range) const {
+    return std::any_of(syntaxErrors.begin(), syntaxErrors.end(), [&](SourceRange at) { return at.file == range.file && at.begin >= range.begin && at.begin <= range.end + 2; });
+}
+
 void World::refer(SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
     if (frozen || !symbol.isValid() || !range.file.isValid() || isLibraryFile(range.file)) return;
     references.push_back({range, symbol, isWrite, isRead});
@@ -83,6 +87,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, std::vector<st
     auto world = std::make_shared<World>(sources, options);
     for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
         const Kind kind = diagnostic.kind;
+        if (diagnostic.severity == diagnostics::Severity::Error) world->syntaxErrors.push_back(diagnostic.range);
         world->sink.emit(diagnostic.range, kind) = std::move(diagnostic);
     }
     world->build(files);

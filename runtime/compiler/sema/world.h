@@ -57,6 +57,7 @@ public:
     void refer(SourceRange range, SymbolId symbol, bool isRead, bool isWrite);
     [[nodiscard]] std::string_view textOf(SourceRange range) const { return range.file.isValid() ? sources[range.file].slice(range) : std::string_view{}; }
     [[nodiscard]] bool isLibraryFile(FileId file) const;
+    [[nodiscard]] bool hasSyntaxErrorAt(SourceRange range) const; // in it or just behind it
     tree::Function& function(tree::FunctionId id) { return functions[id.index()]; }
     tree::FunctionId newFunction(std::string name, const Unit* unit);
 
@@ -226,6 +227,7 @@ public:
     std::vector<Copy> copies;
     std::vector<DynamicInit> programInits; // absolute offsets, in order
     std::vector<const syntax::TestDecl*> tests;
+    std::vector<SourceRange> syntaxErrors;
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
     std::vector<std::byte> image;
     std::vector<NameId> slotNames;
