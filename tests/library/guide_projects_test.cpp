@@ -2,6 +2,7 @@
 #include "tests/library/bench.h"
 
 #include "projects/storage/project_file.h"
+#include "projects/testing/test_run.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,8 @@ TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
         for (const std::string& trace : project->traces) {
             const auto text = projects::readFile(folder + "/traces/" + trace);
             ASSERT_TRUE(text) << text.error().text();
-            for (const auto& channel : nlohmann::json::parse(*text)["channels"]) {
+            const nlohmann::json setup = nlohmann::json::parse(*text);
+            for (const auto& channel : setup["channels"]) {
                 const auto expression = driver::compileExpression(checked, channel["expression"].get<std::string>());
                 EXPECT_TRUE(expression) << name << ": " << channel["expression"] << (expression ? "" : expression.error().text());
                 ++channels;
@@ -29,6 +31,21 @@ TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
         }
     }
     EXPECT_GE(channels, 14);
+}
+
+TEST(GuideProjects, PassTheirOwnTests) {
+    for (const char* name : {"pid_pt1", "pt1_filter", "pwm_sine", "hour_meter"}) {
+        const auto project = projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name});
+        ASSERT_TRUE(project) << project.error().text();
+        jit::setRuntimeSymbols(controller::runtimeSymbols());
+        const auto report = testing::runTests(*project, {});
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_FALSE(report->hasErrors) << (report->diagnostics.empty() ? "" : report->diagnostics[0]);
+        EXPECT_FALSE(report->results.empty());
+        for (const testing::TestResult& result : report->results)
+            for (const testing::Failure& failure : result.failures)
+                ADD_FAILURE() << name << ": " << result.title << ": " << failure.message << ' ' << failure.detail << " at " << failure.time.count() / 1000000 << " ms";
+    }
 }
 
 } // namespace

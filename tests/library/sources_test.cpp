@@ -1,4 +1,5 @@
 // The table of library texts in the binary.
+#include "runtime/compiler/format/format.h"
 #include "runtime/library/sources.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +31,11 @@ TEST(LibrarySources, AreFoundByNameInAnyCase) {
     for (const library::Source& source : library::sourcesOf("Plant")) EXPECT_EQ(source.library, "plant");
     EXPECT_EQ(library::namespaceOf("toolbox"), "Toolbox");
     EXPECT_EQ(library::namespaceOf("UTIL"), "Util");
+}
+
+TEST(LibrarySources, AreFormatted) {
+    for (const library::Source& source : library::sources())
+        EXPECT_TRUE(format::format(source.text, {}) == source.text) << source.library << '/' << source.fileName << ": run `stepwise fmt`";
 }
 
 } // namespace
