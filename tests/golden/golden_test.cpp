@@ -1,4 +1,5 @@
 // Every `.st` file below tests/golden with its `.expected` or `.diagnostics` is one test (see golden_script.h).
+#include "tests/golden/agreement_test.h"
 #include "tests/golden/corpus_test.h"
 #include "tests/golden/golden_script.h"
 
@@ -210,6 +211,7 @@ int main(int argc, char** argv) {
     updates = argc > 1 && std::string_view(argv[1]) == "--update";
     jit::setRuntimeSymbols(controller::runtimeSymbols());
     registerGoldens();
+    registerAgreement();
     registerCorpus();
     return RUN_ALL_TESTS();
 }
