@@ -317,12 +317,17 @@ private:
 
     std::vector<Argument> cloned(const std::vector<Argument>& arguments) {
         std::vector<Argument> out = arguments;
-        for (Argument& argument : out) argument.value = m_builder.clone(argument.value);
+        for (Argument& argument : out) {
+            argument.value = argument.instructions ? lower(*argument.instructions, nullptr, false) : m_builder.clone(argument.value);
+            argument.instructions = nullptr;
+        }
         return out;
     }
 
     Expr* callBlock(const IlInstruction& il, Expr* acc, Stmt* origin, bool live) {
         if (!il.operand) return acc;
+        // instructions among the arguments come before the call
+        if (acc && live && std::any_of(il.arguments.begin(), il.arguments.end(), [](const Argument& a) { return a.instructions; })) acc = capture(acc, origin);
         Expr* call = m_builder.call(m_builder.clone(il.operand), cloned(il.arguments), origin->range);
         if (isFunctionCall(il) && !il.conditional && live) return call;
         Stmt* stmt = m_builder.statement(StmtKind::Call, origin->range, origin);

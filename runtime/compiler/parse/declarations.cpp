@@ -207,7 +207,11 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
             chart.actions.insert(chart.actions.end(), body.chart->actions.begin(), body.chart->actions.end());
             chart.range = joined(chart.range, body.chart->range);
             pou.body.range = joined(pou.body.range, body.range);
+        } else if (pou.body.language != BodyLanguage::None && body.language != BodyLanguage::None && pou.body.language != body.language) {
+            m_lastErrorAt = SIZE_MAX; // one body, one language
+            report({m_file.file, body.range.begin, body.range.begin + 1}, Kind::UnexpectedToken, {std::string(m_text.substr(body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) - body.range.begin))});
         } else {
+            if (pou.body.language == BodyLanguage::None) pou.body.language = body.language;
             pou.body.statements.insert(pou.body.statements.end(), body.statements.begin(), body.statements.end());
             pou.body.range = joined(pou.body.range, body.range);
         }

@@ -432,7 +432,15 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
             argument.name = takeName();
             argument.kind = sign == TokenKind::Output ? ArgumentKind::Output : ArgumentKind::Input;
             advance();
-            if (!at(TokenKind::Comma) && !at(close)) argument.value = parseExpression();
+            if (m_inInstruction && at(TokenKind::LeftParen) && atInstructionList(1)) {
+                advance();
+                Block* block = make<Block>();
+                *block = parseInstructions(BodyContext::Unit);
+                argument.instructions = block;
+                expect(TokenKind::RightParen);
+            } else if (!at(TokenKind::Comma) && !at(close)) {
+                argument.value = parseExpression();
+            }
         } else if (!at(TokenKind::Comma)) {
             argument.value = parseExpression();
         }

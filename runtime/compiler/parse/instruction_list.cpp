@@ -44,8 +44,7 @@ Reading readOperator(std::string_view text) {
 } // namespace
 
 /// The first statement is an instruction: an operator and an operand on its line.
-bool Parser::atInstructionList() const {
-    size_t ahead = 0;
+bool Parser::atInstructionList(size_t ahead) const {
     while (kind(ahead) == TokenKind::Identifier && kind(ahead + 1) == TokenKind::Colon) ahead += 2;
     if (kind(ahead) != TokenKind::Identifier) return false;
     const Reading reading = readOperator(textOf(peek(ahead)));
@@ -148,7 +147,9 @@ Stmt* Parser::parseInstruction() {
         if (!take(TokenKind::RightParen)) report({m_file.file, opToken.begin, open.end}, Kind::IlParenthesis);
     } else if (reading.op && reading.op->name == "CAL") {
         if (atName()) {
+            const bool outer = std::exchange(m_inInstruction, true);
             Expr* target = parsePlace();
+            m_inInstruction = outer;
             if (target->kind == ExprKind::Call) {
                 il->arguments = std::move(target->arguments);
                 target = target->base;
@@ -159,7 +160,9 @@ Stmt* Parser::parseInstruction() {
         }
     } else if (!reading.op && at(TokenKind::LeftParen)) {
         advance();
+        const bool outer = std::exchange(m_inInstruction, true);
         parseArguments(il->arguments, TokenKind::RightParen);
+        m_inInstruction = outer;
     } else {
         parseIlOperands(*il);
     }

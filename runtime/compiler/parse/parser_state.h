@@ -109,7 +109,7 @@ public:
     bool atStatementEnd() const;
 
     // instruction_list.cpp
-    bool atInstructionList() const;
+    bool atInstructionList(size_t ahead = 0) const;
     Block parseInstructions(BodyContext context);
     Stmt* parseInstruction();
 
@@ -212,6 +212,7 @@ public:
     bool m_inTest = false;
     bool m_inInitialiser = false;
     bool m_inCondition = false;
+    bool m_inInstruction = false; // formal lists may hold instructions
     int m_caseDepth = 0;    // statements directly in a CASE arm: a label ends them
     bool m_inCaseArm = false;
     std::vector<std::string_view> m_quotedNames; // declared in this text: "…" in an expression is such a name, else a literal

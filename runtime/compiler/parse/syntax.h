@@ -46,12 +46,15 @@ enum class ExprKind : uint8_t {
 };
 
 struct Expr;
+struct Stmt;
+using Block = std::vector<Stmt*>;
 enum class ArgumentKind : uint8_t { Positional, Input /* := */, Output /* => */ };
 struct Argument {
     ArgumentKind kind = ArgumentKind::Positional;
     Name name;
     bool negated = false;  // NOT out => x, and LD/IL negated pins
     Expr* value = nullptr; // null: left empty, "out =>"
+    const Block* instructions = nullptr; // IL: IN := ( LD a AND b ), instead of a value
     SourceRange range;
 };
 
@@ -156,9 +159,6 @@ enum class StmtKind : uint8_t {
     Release,  // tests: RELEASE target
     Compare,  // tests: COMPARE 'recording', TOLERANCE := 0.01
 };
-
-struct Stmt;
-using Block = std::vector<Stmt*>;
 
 struct IfBranch {
     Expr* condition = nullptr; // null: ELSE

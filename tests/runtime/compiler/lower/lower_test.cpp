@@ -48,6 +48,7 @@ TEST(InstructionListLowering, FollowsTheCurrentResult) {
              {"CAL LIMIT(MN := 1, IN := a, MX := 9)\nST d", "d := LIMIT(MN := 1, IN := a, MX := 9)"},
              {"LD a\nCALC tmr(IN := b)\nCALCN tmr\nLD tmr.Q\nST c", "__il0 := a; IF __il0 {tmr(IN := b)}; IF (NOT __il0) {tmr()}; c := tmr.Q"},
              {"LD a\nIN tmr\nLD T#1s\nPT tmr\nLD tmr.Q\nST c", "tmr(IN := a); tmr(PT := T#1s); c := tmr.Q"},
+             {"CAL tmr(IN := (LD a\nANDN b\n), PT := T#1s)", "tmr(IN := (a AND (NOT b)), PT := T#1s)"},
              {"LD a\nS1 ff\nLD b\nR ff", "ff(S1 := a); ff(R := b)"},
              {"LD a\nJMPC there\nLD b\nST c\nthere: RET", "JMP there if a; c := b; there:; RETURN"},
              {"LD a\nRETC\nJMPCN there\nthere:\nLD b\nST c", "__il0 := a; IF __il0 {RETURN}; JMP there if (NOT __il0); there:; c := b"},
