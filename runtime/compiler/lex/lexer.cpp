@@ -462,7 +462,11 @@ private:
             if (character == 0xFFFD) readable = false;
             m_at = next;
         }
-        if (readable) emit(begin, m_at, Kind::UnknownCharacter, {std::string(slice(begin, m_at))});
+        // the same character again on its line is the same mistake (a drawing, a pasted table)
+        const bool again = slice(begin, m_at) == m_lastUnknown && m_text.substr(m_lastUnknownAt, begin - m_lastUnknownAt).find('\n') == std::string_view::npos;
+        if (readable && !again) emit(begin, m_at, Kind::UnknownCharacter, {std::string(slice(begin, m_at))});
+        m_lastUnknown = slice(begin, m_at);
+        m_lastUnknownAt = begin;
         push(TokenKind::Error, begin, m_at);
     }
 
@@ -472,6 +476,8 @@ private:
     TokenList m_list;
     size_t m_at = 0;
     bool m_newline = true;
+    std::string_view m_lastUnknown;
+    size_t m_lastUnknownAt = 0;
 };
 
 } // namespace

@@ -421,6 +421,7 @@ Expr* Parser::parsePostfix(Expr* base) {
 void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
     const Nesting nesting(*this);
     if (nesting.tooDeep) return skipTo({TokenKind::Semicolon});
+    bool missingComma = false;
     while (!at(close) && !atEnd() && !at(TokenKind::Semicolon)) {
         const size_t first = mark();
         Argument argument;
@@ -451,7 +452,8 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
             continue;
         }
         if (at(close)) break;
-        if (startsExpression() && m_lastErrorAt != m_at && !(peek().afterNewline && kind(1) == TokenKind::Assign)) {
+        if (startsExpression() && m_lastErrorAt != m_at && !peek().afterNewline && !missingComma) {
+            missingComma = true; // once: more of them are junk
             expected(", or " + std::string(lex::spelling(close)));
             if (mark() != first) continue;
         }

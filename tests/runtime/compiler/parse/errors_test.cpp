@@ -29,6 +29,7 @@ TEST(SyntaxErrors, GiveOneMessageForOneMistake) {
              {"x := 'abc;\ny := 1;", "P1003@2:6"},
              {"foo('abc);\ny := 1;", "P1003@2:5"},
              {"x := 5 $ 3;", "P1001@2:8"},
+             {"x := |a| + |b|;\ny := 1;", "P1001@2:6"},
              {"x := \xE2\x80\x98text\xE2\x80\x99;", "P1001@2:6"},
              {"x := a \xE2\x80\x93 b;", "P1001@2:8"},
              {"(* never closed\nx := 1;", "P1002@2:1"},
