@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 #include "app/cli/run_output.h"
+#include "app/cli/timed_write.h"
 
 #include "projects/session/session.h"
 #include "projects/session/value_text.h"
@@ -17,36 +18,6 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-/// "Main.start=TRUE@1.5s": written (or forced) before the first scan at or after the time.
-struct TimedWrite {
-    std::string path;
-    std::string text;
-    nanoseconds at{0};
-    bool isForce = false;
-    bool isRelease = false;
-};
-
-Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
-    const size_t equals = word.find('=');
-    if (equals == std::string::npos || equals == 0)
-        return Error{"\"" + word + "\" is not a write; give PATH=VALUE or PATH=VALUE@TIME, for example Main.start=TRUE@1.5s", ""};
-    TimedWrite write;
-    write.isForce = isForce;
-    write.path = word.substr(0, equals);
-    write.text = word.substr(equals + 1);
-    // The last @ is the time, unless it stands inside a text literal.
-    const size_t at = write.text.rfind('@');
-    if (at != std::string::npos && std::count(write.text.begin() + static_cast<std::ptrdiff_t>(at), write.text.end(), '\'') % 2 == 0) {
-        const auto time = parseDuration(write.text.substr(at + 1));
-        if (!time) return time.error();
-        write.at = *time;
-        write.text.erase(at);
-    }
-    if (write.text.empty()) return Error{"\"" + word + "\" has no value", ""};
-    write.isRelease = isForce && equalsIgnoringCase(write.text, "release");
-    return write;
-}
-
 struct RunPlan {
     std::optional<nanoseconds> length;
     std::optional<uint64_t> scans;
@@ -56,19 +27,6 @@ struct RunPlan {
     bool isReal = false;
     double speed = 1.0;
 };
-
-Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write) {
-    const auto place = controller.program().layout.find(write.path);
-    if (!place) return place.error();
-    return session::parseValue(checked, place->type, write.text, write.path);
-}
-
-Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write) {
-    if (write.isRelease) return controller.release(write.path);
-    const auto value = valueFor(checked, controller, write);
-    if (!value) return value.error();
-    return write.isForce ? controller.force(write.path, *value) : controller.write(write.path, *value);
-}
 
 Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built, const controller::Controller& controller) {
     RunPlan plan;

@@ -209,6 +209,8 @@ void drawDots(QPainter& painter, const CurveShape& shape, const PlotCurve& curve
 
 } // namespace
 
+bool isDrawnByPainter(const CurveShape& shape) { return shape.isExact && shape.samples.size() <= FewSamples; }
+
 std::optional<PlotRange> CurveShape::extent() const {
     std::optional<PlotRange> range;
     auto add = [&](double low, double high) {
@@ -256,17 +258,17 @@ CurveShape shapeOf(const SampleSource& source, int64_t from, int64_t to, int col
     return shape;
 }
 
-void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color, QImage* layer) {
-    const bool few = shape.isExact && shape.samples.size() <= FewSamples;
-    if (layer && !few) {
+void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color, const PlotPixels& pixels) {
+    const bool few = isDrawnByPainter(shape);
+    if (pixels.image && !few) {
         PlotMapping device = mapping;
-        device.area = QRectF(0, 0, layer->width(), layer->height());
+        device.area = QRectF(0, 0, pixels.area.width(), pixels.area.height());
         device.ratio = 0; // the raster's own soft ends do it
-        std::vector<ColumnSpan> spans(static_cast<size_t>(layer->width()));
+        std::vector<ColumnSpan> spans(static_cast<size_t>(pixels.area.width()));
         if (shape.isExact) LineMaker(shape, curve, device).run([&](const QPolygonF& line) { addLine(spans, line); });
         else addBuckets(spans, shape, curve, device);
-        const auto ratio = static_cast<float>(layer->width() / mapping.area.width());
-        fillColumns(*layer, spans, static_cast<float>(curve.width) * ratio, color);
+        const auto ratio = static_cast<float>(pixels.area.width() / mapping.area.width());
+        fillColumns(*pixels.image, pixels.area, spans, static_cast<float>(curve.width) * ratio, color);
         return;
     }
     std::vector<QPolygonF> lines;

@@ -5,6 +5,7 @@
 #include "editor/kit/plot_model.h"
 
 #include <QFont>
+#include <QRect>
 #include <QRectF>
 
 class QPainter;
@@ -46,9 +47,18 @@ struct PlotMapping {
     [[nodiscard]] double valueAt(double py) const { return y.low + (area.bottom() - py) / area.height() * (y.high - y.low); }
 };
 
-/// Draws a Line or Hold curve. `layer` is the pane's image in device pixels, or null when the paper is SVG or PDF.
+/// Pixels of the plot area that curves may be written to directly; no image when the paper has none (SVG, PDF).
+struct PlotPixels {
+    QImage* image = nullptr;
+    QRect area;
+};
+
+/// Whether a shape has so few samples that the painter draws it; the others go into the pixels where there are any.
+[[nodiscard]] bool isDrawnByPainter(const CurveShape& shape);
+
+/// Draws a Line or Hold curve.
 void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color,
-               QImage* layer);
+               const PlotPixels& pixels);
 
 /// Draws a lane into mapping.area: two levels for BOOL, boxes with the value for others.
 void drawLane(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color,

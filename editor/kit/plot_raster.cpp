@@ -1,14 +1,11 @@
 #include "editor/kit/plot_raster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace plc::kit {
 
 namespace {
-
-constexpr int Block = 16; // columns that share cache lines
 
 /// source over destination, both premultiplied, source scaled by alpha/255.
 uint32_t blend(uint32_t source, uint32_t destination, uint32_t alpha) {
@@ -23,37 +20,35 @@ uint32_t blend(uint32_t source, uint32_t destination, uint32_t alpha) {
 
 } // namespace
 
-void fillColumns(QImage& image, std::span<const ColumnSpan> spans, float width, const QColor& color) {
-    const int columns = std::min<int>(image.width(), static_cast<int>(spans.size())), rows = image.height();
+void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> spans, float width, const QColor& color) {
+    const QRect room = area.intersected(image.rect());
+    if (room != area) return; // laid out for this picture, or not at all
+    const int columns = std::min<int>(area.width(), static_cast<int>(spans.size())), rows = area.height();
     const uint32_t ink = qPremultiply(color.rgba());
+    const bool isOpaque = qAlpha(ink) == 255;
     const float half = std::max(0.5f, width / 2);
-    for (int x0 = 0; x0 < columns; x0 += Block) {
-        const int count = std::min(Block, columns - x0);
-        std::array<float, Block> top{}, bottom{};
-        int first = rows, last = -1;
-        for (int i = 0; i < count; ++i) {
-            const ColumnSpan& span = spans[static_cast<size_t>(x0 + i)];
-            if (span.isEmpty() || !(span.bottom + half > 0) || !(span.top - half < static_cast<float>(rows))) {
-                top[static_cast<size_t>(i)] = 1e9f;
-                bottom[static_cast<size_t>(i)] = -1e9f;
-                continue;
-            }
-            const float a = std::max(span.top - half, -4.0f), b = std::min(span.bottom + half, static_cast<float>(rows) + 4.0f);
-            top[static_cast<size_t>(i)] = a;
-            bottom[static_cast<size_t>(i)] = b;
-            first = std::min(first, std::max(0, static_cast<int>(std::floor(a))));
-            last = std::max(last, std::min(rows - 1, static_cast<int>(std::ceil(b)) - 1));
+    const qsizetype stride = image.bytesPerLine() / 4;
+    uint32_t* const origin = reinterpret_cast<uint32_t*>(image.bits()) + area.top() * stride + area.left();
+    // Column by column: the rows of sixteen neighbouring columns share cache lines, which stay near.
+    for (int x = 0; x < columns; ++x) {
+        const ColumnSpan& span = spans[static_cast<size_t>(x)];
+        if (span.isEmpty()) continue;
+        const float top = std::max(span.top - half, 0.0f), bottom = std::min(span.bottom + half, static_cast<float>(rows));
+        if (!(top < bottom)) continue;
+        const int first = static_cast<int>(top), last = std::min(rows - 1, static_cast<int>(std::ceil(bottom)) - 1);
+        uint32_t* pixel = origin + first * stride + x;
+        auto soft = [&](float cover) { *pixel = blend(ink, *pixel, static_cast<uint32_t>(cover * 255.0f + 0.5f)); };
+        if (first == last) {
+            soft(bottom - top);
+            continue;
         }
-        for (int y = first; y <= last; ++y) {
-            auto* pixels = reinterpret_cast<uint32_t*>(image.scanLine(y)) + x0;
-            const auto above = static_cast<float>(y), below = static_cast<float>(y + 1);
-            for (int i = 0; i < count; ++i) {
-                const float a = top[static_cast<size_t>(i)], b = bottom[static_cast<size_t>(i)];
-                if (a >= below || b <= above) continue;
-                const float cover = std::min(b, below) - std::max(a, above);
-                pixels[i] = blend(ink, pixels[i], static_cast<uint32_t>(cover * 255.0f + 0.5f));
-            }
+        soft(static_cast<float>(first + 1) - top);
+        pixel += stride;
+        for (int y = first + 1; y < last; ++y, pixel += stride) {
+            if (isOpaque) *pixel = ink;
+            else soft(1);
         }
+        soft(bottom - static_cast<float>(last));
     }
 }
 

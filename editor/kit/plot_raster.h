@@ -4,6 +4,7 @@
 
 #include <QColor>
 #include <QImage>
+#include <QRect>
 
 #include <span>
 
@@ -21,7 +22,8 @@ struct ColumnSpan {
     }
 };
 
-/// `image` is ARGB32 premultiplied; span i lies in column i and is widened by half of `width` at both ends.
-void fillColumns(QImage& image, std::span<const ColumnSpan> spans, float width, const QColor& color);
+/// `image` is 32 bits a pixel, premultiplied or opaque; span i lies in column i of `area`, rows count from its top, and is widened
+/// by half of `width` at both ends. Nothing is drawn outside the area.
+void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> spans, float width, const QColor& color);
 
 } // namespace plc::kit

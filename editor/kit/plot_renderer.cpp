@@ -64,6 +64,24 @@ bool isVectorPaper(const QPainter& painter) {
     }
 }
 
+namespace {
+
+/// The plot area in the image that is painted on, when it is one and lies pixel on pixel.
+PlotPixels directPixels(const QPainter& painter, const QRectF& area, double ratio) {
+    QPaintDevice* device = painter.device();
+    if (!device || device->devType() != QInternal::Image || painter.hasClipping()) return {};
+    auto* image = static_cast<QImage*>(device);
+    if (image->format() != QImage::Format_ARGB32_Premultiplied && image->format() != QImage::Format_RGB32) return {};
+    const QTransform transform = painter.deviceTransform();
+    if (transform.type() > QTransform::TxScale || std::abs(transform.m11() - ratio) > 1e-9 || std::abs(transform.m22() - ratio) > 1e-9) return {};
+    const QRectF mapped = transform.mapRect(area);
+    const QRect pixels = mapped.toRect();
+    if (std::abs(mapped.left() - pixels.left()) > 0.51 || !image->rect().contains(pixels)) return {};
+    return {image, pixels};
+}
+
+} // namespace
+
 PlotRenderer::PlotRenderer() = default;
 PlotRenderer::~PlotRenderer() = default;
 
@@ -298,7 +316,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
 
     std::vector<double> legends;
     for (int chart = 0; chart < static_cast<int>(model.charts.size()); ++chart) legends.push_back(legendHeight(model, chart, 0, inner.width() - 60, 0, false));
-    double width = m_panes.empty() || m_panes[0].area.width() < 1 ? inner.width() - 60 : m_panes[0].area.width();
+    double width = m_width > 0 && m_width < inner.width() ? m_width : inner.width() - 60;
     std::vector<QMarginsF> room(m_panes.size(), QMarginsF(50, 2, 8, 8));
     if (!room.empty()) room.back().setBottom(44);
     double left = 0, right = 0;
@@ -325,6 +343,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
     }
     m_left = left;
     m_right = right;
+    m_width = width;
     makeShapes(model, width);
     placeTimeAxis(model, width);
     const std::vector<double> heights = share(legends, room);
@@ -406,12 +425,15 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
         return;
     }
 
+    // Curves go straight into the picture where the paper is one; on other screens by way of a layer.
     QImage layer;
-    const bool vector = isVectorPaper(painter);
-    if (!vector) {
+    PlotPixels pixels = directPixels(painter, pane.area, m_ratio);
+    const bool vector = isVectorPaper(painter), hasLayer = !vector && !pixels.image;
+    if (hasLayer) {
         const QSize size(std::max(1, static_cast<int>(std::lround(pane.area.width() * m_ratio))), std::max(1, static_cast<int>(std::lround(pane.area.height() * m_ratio))));
         layer = QImage(size, QImage::Format_ARGB32_Premultiplied);
         layer.fill(Qt::transparent);
+        pixels = {&layer, layer.rect()};
     }
     bool layerUsed = false;
     auto flush = [&] { // keeps the order of curves drawn in the two ways
@@ -430,10 +452,10 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
             if (!kept.source) continue;
             QColor color = curve.color;
             if (b > 0) color.setAlphaF(0.35f);
-            const bool few = kept.shape.isExact && kept.shape.samples.size() <= 600;
+            const bool few = isDrawnByPainter(kept.shape);
             if (few) flush();
-            drawCurve(painter, kept.shape, curve, map, color, vector ? nullptr : &layer);
-            layerUsed = layerUsed || (!few && !vector);
+            drawCurve(painter, kept.shape, curve, map, color, pixels);
+            layerUsed = layerUsed || (!few && hasLayer);
         }
     }
     flush();

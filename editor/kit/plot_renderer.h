@@ -68,7 +68,7 @@ private:
     void paintVertical(QPainter& painter, double x, const QPen& pen);
 
     QFont m_font;
-    double m_ratio = 1, m_left = 0, m_right = 0;
+    double m_ratio = 1, m_left = 0, m_right = 0, m_width = 0;
     QRectF m_rect, m_titleRect, m_tableRect;
     QString m_timeTitle;
     double m_timeLabel = 40; // width of the widest time label

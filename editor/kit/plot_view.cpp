@@ -233,7 +233,7 @@ void PlotView::paintEvent(QPaintEvent*) {
     const double ratio = devicePixelRatioF();
     const QSize pixels = size() * ratio;
     if (m_dirty || m_base.size() != pixels) {
-        if (m_base.size() != pixels) m_base = QPixmap(pixels);
+        if (m_base.size() != pixels) m_base = QImage(pixels, QImage::Format_ARGB32_Premultiplied);
         m_base.setDevicePixelRatio(ratio);
         QPainter painter(&m_base);
         m_renderer.setFont(font());
@@ -242,7 +242,7 @@ void PlotView::paintEvent(QPaintEvent*) {
         m_dirty = false;
     }
     QPainter painter(this);
-    painter.drawPixmap(0, 0, m_base);
+    painter.drawImage(0, 0, m_base);
     m_renderer.paintOverlay(painter, m_model);
     if (m_drag == Drag::Box) {
         QColor veil = colors().accent;

@@ -4,7 +4,7 @@
 
 #include "editor/kit/plot_renderer.h"
 
-#include <QPixmap>
+#include <QImage>
 #include <QWidget>
 
 #include <deque>
@@ -96,7 +96,7 @@ private:
     PlotModel m_model;
     PlotRenderer m_renderer;
     PlotTool m_tool = PlotTool::ZoomBox;
-    QPixmap m_base;
+    QImage m_base; // an image, so that curves are written into it directly
     bool m_dirty = true, m_follow = false;
     std::vector<uint64_t> m_revisions;
     Drag m_drag = Drag::None;

@@ -270,7 +270,7 @@ TEST(FillColumns, CoversExactlyWhatIsAsked) {
     spans[3] = {5.0f, 9.0f};
     spans[20] = {-100.0f, 200.0f};
     spans[21] = {-50.0f, -40.0f};
-    fillColumns(image, spans, 2, Qt::red);
+    fillColumns(image, image.rect(), spans, 2, Qt::red);
     for (int y = 0; y < 20; ++y) {
         EXPECT_EQ(qAlpha(image.pixel(3, y)), y >= 4 && y < 10 ? 255 : 0) << y;
         EXPECT_EQ(qAlpha(image.pixel(20, y)), 255);
@@ -279,8 +279,13 @@ TEST(FillColumns, CoversExactlyWhatIsAsked) {
     }
     image.fill(Qt::transparent);
     spans[3] = {5.25f, 9.0f};
-    fillColumns(image, spans, 2, Qt::red);
+    fillColumns(image, image.rect(), spans, 2, Qt::red);
     EXPECT_NEAR(qAlpha(image.pixel(3, 4)), 191, 3);
+    image.fill(Qt::transparent);
+    std::vector<ColumnSpan> all(20, ColumnSpan{-5, 50});
+    fillColumns(image, QRect(8, 6, 20, 9), all, 1, Qt::red);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 40; ++x) EXPECT_EQ(qAlpha(image.pixel(x, y)), QRect(8, 6, 20, 9).contains(x, y) ? 255 : 0) << x << ',' << y;
 }
 
 TEST(PlotScale, TicksAreRoundAndWithinTheLimits) {

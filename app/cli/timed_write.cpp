@@ -1,0 +1,45 @@
+#include "app/cli/timed_write.h"
+
+#include "app/cli/arguments.h"
+#include "projects/session/value_text.h"
+#include "runtime/base/text.h"
+
+#include <algorithm>
+
+namespace plc::cli {
+
+Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
+    const size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return Error{"\"" + word + "\" is not a write; give PATH=VALUE or PATH=VALUE@TIME, for example Main.start=TRUE@1.5s", ""};
+    TimedWrite write;
+    write.isForce = isForce;
+    write.path = word.substr(0, equals);
+    write.text = word.substr(equals + 1);
+    // The last @ is the time, unless it stands inside a text literal.
+    const size_t at = write.text.rfind('@');
+    if (at != std::string::npos && std::count(write.text.begin() + static_cast<std::ptrdiff_t>(at), write.text.end(), '\'') % 2 == 0) {
+        const auto time = parseDuration(write.text.substr(at + 1));
+        if (!time) return time.error();
+        write.at = *time;
+        write.text.erase(at);
+    }
+    if (write.text.empty()) return Error{"\"" + word + "\" has no value", ""};
+    write.isRelease = isForce && equalsIgnoringCase(write.text, "release");
+    return write;
+}
+
+Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write) {
+    const auto place = controller.program().layout.find(write.path);
+    if (!place) return place.error();
+    return session::parseValue(checked, place->type, write.text, write.path);
+}
+
+Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write) {
+    if (write.isRelease) return controller.release(write.path);
+    const auto value = valueFor(checked, controller, write);
+    if (!value) return value.error();
+    return write.isForce ? controller.force(write.path, *value) : controller.write(write.path, *value);
+}
+
+} // namespace plc::cli

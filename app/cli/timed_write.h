@@ -1,0 +1,25 @@
+// A write or force of the command line: PATH=VALUE or PATH=VALUE@TIME. Values and functions, any thread.
+#pragma once
+#include "runtime/compiler/driver/driver.h"
+#include "runtime/controller/controller.h"
+
+#include <chrono>
+#include <string>
+
+namespace plc::cli {
+
+/// "Main.start=TRUE@1.5s": written (or forced) before the first scan at or after the time.
+struct TimedWrite {
+    std::string path;
+    std::string text;
+    std::chrono::nanoseconds at{0};
+    bool isForce = false;
+    bool isRelease = false;
+};
+
+[[nodiscard]] Result<TimedWrite> parseWrite(const std::string& word, bool isForce);
+/// The value as the variable's type reads it.
+[[nodiscard]] Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write);
+Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write);
+
+} // namespace plc::cli

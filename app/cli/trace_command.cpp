@@ -1,0 +1,229 @@
+#include "app/cli/command.h"
+#include "app/cli/timed_write.h"
+
+#include "editor/kit/theme.h"
+#include "editor/trace/session_recording.h"
+#include "editor/trace/trace_picture.h"
+#include "projects/session/session.h"
+
+#include <QApplication>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace plc::cli {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+/// Splits at commas that stand outside brackets and texts.
+std::vector<std::string> splitExpressions(const std::string& list) {
+    std::vector<std::string> out(1);
+    int depth = 0;
+    char quote = 0;
+    for (const char c : list) {
+        if (quote) quote = c == quote ? 0 : quote;
+        else if (c == '\'' || c == '"') quote = c;
+        else if (c == '(' || c == '[') ++depth;
+        else if (c == ')' || c == ']') --depth;
+        if (c == ',' && depth == 0 && !quote) out.emplace_back();
+        else out.back() += c;
+    }
+    for (std::string& text : out) {
+        text.erase(0, text.find_first_not_of(' '));
+        text.erase(text.find_last_not_of(' ') + 1);
+    }
+    std::erase(out, std::string());
+    return out;
+}
+
+Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Project* project) {
+    trace::TraceSetup setup;
+    std::vector<std::string> expressions;
+    for (const std::string& list : arguments.values("--channels"))
+        for (std::string& text : splitExpressions(list)) expressions.push_back(std::move(text));
+    std::optional<std::string> name = arguments.value("--setup");
+    if (!name && expressions.empty() && project && project->traces.size() == 1) name = project->traces[0];
+    if (name) {
+        namespace fs = std::filesystem;
+        fs::path path = *name;
+        if (!fs::is_regular_file(path) && project) {
+            std::string file = *name;
+            if (!file.ends_with(".trace.json")) file += ".trace.json";
+            path = fs::path(project->folder) / "traces" / file;
+        }
+        auto loaded = trace::loadSetup(path.string());
+        if (!loaded) return loaded;
+        setup = std::move(*loaded);
+    }
+    if (setup.channels.empty() && expressions.empty()) {
+        std::string known;
+        if (project)
+            for (const std::string& trace : project->traces) known += (known.empty() ? "" : ", ") + trace.substr(0, trace.find(".trace.json"));
+        return Error{"trace needs --channels EXPR,… or --setup NAME" + (known.empty() ? std::string() : " (the project has " + known + ")"), ""};
+    }
+    for (trace::ChannelSetup& channel : trace::setupOf(expressions).channels) setup.channels.push_back(std::move(channel));
+    if (const auto trigger = arguments.value("--trigger")) {
+        setup.trigger.expression = *trigger;
+        if (setup.trigger.mode == trace::TriggerMode::Off) setup.trigger.mode = trace::TriggerMode::Single;
+    }
+    for (const auto& [option, target] : {std::pair{"--before", &setup.trigger.before}, std::pair{"--after", &setup.trigger.after}})
+        if (const auto text = arguments.value(option)) {
+            const auto time = parseDuration(*text);
+            if (!time) return time.error();
+            *target = time->count();
+        }
+    return setup;
+}
+
+Result<trace::TraceOutput> outputOf(const Arguments& arguments, trace::TraceSetup setup) {
+    trace::TraceOutput out;
+    out.setup = std::move(setup);
+    out.picture = QString::fromStdString(arguments.value("--picture").value_or(""));
+    out.csv = QString::fromStdString(arguments.value("--csv").value_or(""));
+    out.isDark = arguments.has("--dark");
+    out.wantsStatistics = arguments.has("--statistics");
+    for (const auto& [option, target] : {std::pair{"--from", &out.from}, std::pair{"--to", &out.to}})
+        if (const auto text = arguments.value(option)) {
+            const auto time = parseDuration(*text);
+            if (!time) return time.error();
+            *target = time->count();
+        }
+    if (const auto text = arguments.value("--size")) {
+        int width = 0, height = 0, used = 0;
+        if (std::sscanf(text->c_str(), "%dx%d%n", &width, &height, &used) != 2 || static_cast<size_t>(used) != text->size() || width < 200 || height < 120 || width > 20'000 || height > 20'000)
+            return Error{"--size needs WIDTHxHEIGHT, for example 1200x700", *text};
+        out.size = QSize(width, height);
+    }
+    if (const auto text = arguments.value("--scale")) {
+        out.scale = std::atof(text->c_str());
+        if (!(out.scale >= 0.5 && out.scale <= 8)) return Error{"--scale needs a number from 0.5 to 8", *text};
+    }
+    if (out.picture.isEmpty() && out.csv.isEmpty() && !out.wantsStatistics) out.wantsStatistics = true;
+    return out;
+}
+
+/// Runs the project as `run` does: virtual time, writes and forces at their times.
+Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session) {
+    controller::Controller& controller = session.controller();
+    nanoseconds length = std::chrono::seconds(10);
+    if (const auto text = arguments.value("--for")) {
+        const auto time = parseDuration(*text);
+        if (!time) return time.error();
+        length = *time;
+    }
+    std::vector<TimedWrite> writes;
+    for (const bool isForce : {true, false})
+        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
+            const auto write = parseWrite(word, isForce);
+            if (!write) return write.error();
+            if (!write->isRelease)
+                if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
+            writes.push_back(*write);
+        }
+    std::stable_sort(writes.begin(), writes.end(), [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    controller.start();
+    ProgressLine progress;
+    size_t next = 0;
+    for (uint64_t done = 0; !isInterrupted() && controller.state() == controller::State::Running && controller.nextDue() < length; ++done) {
+        for (; next < writes.size() && writes[next].at <= controller.nextDue(); ++next)
+            if (auto written = apply(built.checked, controller, writes[next]); !written) return written;
+        controller.scan();
+        if ((done & 0xfff) == 0) progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
+    }
+    return {};
+}
+
+/// Charts need an application object, but no display.
+void needApplication() {
+    if (QCoreApplication::instance()) return;
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    static int count = 1;
+    static char name[] = "stepwise";
+    static char* words[] = {name, nullptr};
+    static QApplication application(count, words);
+    kit::Theme::current();
+}
+
+int finish(const trace::Recording& recording, const trace::TraceOutput& output) {
+    const auto text = trace::renderTrace(recording, output);
+    if (!text) return wrongUse(text.error());
+    std::cout << *text;
+    return kGood;
+}
+
+int traceRecording(const Arguments& arguments, const std::string& file) {
+    const auto setup = setupOf(arguments, nullptr);
+    if (!setup) return wrongUse(setup.error());
+    const auto output = outputOf(arguments, *setup);
+    if (!output) return wrongUse(output.error());
+    const auto recording = trace::FileRecording::open(file);
+    if (!recording) return wrongUse(recording.error());
+    needApplication();
+    return finish(**recording, *output);
+}
+
+int run(const Arguments& arguments) {
+    if (const auto file = arguments.value("--recording")) return traceRecording(arguments, *file);
+    if (arguments.paths().empty()) return wrongUse({"trace needs a project folder or ST files (stepwise trace --help)", ""});
+    const auto project = openNamedProject(arguments);
+    if (!project) return wrongUse(project.error());
+    const auto setup = setupOf(arguments, &*project);
+    if (!setup) return wrongUse(setup.error());
+    auto output = outputOf(arguments, *setup);
+    if (!output) return wrongUse(output.error());
+    const driver::Built built = driver::build(project->buildInput());
+    printDiagnostics(built.checked, false, false);
+    if (built.checked.analysis->hasErrors) return kProgramWrong;
+    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+    if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
+    session::Settings settings;
+    settings.historyBudget = size_t(2) << 30;
+    catchInterrupt();
+    session::Session session(built, settings);
+    if (auto ran = runProject(arguments, built, session); !ran) return wrongUse(ran.error());
+    const bool faulted = session.controller().state() == controller::State::Fault;
+    if (faulted && session.controller().fault()) std::cerr << "stepwise: " << session.controller().fault()->message << "\n";
+    needApplication();
+    std::shared_ptr<trace::FileRecording> beneath;
+    if (const auto file = arguments.value("--beneath")) {
+        const auto older = trace::FileRecording::open(*file);
+        if (!older) return wrongUse(older.error());
+        beneath = *older;
+        output->beneath = beneath.get();
+    }
+    const trace::SessionRecording recording(session);
+    const int done = finish(recording, *output);
+    return faulted ? kProgramWrong : done;
+}
+
+} // namespace
+
+Command traceCommand() {
+    return {{"trace", "PATH… [OPTIONS]", "Runs a project and draws its charts: picture, CSV, statistics.",
+             {{"--channels", "EXPR,…", "variables or expressions to draw (repeatable)"},
+              {"--setup", "NAME", "the project's traces/NAME.trace.json, or a file (default: its only one)"},
+              {"--for", "10s", "PLC time to run (default 10s)"},
+              {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
+              {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
+              {"--recording", "FILE", "draw a recording made by run --record instead of running"},
+              {"--beneath", "FILE", "an older recording, drawn faintly beneath"},
+              {"--picture", "FILE", "the charts as .png, .svg or .pdf"},
+              {"--csv", "FILE", "every sample shown, a row per scan"},
+              {"--statistics", "", "a table: values at the cursors (or ends), least, greatest, mean, RMS, step response"},
+              {"--trigger", "EXPR", "show what is around its rising edge (or as the set-up says)"},
+              {"--before", "1s", "time shown before the trigger"},
+              {"--after", "1s", "time shown after it"},
+              {"--from", "0s", "first time shown"},
+              {"--to", "10s", "last time shown"},
+              {"--size", "1200x700", "size of the picture"},
+              {"--scale", "1", "pixels per unit of a .png"},
+              {"--dark", "", "dark colours"},
+              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+             "stepwise trace projects/examples/pid_pt1 --channels Main.setPoint,Main.actual --for 20s --picture loop.png --statistics"},
+            run};
+}
+
+} // namespace plc::cli
