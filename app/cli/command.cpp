@@ -38,7 +38,7 @@ std::string overview() {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {checkCommand(), runCommand(),    formatCommand(), testCommand(),
-                                             replayCommand(), docCommand()};
+                                             traceCommand(), replayCommand(), docCommand()};
     return all;
 }
 

@@ -75,12 +75,13 @@ Measurement measure(const SampleSource& source, int64_t from, int64_t to, const 
     });
     Measurement& m = sums.m;
     if (m.count == 0) return m;
-    m.mean = sums.mean;
+    m.mean = std::abs(sums.mean) < 1e-13 * std::max(std::abs(m.minimum), std::abs(m.maximum)) ? 0 : sums.mean; // rounding of many sums
     m.rms = std::sqrt(sums.squares);
     m.initial = m.first;
     m.final = sums.finalCount > 0 ? sums.finalSum / static_cast<double>(sums.finalCount) : m.last;
     const double step = m.final - m.initial, size = std::max(std::abs(m.final), std::abs(m.initial));
-    if (m.count < 3 || std::abs(step) <= 1e-9 * size || !std::isfinite(step)) return m;
+    // What ends about where it began has no step, whatever it did in between.
+    if (m.count < 3 || std::abs(step) <= 1e-9 * size || std::abs(step) < 0.02 * (m.maximum - m.minimum) || !std::isfinite(step)) return m;
 
     StepResponse response{options, m.initial, step, sums.firstTime, {}, {}, {}};
     source.visit(from, end, [&](std::span<const PlotSample> block) {

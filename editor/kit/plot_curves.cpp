@@ -35,6 +35,13 @@ double heldWidth(const PlotCurve& curve, const PlotMapping& mapping) {
     return mapping.ratio > 0 ? std::max(1.0, std::round(curve.width * mapping.ratio)) / mapping.ratio : curve.width;
 }
 
+/// Level and upright lines look sharp when their edges lie between pixels.
+double onPixel(double at, const PlotCurve& curve, const PlotMapping& mapping) {
+    if (mapping.ratio <= 0 || std::abs(at) > 1e6) return at;
+    const double half = heldWidth(curve, mapping) * mapping.ratio / 2;
+    return (std::round(at * mapping.ratio - half) + half) / mapping.ratio;
+}
+
 /// Collects polylines from samples; a held value goes right before it goes up.
 class LineMaker {
 public:
@@ -59,7 +66,7 @@ public:
                 continue;
             }
             QPointF point(m_mapping.xOf(s.time), m_mapping.yOf(m_curve.shown(s.value)));
-            if (hold) point = QPointF(onPixel(point.x()), onPixel(point.y()));
+            if (hold) point = QPointF(onPixel(point.x(), m_curve, m_mapping), onPixel(point.y(), m_curve, m_mapping));
             if (hold && !line.isEmpty() && line.back().y() != point.y()) line << QPointF(point.x(), line.back().y());
             line << point;
             before = &s;
@@ -68,13 +75,6 @@ public:
     }
 
 private:
-    /// Level and upright lines look sharp when their edges lie between pixels.
-    double onPixel(double at) const {
-        if (m_mapping.ratio <= 0 || std::abs(at) > 1e6) return at;
-        const double half = heldWidth(m_curve, m_mapping) * m_mapping.ratio / 2;
-        return (std::round(at * m_mapping.ratio - half) + half) / m_mapping.ratio;
-    }
-
     const CurveShape& m_shape;
     const PlotCurve& m_curve;
     const PlotMapping& m_mapping;
@@ -333,13 +333,14 @@ std::vector<LaneRun> laneRuns(const CurveShape& shape, const PlotMapping& mappin
     return runs;
 }
 
-void drawBoolLane(QPainter& painter, const std::vector<LaneRun>& runs, const PlotCurve& curve, const QRectF& lane, const QColor& color) {
-    const double high = std::round(lane.top() + lane.height() * 0.18) + 0.5, low = std::round(lane.bottom() - lane.height() * 0.18) + 0.5;
+void drawBoolLane(QPainter& painter, const std::vector<LaneRun>& runs, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color) {
+    const QRectF lane = mapping.area;
+    const double high = onPixel(lane.top() + lane.height() * 0.18, curve, mapping), low = onPixel(lane.bottom() - lane.height() * 0.18, curve, mapping);
     QColor fill = color;
     fill.setAlphaF(0.20f);
     QColor busy = color;
     busy.setAlphaF(0.65f);
-    const QPen pen(color, std::max(1.2, curve.width * 0.9), Qt::SolidLine, Qt::SquareCap);
+    const QPen pen(color, heldWidth(curve, mapping), Qt::SolidLine, Qt::SquareCap);
     painter.setPen(pen);
     const LaneRun* before = nullptr;
     for (const LaneRun& run : runs) {
@@ -347,10 +348,10 @@ void drawBoolLane(QPainter& painter, const std::vector<LaneRun>& runs, const Plo
         if (run.isBusy) {
             painter.fillRect(QRectF(QPointF(run.from, high), QPointF(std::max(run.to, run.from + 1), low)), busy);
         } else {
-            const double y = run.value != 0 ? high : low;
+            const double y = run.value != 0 ? high : low, from = onPixel(run.from, curve, mapping);
             if (run.value != 0) painter.fillRect(QRectF(QPointF(run.from, high), QPointF(run.to, low)), fill);
-            painter.drawLine(QPointF(run.from, y), QPointF(run.to, y));
-            if (touches && !before->isBusy && before->value != run.value) painter.drawLine(QPointF(run.from, high), QPointF(run.from, low));
+            painter.drawLine(QPointF(from, y), QPointF(onPixel(run.to, curve, mapping), y));
+            if (touches && !before->isBusy && before->value != run.value) painter.drawLine(QPointF(from, high), QPointF(from, low));
         }
         before = &run;
     }
@@ -396,7 +397,7 @@ void drawLane(QPainter& painter, const CurveShape& shape, const PlotCurve& curve
     painter.setClipRect(mapping.area);
     const bool isBool = curve.valueNames.empty() && curve.source && curve.source->valueKind() == PlotValueKind::Bool;
     painter.setRenderHint(QPainter::Antialiasing, !isBool);
-    if (isBool) drawBoolLane(painter, runs, curve, mapping.area, color);
+    if (isBool) drawBoolLane(painter, runs, curve, mapping, color);
     else drawValueLane(painter, runs, curve, mapping.area, color, font);
     painter.restore();
 }

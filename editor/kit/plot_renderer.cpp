@@ -408,6 +408,7 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
         for (size_t i = 0; i < pane.curves.size(); ++i) {
             const PlotCurve& curve = model.curves[static_cast<size_t>(pane.curves[i])];
             PlotMapping map = mapping(model, pane);
+            map.ratio = isVectorPaper(painter) ? 0 : m_ratio;
             map.area = QRectF(pane.area.left(), pane.area.top() + lane * static_cast<double>(i), pane.area.width(), lane);
             if (!allHaveGaps) drawGaps(painter, parts.kept[i][0].shape.gaps, map, m_font);
             if (i > 0) {

@@ -179,6 +179,7 @@ QString valueText(double value, int digits) {
 QString durationText(int64_t time) {
     const QString sign = time < 0 ? QStringLiteral("−") : QString();
     const double size = std::abs(static_cast<double>(time));
+    if (time == 0) return QStringLiteral("0 s");
     if (size < 1e3) return sign + QStringLiteral("%1 ns").arg(size);
     if (size < 1e6) return sign + valueText(size / 1e3, 6) + QStringLiteral(" µs");
     if (size < 1e9) return sign + valueText(size / 1e6, 6) + QStringLiteral(" ms");

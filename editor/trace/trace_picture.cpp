@@ -79,7 +79,14 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
         applyBeneath(model, setup, *older);
     }
     std::string text;
-    const auto whole = kit::wholeRange(model);
+    auto whole = kit::wholeRange(model);
+    if (whole) // the last scan's values hold for the length of a scan
+        for (const kit::PlotCurve& curve : model.curves)
+            if (const auto last = curve.source ? curve.source->timeRange() : std::nullopt; last && last->second == whole->second)
+                if (const auto before = curve.source->inForceAt(last->second - 1)) {
+                    whole->second += last->second - before->time;
+                    break;
+                }
     model.from = output.from.value_or(whole ? whole->first : 0);
     model.to = std::max(output.to.value_or(whole ? whole->second : 1), model.from + 1);
     if (const auto shot = shotOf(setup, feed)) {

@@ -117,7 +117,7 @@ void applyMarks(kit::PlotModel& model, const Recording& recording, const std::ve
     model.markers.clear();
     for (const history::Mark& mark : recording.marks()) {
         const auto kind = markerOf(mark.kind);
-        if (!kind) continue;
+        if (!kind || (*kind == kit::MarkerKind::Start && mark.time.count() == 0)) continue; // that it began at 0 goes without saying
         const bool onChain = std::any_of(chain.begin(), chain.end(), [&](const PositionRange& r) { return mark.position >= r.begin && mark.position < r.end; });
         if (onChain || chain.empty()) model.markers.push_back({mark.time.count(), *kind, QString::fromStdString(mark.text)});
     }

@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QFile>
+#include <QSvgRenderer>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -367,6 +368,19 @@ TEST(PlotExport, WritesEveryKindOfPictureAndRefusesOthers) {
         const QByteArray bytes = file.readAll();
         EXPECT_TRUE(bytes.startsWith(start)) << suffix;
         EXPECT_GT(bytes.size(), 5'000) << suffix;
+        if (qstrcmp(suffix, "svg") == 0) { // looks like the picture of pixels
+            const QImage pixels = plotPicture(model);
+            QImage drawn(pixels.size(), QImage::Format_ARGB32_Premultiplied);
+            drawn.fill(Qt::white);
+            QPainter painter(&drawn);
+            QSvgRenderer(bytes).render(&painter, drawn.rect());
+            painter.end();
+            keep(drawn, "svg");
+            int64_t differing = 0;
+            for (int y = 0; y < drawn.height(); ++y)
+                for (int x = 0; x < drawn.width(); ++x) differing += !isNear(drawn.pixelColor(x, y), pixels.pixelColor(x, y), 200);
+            EXPECT_LT(static_cast<double>(differing), 0.03 * drawn.width() * drawn.height());
+        }
         EXPECT_LT(bytes.size(), 3'000'000) << "buckets, not samples";
     }
     EXPECT_FALSE(exportPicture(model, folder.filePath("p.gif")));

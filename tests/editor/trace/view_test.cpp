@@ -194,6 +194,7 @@ TEST_F(TraceViewTest, ATriggerIsFoundInThePast) {
 TEST_F(TraceViewTest, MarksOfTheRecordingAreShown) {
     type("Main.sine");
     using plc::controller::EventKind;
+    recording.markList.push_back({0, history::Nanoseconds(0), static_cast<int>(EventKind::Started), "started"});
     recording.markList.push_back({500, history::Nanoseconds(500 * Ms), static_cast<int>(EventKind::Force), "valve forced"});
     recording.markList.push_back({600, history::Nanoseconds(600 * Ms), static_cast<int>(EventKind::Write), "button"});
     view.tick();
