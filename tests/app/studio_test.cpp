@@ -57,7 +57,8 @@ TEST_F(StudioTest, CompletionOffersMembersOfABlock) {
 }
 
 TEST_F(StudioTest, EnterClosesABlockAndIndents) {
-    typeAtEnd("if done then\n");
+    typeAtEnd("if done then");
+    QTest::keyClick(editor().viewport(), Qt::Key_Return);
     EXPECT_NE(editor().utf8().find("IF done THEN\n    \nEND_IF;"), std::string::npos) << editor().utf8();
 }
 
