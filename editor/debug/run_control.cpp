@@ -301,6 +301,7 @@ RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) c
                 if (text(local).compare(name, Qt::CaseInsensitive) == 0 && m_imageProgram) {
                     Shown shown;
                     shown.value = value;
+                    shown.type = value.type;
                     shown.text = text(types::toText(*m_imageProgram->layout.types, value));
                     shown.isBool = value.type.isValid() && m_imageProgram->layout.types->storageKind(value.type) == types::TypeKind::Bool;
                     shown.isTrue = shown.isBool && value.isTrue();

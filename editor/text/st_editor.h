@@ -102,6 +102,7 @@ private:
     void enterPressed();
     void outdentClosingWord();
     void upperCaseWordBefore();
+    [[nodiscard]] bool isWordComplete() const;
     void insertCompletion(const analysis::CompletionItem& item);
     void showToolTip(const QPoint& position);
     [[nodiscard]] std::string textRange(uint32_t begin, uint32_t end) const;

@@ -18,7 +18,11 @@ bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c ==
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
-    const bool listOpen = SendScintilla(S::SCI_AUTOCACTIVE) != 0;
+    bool listOpen = SendScintilla(S::SCI_AUTOCACTIVE) != 0;
+    if (listOpen && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && isWordComplete()) {
+        SendScintilla(S::SCI_AUTOCCANCEL); // what is typed is a whole word already: Enter ends the line
+        listOpen = false;
+    }
     if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && !listOpen) {
         if (event->modifiers() == Qt::AltModifier) return applyFix();
         if (event->modifiers() == Qt::NoModifier) {
@@ -31,6 +35,15 @@ void StEditor::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Slash && event->modifiers() == Qt::ControlModifier) return toggleComment();
     if ((event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) && event->modifiers() == Qt::AltModifier) return moveLines(event->key() == Qt::Key_Up ? -1 : 1);
     QsciScintilla::keyPressEvent(event);
+}
+
+bool StEditor::isWordComplete() const {
+    const std::string text = utf8();
+    const uint32_t end = cursorOffset();
+    uint32_t begin = end;
+    while (begin > 0 && isWord(text[begin - 1])) --begin;
+    const std::string_view typed = std::string_view(text).substr(begin, end - begin);
+    return std::any_of(m_completion.items.begin(), m_completion.items.end(), [&](const analysis::CompletionItem& item) { return equalsIgnoringCase(item.text, typed); });
 }
 
 void StEditor::afterCharacter(int character) {

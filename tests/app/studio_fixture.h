@@ -77,6 +77,7 @@ protected:
     editor::StEditor& editor() { return *window->tabs().currentEditor(); }
     void typeAtEnd(const QString& text) {
         const auto at = editor().utf8().find("END_PROGRAM");
+        editor().applyEdits({{{FileId(), static_cast<uint32_t>(at), static_cast<uint32_t>(at)}, "\n"}});
         editor().goTo(static_cast<uint32_t>(at));
         QTest::keyClicks(editor().viewport(), text);
     }

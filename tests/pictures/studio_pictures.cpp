@@ -15,6 +15,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTemporaryDir>
@@ -47,7 +48,9 @@ void copyProject(const QString& from, const QString& to) {
 void save(QWidget& window, const QString& name) {
     QTest::qWait(150);
     const QString file = g_folder + "/" + name + (kit::colors().dark ? "_dark" : "_light") + ".png";
-    if (!window.grab().save(file)) std::fprintf(stderr, "%s can not be written\n", qPrintable(file));
+    // The screen, so that lists and tips over the window are seen, too.
+    const QPixmap picture = window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height());
+    if (!picture.save(file)) std::fprintf(stderr, "%s can not be written\n", qPrintable(file));
     else std::printf("%s\n", qPrintable(file));
 }
 
