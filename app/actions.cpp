@@ -99,6 +99,7 @@ const std::vector<ActionSpec> kActions = {
     {"run.change", TR("Run"), TR("Online Change"), "Alt+F8", drawn(Icon::OnlineChange), [](MainWindow& w) { w.control().onlineChange(); }},
     {"run.speed", TR("Run"), TR("Speed…"), "", drawn(Icon::Clock), [](MainWindow& w) { w.setSpeed(); }},
     {"run.history", TR("Run"), TR("Memory for the Recording…"), "", drawn(Icon::Record), [](MainWindow& w) { w.setHistoryBudget(); }},
+    {"run.saveRecording", TR("Run"), TR("Save the Recording…"), "", drawn(Icon::Export), [](MainWindow& w) { w.saveRecording(); }},
     {"run.write", TR("Run"), TR("Write Prepared Values"), "Ctrl+F7", drawn(Icon::Write), [](MainWindow& w) { w.watch().writePrepared(); }},
     {"run.force", TR("Run"), TR("Force Prepared Values"), "F7", drawn(Icon::Force), [](MainWindow& w) { w.watch().forcePrepared(); }},
     {"run.releaseAll", TR("Run"), TR("Release All Forces"), "Alt+F7", drawn(Icon::Unforce), [](MainWindow& w) { if (w.control().session()) w.control().session()->unforceAll(); }},

@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/editor_tabs.h"
+#include "app/live_views.h"
 #include "app/problems_view.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
@@ -37,6 +38,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     m_stack = new QStackedWidget(this);
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
+    m_live = new LiveViews(*m_workspace, *m_control, this);
     m_stack->addWidget(m_startPage);
     m_stack->addWidget(m_tabs);
     setCentralWidget(m_stack);
@@ -85,15 +87,26 @@ void MainWindow::makeDocks() {
     QDockWidget* search = addDock("search", tr("Search"), i(Icon::Find), m_search, Qt::BottomDockWidgetArea);
     QDockWidget* tasks = addDock("tasks", tr("Tasks"), i(Icon::TaskMonitor), m_tasks, Qt::BottomDockWidgetArea);
     QDockWidget* log = addDock("log", tr("Log"), i(Icon::Log), m_log, Qt::BottomDockWidgetArea);
+    QDockWidget* trace = addDock("trace", tr("Trace"), i(Icon::Trace), &m_live->traceView(), Qt::BottomDockWidgetArea);
+    QDockWidget* panel = addDock("panel", tr("Panel"), i(Icon::Panel), m_live->panelArea(), Qt::RightDockWidgetArea);
+    tabifyDockWidget(calls, panel);
+    tabifyDockWidget(trace, problems);
     tabifyDockWidget(problems, search);
     tabifyDockWidget(search, tasks);
     tabifyDockWidget(tasks, log);
     watch->raise();
-    calls->raise();
-    problems->raise();
+    panel->raise();
+    trace->raise();
     resizeDocks({dock("project")}, {230}, Qt::Horizontal);
     resizeDocks({watch}, {400}, Qt::Horizontal);
-    resizeDocks({problems}, {190}, Qt::Vertical);
+    resizeDocks({trace}, {300}, Qt::Vertical);
+    auto* timeBar = new QToolBar(tr("Time"), this);
+    timeBar->setObjectName("timeToolBar");
+    timeBar->setMovable(false);
+    m_live->slider().setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    timeBar->addWidget(&m_live->slider());
+    addToolBar(Qt::BottomToolBarArea, timeBar);
+    timeBar->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
 }
@@ -210,6 +223,19 @@ void MainWindow::connectParts() {
     connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
     connect(m_problems, &ProblemsView::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_problems, &ProblemsView::countsChanged, this, &MainWindow::updateStatus);
+    connect(m_tree, &ProjectTree::traceRequested, this, [this](const QString& name) {
+        m_live->openTrace(name);
+        showDock("trace");
+    });
+    connect(m_tree, &ProjectTree::panelRequested, this, [this](const QString& name) {
+        m_live->showPanel(name);
+        showDock("panel");
+    });
+    connect(m_live, &LiveViews::message, this, &MainWindow::say);
+    connect(m_watch, &editor::WatchView::traceRequested, this, [this](const QString& expression) {
+        m_live->traceView().addChannel(expression);
+        showDock("trace");
+    });
     connect(m_search, &SearchView::placeRequested, this, [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
     connect(m_search, &SearchView::message, this, &MainWindow::say);
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this, [this](const QString& file, int line) { m_tabs->goToLine(file, line); });

@@ -32,6 +32,7 @@ class WatchView;
 namespace plc::app {
 
 class EditorTabs;
+class LiveViews;
 class ProblemsView;
 class ProjectTree;
 class SearchView;
@@ -68,6 +69,7 @@ public:
     [[nodiscard]] SearchView& search() { return *m_search; }
     [[nodiscard]] editor::WatchView& watch() { return *m_watch; }
     [[nodiscard]] editor::EventLog& log() { return *m_log; }
+    [[nodiscard]] LiveViews& live() { return *m_live; }
     [[nodiscard]] StartPage& startPage() { return *m_startPage; }
     [[nodiscard]] QAction* action(const QString& id) const;
     [[nodiscard]] QList<QAction*> allActions() const { return m_actions; }
@@ -92,6 +94,7 @@ public:
     void resetLayout();
     void setSpeed();
     void setHistoryBudget();
+    void saveRecording();
     void changeTheme(kit::ThemeChoice choice);
     void about();
 
@@ -123,6 +126,7 @@ private:
     QStackedWidget* m_stack;
     StartPage* m_startPage;
     EditorTabs* m_tabs;
+    LiveViews* m_live;
     ProjectTree* m_tree = nullptr;
     ProblemsView* m_problems = nullptr;
     SearchView* m_search = nullptr;

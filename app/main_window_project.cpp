@@ -1,5 +1,6 @@
 // What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per project.
 #include "app/editor_tabs.h"
+#include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/new_project.h"
 #include "app/project_tree.h"
@@ -22,6 +23,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QStackedWidget>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include <thread>
@@ -31,10 +33,8 @@ namespace plc::app {
 // ------------------------------------------------------------------ open and close
 
 bool MainWindow::openProject(const QString& folder) {
-    if (m_workspace->isOpen()) {
-        if (!m_tabs->closeAll()) return false;
-        closeProject();
-    }
+    closeProject();
+    if (m_workspace->isOpen()) return false; // kept open because of unsaved changes
     if (auto opened = m_workspace->open(folder); !opened) {
         m_settings.removeRecent(folder);
         m_startPage->reload();
@@ -46,6 +46,7 @@ bool MainWindow::openProject(const QString& folder) {
     setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
     m_stack->setCurrentWidget(m_tabs);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->show();
+    findChild<QToolBar*>("timeToolBar")->show();
     restoreProjectState();
     offerRecovery();
     return true;
@@ -58,6 +59,7 @@ void MainWindow::closeProject() {
     m_workspace->discardRecovery();
     m_workspace->close();
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
+    findChild<QToolBar*>("timeToolBar")->hide();
     m_startPage->reload();
     m_stack->setCurrentWidget(m_startPage);
     setWindowTitle("Stepwise");
@@ -320,6 +322,13 @@ void MainWindow::setHistoryBudget() {
     if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(megabytes) << 20);
 }
 
+void MainWindow::saveRecording() {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the Recording"), m_workspace->folder() + "/recording.rec", tr("Recordings (*.rec)"));
+    if (path.isEmpty()) return;
+    if (auto saved = m_live->saveRecording(path); !saved) say(QString::fromStdString(saved.error().text()), true);
+    else say(tr("Saved: %1").arg(path));
+}
+
 void MainWindow::about() {
     QMessageBox::about(this, tr("About Stepwise"), tr("<h3>Stepwise 0.1</h3><p>An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.</p><p>Licence: GPL-3.0</p>"));
 }
@@ -336,7 +345,9 @@ void MainWindow::startTour() {
         {tr("The program"), tr("Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes."), [this]() -> QWidget* { return m_tabs; }, {}},
         {tr("Run"), tr("F5 compiles to native code and runs it. Values then stand beside each line."), [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); }, [this] { if (!m_control->isRunning()) m_control->start(); }},
         {tr("Watch"), tr("Any expression, at any moment. Prepare a value and write or force it with one click."), dockWidget("watch"), [this] { showDock("watch"); if (m_watch->expressions().isEmpty()) m_watch->setExpressions({"Main.SetPoint", "Main.ControlError", "Plant.ClosedLoop", "Plant.OpenLoop"}); }},
-        {tr("Time runs backwards, too"), tr("Every scan is recorded. Ctrl+Alt+Left steps one scan back: code, charts and panel show the past. “Resume From Here” goes on from there."), [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); }, {}},
+        {tr("The trace"), tr("Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards."), dockWidget("trace"), [this] { showDock("trace"); }},
+        {tr("The panel"), tr("What the operator sees, in the languages of the machine. It works here as it will on the machine."), dockWidget("panel"), [this] { showDock("panel"); }},
+        {tr("Time runs backwards, too"), tr("Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there."), [this]() -> QWidget* { return findChild<QToolBar*>("timeToolBar"); }, {}},
         {tr("That is it"), tr("Ctrl+Shift+P finds every command. The start page has more machines to play with."), {}, {}},
     };
     auto* tour = new Tour(std::move(stops), this);

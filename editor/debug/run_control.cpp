@@ -68,6 +68,7 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
         QDir().mkpath(m_workspace.folder() + "/.stepwise");
         settings.retainFile = retainFile().toStdString();
     }
+    endSession();
     m_session = std::make_unique<session::Session>(*built, settings);
     postBreakpoints();
     m_timer.start();
@@ -75,9 +76,17 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
     emit sessionChanged();
 }
 
+void RunControl::endSession() {
+    if (!m_session) return;
+    m_isEnding = true;
+    emit sessionAboutToEnd();
+    m_isEnding = false;
+    m_session.reset();
+}
+
 void RunControl::disconnectSession() {
     m_timer.stop();
-    m_session.reset();
+    endSession();
     m_viewed.reset();
     m_image.clear();
     m_imageProgram.reset();

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] const session::Status& status() const { return m_status; }
     [[nodiscard]] bool isBuilding() const { return m_isBuilding; }
     [[nodiscard]] bool isOnline() const { return m_session != nullptr; }
+    [[nodiscard]] bool isEnding() const { return m_isEnding; }
     [[nodiscard]] bool isRunning() const;
 
     // commands
@@ -91,6 +92,7 @@ signals:
     void buildStarted();
     void buildFinished(bool good, const QString& message);
     void sessionChanged();        // another Session, or none
+    void sessionAboutToEnd();     // views let go of it now
     void statusChanged();
     void refreshed();             // 30 times a second while something may have changed
     void viewedChanged();
@@ -104,6 +106,7 @@ private:
     void adopt(std::shared_ptr<driver::Built> built, bool changeRunning);
     void postBreakpoints();
     void refreshImage();
+    void endSession();
     [[nodiscard]] QString retainFile() const;
 
     Workspace& m_workspace;
@@ -119,6 +122,7 @@ private:
     std::set<std::string> m_forced; // folded paths
     QTimer m_timer;
     bool m_isBuilding = false;
+    bool m_isEnding = false;
     std::thread m_builder;
 };
 

@@ -1,0 +1,160 @@
+#include "app/live_views.h"
+
+#include "editor/kit/expression_edit.h"
+#include "editor/kit/icons.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace plc::app {
+
+LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent) : QObject(parent), m_workspace(workspace), m_control(control) {
+    m_trace = new trace::TraceView;
+    m_slider = new trace::TimeSlider;
+    m_panelArea = new QWidget;
+    auto* bar = new QToolBar(m_panelArea);
+    bar->setIconSize({16, 16});
+    m_panelChoice = new QComboBox(bar);
+    m_panelChoice->setAccessibleName(tr("Panel shown"));
+    m_panelChoice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    bar->addWidget(m_panelChoice);
+    connect(bar->addAction(kit::icon(kit::Icon::FullScreen), tr("Full screen (Esc ends it)")), &QAction::triggered, this, [this] {
+        if (m_player) m_player->setFullScreen(true);
+    });
+    auto* none = new QLabel(tr("This project has no panel yet.\nNew panels are drawn in the designer: Project, Panels, New…"), m_panelArea);
+    none->setAlignment(Qt::AlignCenter);
+    none->setWordWrap(true);
+    m_emptyPanel = none;
+    auto* layout = new QVBoxLayout(m_panelArea);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(bar);
+    layout->addWidget(m_emptyPanel, 1);
+    m_panelArea->setMinimumSize(260, 160);
+    connect(m_panelChoice, &QComboBox::activated, this, [this] { showPanel(m_panelChoice->currentText()); });
+
+    connect(&workspace, &editor::Workspace::opened, this, &LiveViews::projectOpened);
+    connect(&workspace, &editor::Workspace::closed, this, &LiveViews::projectClosed);
+    connect(&control, &editor::RunControl::sessionChanged, this, &LiveViews::sessionChanged);
+    connect(&control, &editor::RunControl::sessionAboutToEnd, this, &LiveViews::sessionChanged);
+    connect(&control, &editor::RunControl::viewedChanged, this, &LiveViews::viewedChanged);
+    connect(&control, &editor::RunControl::refreshed, this, [this] {
+        const auto program = m_control.session() ? m_control.session()->program() : nullptr;
+        if (program != m_program) { // after an online change
+            m_program = program;
+            m_trace->programChanged();
+        }
+    });
+    connect(m_slider, &trace::TimeSlider::positionChanged, this, [this](std::optional<trace::Position> position) { m_control.view(position); });
+    connect(m_slider, &trace::TimeSlider::resumeRequested, this, [this](quint64 position) {
+        m_control.view(position);
+        if (auto resumed = m_control.resumeFromView(); !resumed) emit message(QString::fromStdString(resumed.error().text()), true);
+    });
+    connect(m_slider, &trace::TimeSlider::message, this, [this](const QString& text) { emit message(text, false); });
+    connect(m_trace, &trace::TraceView::positionActivated, this, [this](quint64 position) { m_control.view(position); });
+    connect(m_trace, &trace::TraceView::failed, this, [this](const QString& text) { emit message(text, true); });
+    const auto complete = [this](const QString& text, int cursor) {
+        std::vector<kit::Completion> out;
+        if (!m_workspace.model()) return out;
+        const std::string utf8 = text.toStdString();
+        const auto offset = static_cast<uint32_t>(text.left(cursor).toUtf8().size());
+        const analysis::Completion found = m_workspace.model()->completePath(utf8, offset);
+        const int from = static_cast<int>(QString::fromStdString(utf8.substr(0, found.replaceBegin)).size());
+        for (const analysis::CompletionItem& item : found.items) {
+            out.push_back({QString::fromStdString(item.text), QString::fromStdString(item.detail), kit::Icon::Variable, from});
+            if (out.size() == 100) break;
+        }
+        return out;
+    };
+    m_slider->setCompletionSource(complete);
+}
+
+LiveViews::~LiveViews() {
+    if (m_slider) m_slider->setRecording(nullptr);
+    if (m_trace) m_trace->setRecording(nullptr);
+    if (m_player) m_player->setSession(nullptr);
+}
+
+void LiveViews::projectOpened() {
+    m_trace->setFolder(m_workspace.folder() + "/traces");
+    openTrace({});
+    reloadPanels();
+}
+
+void LiveViews::projectClosed() {
+    delete m_player;
+    m_panels = {};
+    m_panelChoice->clear();
+    m_emptyPanel->show();
+    m_trace->setSetup({});
+}
+
+void LiveViews::openTrace(const QString& name) {
+    if (!m_workspace.isOpen()) return;
+    const auto& traces = m_workspace.project().traces;
+    QString file = name.isEmpty() ? (traces.empty() ? QString() : QString::fromStdString(traces.front())) : name + ".trace.json";
+    if (file.isEmpty()) {
+        m_trace->setSetup({});
+        return;
+    }
+    if (auto opened = m_trace->openSetup(m_workspace.folder() + "/traces/" + file); !opened) emit message(QString::fromStdString(opened.error().text()), true);
+}
+
+void LiveViews::saveTrace() {
+    if (!m_trace->isModified() || m_trace->setupPath().isEmpty()) return;
+    if (auto stored = m_trace->storeSetup(m_trace->setupPath()); !stored) emit message(QString::fromStdString(stored.error().text()), true);
+}
+
+void LiveViews::reloadPanels() {
+    delete m_player;
+    m_panelChoice->clear();
+    if (!m_workspace.isOpen()) return;
+    m_panels = hmi::loadPanelProject(m_workspace.project());
+    for (const Error& problem : m_panels.problems) emit message(QString::fromStdString(problem.text()), true);
+    for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
+    m_emptyPanel->setVisible(m_panels.panels.empty());
+    if (m_panels.panels.empty()) return;
+    m_player = new hmi::PanelPlayer(m_panels, m_control.session(), m_panelArea);
+    static_cast<QVBoxLayout*>(m_panelArea->layout())->addWidget(m_player, 1);
+    connect(m_player, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) { emit message(reason, true); });
+    connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
+    showPanel(m_panels.startPanel.isEmpty() ? m_panels.panels.front().name : m_panels.startPanel);
+    emit panelsChanged();
+}
+
+void LiveViews::showPanel(const QString& name) {
+    if (!m_player) return;
+    m_player->showPanel(name);
+    m_panelChoice->setCurrentText(name);
+}
+
+void LiveViews::sessionChanged() {
+    m_slider->setRecording(nullptr);
+    m_trace->setRecording(nullptr);
+    m_recording.reset();
+    session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
+    if (m_player) m_player->setSession(session);
+    if (!session) return;
+    m_recording = std::make_unique<trace::SessionRecording>(*session);
+    m_program = session->program();
+    m_trace->setRecording(m_recording.get());
+    m_trace->programChanged();
+    m_slider->setRecording(m_recording.get());
+}
+
+void LiveViews::viewedChanged() {
+    const auto viewed = m_control.viewed();
+    const QSignalBlocker blocker(m_slider.data());
+    m_slider->setPosition(viewed);
+    m_trace->showPosition(viewed);
+    if (m_player) m_player->setPosition(viewed);
+}
+
+Result<void> LiveViews::saveRecording(const QString& path) {
+    if (!m_control.session()) return Error{"Nothing was recorded yet", path.toStdString()};
+    return m_control.session()->history().save(path.toStdString());
+}
+
+} // namespace plc::app

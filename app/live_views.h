@@ -1,0 +1,60 @@
+// The views on the running controller that lie beside the code: trace, operator panel and the time slider over all of them. Puts them in
+// step with the controller and with each other. Owned by the main window; GUI thread.
+#pragma once
+#include "editor/debug/run_control.h"
+#include "editor/trace/session_recording.h"
+#include "editor/trace/time_slider.h"
+#include "editor/trace/trace_view.h"
+#include "hmi/player/panel_player.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <memory>
+
+class QComboBox;
+
+namespace plc::app {
+
+class LiveViews : public QObject {
+    Q_OBJECT
+public:
+    LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent);
+    ~LiveViews() override;
+
+    [[nodiscard]] trace::TraceView& traceView() { return *m_trace; }
+    [[nodiscard]] trace::TimeSlider& slider() { return *m_slider; }
+    [[nodiscard]] QWidget* panelArea() { return m_panelArea; }
+    [[nodiscard]] hmi::PanelPlayer* player() { return m_player; }
+    [[nodiscard]] hmi::PanelProject& panels() { return m_panels; }
+
+    void openTrace(const QString& name); // "" = the project's first set-up
+    void saveTrace();
+    void showPanel(const QString& name);
+    void reloadPanels();
+    Result<void> saveRecording(const QString& path);
+
+signals:
+    void message(const QString& text, bool isError);
+    void panelsChanged();
+
+private:
+    void projectOpened();
+    void projectClosed();
+    void sessionChanged();
+    void viewedChanged();
+
+    editor::Workspace& m_workspace;
+    editor::RunControl& m_control;
+    QPointer<trace::TraceView> m_trace;
+    QPointer<trace::TimeSlider> m_slider;
+    QPointer<QWidget> m_panelArea;
+    QComboBox* m_panelChoice;
+    QWidget* m_emptyPanel;
+    hmi::PanelProject m_panels;
+    QPointer<hmi::PanelPlayer> m_player;
+    std::unique_ptr<trace::SessionRecording> m_recording;
+    std::shared_ptr<const image::CompiledProgram> m_program;
+};
+
+} // namespace plc::app
