@@ -7,6 +7,7 @@
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/Passes/PassBuilder.h>
+#include <llvm/Support/CommandLine.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Target/TargetMachine.h>
 #include <llvm/Transforms/Instrumentation/ThreadSanitizer.h>
@@ -50,12 +51,26 @@ const Symbol kMath[] = {
 double roundEven(double value) { return std::nearbyint(value); }
 float roundEvenSingle(float value) { return std::nearbyintf(value); }
 
+/// What a PLC program decides seldom changes from one scan to the next: in a chain of dependent results a well predicted branch beats a
+/// select, which always waits for its condition (limits and dead bands of controllers). LLVM has these as options only.
+void preferBranches() {
+    const char* const words[] = {"stepwise",
+                                 "-disable-select-optimize=false",
+                                 "-mispredict-default-rate=2",
+                                 "-select-opti-loop-cycle-gain-threshold=1",
+                                 "-select-opti-loop-relative-gain-threshold=20",
+                                 "-select-opti-loop-gradient-gain-threshold=10"};
+    llvm::raw_null_ostream nowhere; // an LLVM without one of them goes on as it is
+    llvm::cl::ParseCommandLineOptions(static_cast<int>(std::size(words)), words, "", &nowhere);
+}
+
 void initialiseTargets() {
     static std::once_flag once;
     std::call_once(once, [] {
         llvm::InitializeNativeTarget();
         llvm::InitializeNativeTargetAsmPrinter();
         llvm::InitializeNativeTargetAsmParser();
+        preferBranches();
     });
 }
 
@@ -118,7 +133,7 @@ void optimise(llvm::Module& module, llvm::TargetMachine& machine) {
 }
 
 /// STEPWISE_DUMP_IR=folder writes what the tiers made, for looking at kernels.
-void dump(const llvm::Module& module, const char* name) {
+void dump(const llvm::Module& module, const std::string& name) {
     const char* folder = std::getenv("STEPWISE_DUMP_IR");
     if (!folder) return;
     std::error_code error;
@@ -139,6 +154,8 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
     auto builder = llvm::orc::JITTargetMachineBuilder::detectHost();
     if (!builder) return builder;
     builder->setCodeGenOptLevel(isQuick ? llvm::CodeGenOptLevel::None : llvm::CodeGenOptLevel::Default);
+    builder->setRelocationModel(llvm::Reloc::PIC_); // the linker makes stubs for what lies far away; the large code model would
+    builder->setCodeModel(llvm::CodeModel::Small);  // keep every call from fast instruction selection
     builder->getOptions().EnableFastISel = isQuick;
     builder->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict; // a * b + c rounds twice, in every tier
     return builder;
@@ -156,7 +173,7 @@ Result<Object> compilePart(const tree::Program& program, const codegen::ProgramF
     const std::unique_ptr<llvm::Module> module = codegen::emitModule(context, program, facts, options, part);
     module->setDataLayout((*machine)->createDataLayout());
     module->setTargetTriple((*machine)->getTargetTriple().str());
-    dump(*module, isQuick ? "quick" : "plain");
+    dump(*module, isQuick ? "quick" + std::to_string(part.index) : "plain");
 #ifndef NDEBUG
     std::string broken;
     llvm::raw_string_ostream stream(broken);
