@@ -173,7 +173,7 @@ TEST(Check, TheFrontEndChecksEveryBinding) {
         bool isTarget;
         const char* complaint;
     } rows[] = {
-        {"Main.running", "bool", false, ""},        {"Main.level > 3", "bool", false, ""},          {"Main.level", "bool", false, "BOOL"},     {"Main.levle", "number", false, "level"},
+        {"Main.running", "bool", false, ""},        {"Main.level > 3", "bool", false, ""},          {"Main.level", "bool", false, "BOOL"},     {"Main.leve", "number", false, "did you mean level?"},
         {"Main.level + 1", "number", true, "not a"}, {"Main.level", "number", true, ""},             {"Main.name", "number", false, "number"},  {"Main.name", "text", true, ""},
         {"Main.numbers", "array", false, ""},       {"Main.numbers[2]", "number", true, ""},        {"Main.numbers", "any", false, "single"},  {"Main.operation", "number", true, ""},
     };

@@ -1,0 +1,92 @@
+// The designer of one panel: palette, canvas, property sheet, outline, findings, live preview, and its actions.
+// Owned by its Qt parent (a tab of the studio); the context must outlive it. Main thread.
+#pragma once
+#include "hmi/designer/design_canvas.h"
+#include "hmi/designer/property_sheet.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QMenu;
+class QStackedWidget;
+class QToolBar;
+class QTreeWidget;
+
+namespace plc::hmi {
+
+class Outline;
+class Palette;
+class PanelPlayer;
+
+class PanelDesigner final : public QWidget {
+    Q_OBJECT
+public:
+    PanelDesigner(DesignContext& context, const QString& panelName, QWidget* parent = nullptr);
+    ~PanelDesigner() override;
+
+    const QString& panelName() const { return m_name; }
+    PanelDocument& document() { return m_document; }
+    Selection& selection() { return m_selection; }
+    DesignCanvas& canvas() { return *m_canvas; }
+    PropertySheet& sheet() { return *m_sheet; }
+    Palette& palette() { return *m_palette; }
+    Outline& outline() { return *m_outline; }
+    PanelPlayer* preview() { return m_player.get(); }
+    const std::vector<Finding>& findings() const { return m_findings; }
+    bool isModified() const { return !m_document.isClean(); }
+    Result<void> save();
+    /// The file changed on disk.
+    void reload(const Panel& panel);
+    /// Shows the panel on the running controller in the place of the canvas; edits go on.
+    void setLive(bool live);
+    bool isLive() const { return m_player != nullptr; }
+    void checkNow();
+    /// An action by its name: "align-left", "group", "duplicate-array", …
+    QAction* action(const QString& name) const { return m_actions.value(name); }
+    QList<QAction*> actions() const { return m_actions.values(); }
+
+public slots:
+    void cut();
+    void copy();
+    void paste();
+    void duplicate();
+    void duplicateAsArray();
+    void group();
+    void ungroup();
+    void selectAll();
+
+signals:
+    void modifiedChanged(bool modified);
+    void findingsChanged();
+
+private:
+    void makeActions();
+    QAction* add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<void()>& run);
+    void addEdit(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<Edit()>& edit);
+    QToolBar* makeToolBar();
+    void showMenu(QPoint at);
+    void showFindings();
+    void updateActions();
+
+    DesignContext& m_context;
+    QString m_name;
+    PanelDocument m_document;
+    Selection m_selection;
+    QMap<QString, QAction*> m_actions;
+    Palette* m_palette;
+    DesignCanvas* m_canvas;
+    PropertySheet* m_sheet;
+    Outline* m_outline;
+    QTreeWidget* m_findingList;
+    QStackedWidget* m_pages;
+    QLabel* m_where;
+    std::unique_ptr<PanelPlayer> m_player;
+    std::vector<Finding> m_findings;
+    QTimer m_checkTimer;
+    ArrayLayout m_arrayLayout;
+};
+
+} // namespace plc::hmi
