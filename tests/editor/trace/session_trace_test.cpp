@@ -1,0 +1,240 @@
+// The trace over real programs: every sample is the value at that scan's end, the window may be late, going back, an online
+// change and files keep the story straight; names complete from the compiled program.
+#include "editor/kit/plot_view.h"
+#include "editor/trace/program_variables.h"
+#include "editor/trace/session_recording.h"
+#include "editor/trace/trace_feed.h"
+#include "editor/trace/trace_picture.h"
+#include "editor/trace/trace_view.h"
+#include "runtime/compiler/jit/jit.h"
+
+#include <QApplication>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace plc;
+using namespace plc::trace;
+
+namespace {
+
+driver::Built build(const std::string& text) {
+    static const bool once = (jit::setRuntimeSymbols(controller::runtimeSymbols()), true);
+    (void)once;
+    driver::BuildInput input;
+    input.files.push_back({"main.st", text});
+    driver::Built built = driver::build(input);
+    std::string messages;
+    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message() + "\n";
+    EXPECT_TRUE(built.program) << messages << built.failure;
+    return built;
+}
+
+// Logs itself: what the trace shows must be what the program wrote down.
+const char* const Logger = R"(
+TYPE Phase : (Waiting, Filling, Emptying := 7); END_TYPE
+PROGRAM Main
+VAR
+  n : DINT := -1;
+  level : REAL;       // filling level [mm]
+  phase : Phase;
+  pulse : BOOL;
+  elapsed : TIME;
+  logLevel : ARRAY[0..1999] OF REAL;
+  logPulse : ARRAY[0..1999] OF BOOL;
+  logPhase : ARRAY[0..1999] OF DINT;
+END_VAR
+n := n + 1;
+level := level + INT_TO_REAL(DINT_TO_INT(n MOD 7)) * 0.1 - 0.3;
+pulse := n MOD 13 < 4;
+elapsed := elapsed + T#1ms500us;
+IF n MOD 30 < 10 THEN phase := Phase.Waiting; ELSIF n MOD 30 < 20 THEN phase := Phase.Filling; ELSE phase := Phase.Emptying; END_IF
+IF n < 2000 THEN
+  logLevel[n] := level;
+  logPulse[n] := pulse;
+  logPhase[n] := phase;
+END_IF
+END_PROGRAM
+CONFIGURATION Plc
+  RESOURCE Cpu ON Pc
+    TASK Fast(INTERVAL := T#2ms, PRIORITY := 1);
+    PROGRAM Main WITH Fast : Main;
+  END_RESOURCE
+END_CONFIGURATION
+)";
+
+void runScans(session::Session& session, int count) {
+    controller::Controller& controller = session.controller();
+    if (controller.state() != controller::State::Running) controller.start();
+    for (int i = 0; i < count; ++i) ASSERT_TRUE(controller.scan());
+}
+
+std::vector<kit::PlotSample> samplesOf(const TraceFeed& feed, const std::string& expression) {
+    std::vector<kit::PlotSample> out;
+    const auto source = feed.source(expression);
+    EXPECT_TRUE(source) << expression << ": " << feed.problem(expression);
+    if (source) source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) { out.insert(out.end(), block.begin(), block.end()); });
+    return out;
+}
+
+double logged(session::Session& session, const std::string& name, size_t i) {
+    const auto value = session.controller().read("Main." + name + "[" + std::to_string(i) + "]");
+    EXPECT_TRUE(value);
+    if (std::holds_alternative<double>(value->data)) return value->real();
+    return static_cast<double>(value->integer());
+}
+
+} // namespace
+
+TEST(SessionTrace, EverySampleIsWhatTheProgramWroteDown) {
+    session::Session session(build(Logger));
+    const SessionRecording recording(session);
+    TraceFeed feed(recording, std::make_shared<history::ColumnStore>());
+    feed.setExpressions({"Main.level", "Main.pulse", "Main.phase", "Main.level * 2.0 + 1.0"});
+    for (int i = 0; i < 20; ++i) { // the window comes now and then
+        runScans(session, 100);
+        feed.pump(std::chrono::milliseconds(2));
+    }
+    feed.pumpAll();
+    const auto level = samplesOf(feed, "Main.level"), pulse = samplesOf(feed, "Main.pulse"), phase = samplesOf(feed, "Main.phase");
+    const auto twice = samplesOf(feed, "Main.level * 2.0 + 1.0");
+    ASSERT_EQ(level.size(), 2000u);
+    ASSERT_EQ(twice.size(), 2000u);
+    for (size_t i = 0; i < 2000; ++i) {
+        ASSERT_EQ(level[i].time, static_cast<int64_t>(i) * 2'000'000);
+        ASSERT_EQ(level[i].value, logged(session, "logLevel", i)) << i;
+        ASSERT_EQ(pulse[i].value, logged(session, "logPulse", i)) << i;
+        ASSERT_EQ(phase[i].value, logged(session, "logPhase", i)) << i;
+        ASSERT_EQ(static_cast<float>(twice[i].value), static_cast<float>(level[i].value) * 2.0f + 1.0f) << i;
+    }
+    const ChannelType* type = feed.type("Main.phase");
+    ASSERT_TRUE(type);
+    EXPECT_EQ(type->valueNames, (std::map<int64_t, std::string>{{0, "Waiting"}, {1, "Filling"}, {7, "Emptying"}}));
+    EXPECT_TRUE(feed.type("Main.pulse")->isBool);
+    EXPECT_TRUE(feed.type("Main.level")->isSingle);
+}
+
+TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
+    session::Session session(build(Logger));
+    const SessionRecording recording(session);
+    TraceView view;
+    view.resize(900, 500);
+    view.setRecording(&recording);
+    view.addChannel("Main.level");
+    view.addChannel("Main.n");
+    session.startThread({session::Pace::Factor, 4});
+    view.show();
+    for (int i = 0; i < 6; ++i) {
+        QTest::qWait(30);
+        std::this_thread::sleep_for(std::chrono::milliseconds(60)); // busy with something else
+        view.tick();
+    }
+    session.pause();
+    while (session.status().state == controller::State::Running) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const uint64_t scans = session.status().scans;
+    for (int i = 0; i < 50 && view.plot()->model().curves[1].source->countIn(0, INT64_MAX) < scans; ++i) view.tick();
+    const auto source = view.plot()->model().curves[1].source;
+    ASSERT_EQ(source->countIn(0, INT64_MAX), scans);
+    double expected = 0;
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+        for (const kit::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
+    });
+    view.setRecording(nullptr);
+}
+
+TEST(SessionTrace, GoingBackShowsTheNewBranch) {
+    session::Session session(build(Logger));
+    const SessionRecording recording(session);
+    TraceFeed feed(recording, std::make_shared<history::ColumnStore>());
+    feed.setExpressions({"Main.n"});
+    runScans(session, 300);
+    feed.pumpAll();
+    ASSERT_TRUE(session.resumeFrom(99));
+    ASSERT_TRUE(session.controller().write("Main.n", types::Value{session.program()->layout.find("Main.n")->type, int64_t(5000)}));
+    runScans(session, 50);
+    feed.pumpAll();
+    const auto n = samplesOf(feed, "Main.n");
+    ASSERT_EQ(n.size(), 150u);
+    EXPECT_EQ(n[99].value, 99);
+    EXPECT_EQ(n[100].value, 5001);
+    EXPECT_EQ(n[100].time, n[99].time + 2'000'000);
+    EXPECT_EQ(n.back().value, 5050);
+}
+
+TEST(SessionTrace, AnOnlineChangeLeavesAGapWhereThePathDidNotExist) {
+    const std::string before = "PROGRAM Main VAR a : INT; END_VAR a := a + 1; END_PROGRAM";
+    const std::string after = "PROGRAM Main VAR a : INT; b : INT; END_VAR a := a + 1; b := a * 2; END_PROGRAM";
+    session::Session session(build(before));
+    const SessionRecording recording(session);
+    TraceFeed feed(recording, std::make_shared<history::ColumnStore>());
+    runScans(session, 100);
+    feed.setExpressions({"Main.a", "Main.b"});
+    feed.pumpAll();
+    EXPECT_FALSE(feed.source("Main.b"));
+    session.changeProgram(build(after), [](const controller::OnlineChangeReport&) {});
+    runScans(session, 100);
+    feed.retryProblems();
+    feed.pumpAll();
+    const auto a = samplesOf(feed, "Main.a"), b = samplesOf(feed, "Main.b");
+    ASSERT_EQ(a.size(), 200u);
+    EXPECT_EQ(a.back().value, 200) << "the variable went on counting";
+    ASSERT_FALSE(b.empty());
+    EXPECT_LE(b.size(), 101u);
+    EXPECT_GE(b.front().time, a[99].time);
+    const auto gaps = feed.source("Main.b")->gaps(INT64_MIN, INT64_MAX);
+    ASSERT_EQ(gaps.size(), 1u);
+    EXPECT_EQ(gaps[0].reason, kit::PlotGap::Reason::NoPath);
+}
+
+TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
+    QTemporaryDir folder;
+    const std::string file = folder.filePath("run.rec").toStdString();
+    session::Session session(build(Logger));
+    runScans(session, 500);
+    ASSERT_TRUE(session.history().save(file));
+    const auto opened = FileRecording::open(file);
+    ASSERT_TRUE(opened) << opened.error().text();
+    const SessionRecording live(session);
+    TraceFeed a(live, std::make_shared<history::ColumnStore>()), b(**opened, std::make_shared<history::ColumnStore>());
+    for (TraceFeed* feed : {&a, &b}) {
+        feed->setExpressions({"Main.level", "Main.phase", "Main.pulse AND Main.n > 100"});
+        feed->pumpAll();
+    }
+    for (const char* expression : {"Main.level", "Main.phase", "Main.pulse AND Main.n > 100"}) EXPECT_EQ(samplesOf(a, expression), samplesOf(b, expression)) << expression;
+    EXPECT_EQ(live.find("Main.n = 123", 0, history::History::Direction::Forward), (*opened)->find("Main.n = 123", 0, history::History::Direction::Forward));
+    EXPECT_FALSE((*opened)->typeOf("Main.nothing"));
+    EXPECT_FALSE(FileRecording::open(folder.filePath("missing.rec").toStdString()));
+
+    TraceOutput out;
+    out.setup = setupOf({"Main.level", "Main.pulse", "Main.phase"});
+    out.beneath = opened->get();
+    out.picture = folder.filePath("a.png");
+    const auto text = renderTrace(live, out);
+    ASSERT_TRUE(text) << text.error().text();
+    EXPECT_FALSE(QImage(out.picture).isNull());
+}
+
+TEST(SessionTrace, NamesCompleteAndUnitsComeFromComments) {
+    session::Session session(build(Logger));
+    ProgramVariables variables;
+    variables.setProgram(session.program());
+    EXPECT_EQ(variables.unitOf("Main.level"), "mm");
+    EXPECT_EQ(variables.unitOf("main.LEVEL"), "mm");
+    EXPECT_EQ(variables.unitOf("Main.pulse"), "");
+    auto names = [&](const QString& text) {
+        QStringList out;
+        for (const kit::Completion& c : variables.complete(text, static_cast<int>(text.size()))) out += c.text;
+        return out;
+    };
+    EXPECT_EQ(names("2.0 * Main.lev").value(0), "level");
+    EXPECT_TRUE(names("Main.").contains("pulse"));
+    EXPECT_EQ(names("Ma").value(0), "Main");
+    EXPECT_EQ(names("elaps").value(0), "Main.elapsed") << "members are found by their own name";
+    const auto found = variables.search("mlevel", 10);
+    ASSERT_FALSE(found.empty());
+    EXPECT_EQ(found[0].path, "Main.level");
+    EXPECT_EQ(variables.children("Main.logLevel").size(), 1000u) << "long arrays are cut";
+    EXPECT_EQ(variables.children("Main.logLevel")[3].path, "Main.logLevel[3]");
+}
