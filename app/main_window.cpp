@@ -98,8 +98,9 @@ void MainWindow::makeDocks() {
     panel->raise();
     trace->raise();
     resizeDocks({dock("project")}, {230}, Qt::Horizontal);
-    resizeDocks({watch}, {400}, Qt::Horizontal);
-    resizeDocks({trace}, {300}, Qt::Vertical);
+    resizeDocks({watch}, {440}, Qt::Horizontal);
+    resizeDocks({trace}, {340}, Qt::Vertical);
+    resizeDocks({watch, panel}, {220, 400}, Qt::Vertical);
     auto* timeBar = new QToolBar(tr("Time"), this);
     timeBar->setObjectName("timeToolBar");
     timeBar->setMovable(false);

@@ -46,8 +46,8 @@ bool MainWindow::openProject(const QString& folder) {
     setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
     m_stack->setCurrentWidget(m_tabs);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->show();
-    findChild<QToolBar*>("timeToolBar")->show();
     restoreProjectState();
+    findChild<QToolBar*>("timeToolBar")->show();
     offerRecovery();
     return true;
 }

@@ -32,6 +32,7 @@ struct Scan {
         BlockPair pair;
     };
     std::vector<Open> open;
+    std::vector<Open> unclosed; // an outer END_ came first
 };
 
 std::string upper(std::string_view text) {
@@ -61,6 +62,7 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
                 if (scan.open[k].opener->close != word) continue;
                 scan.open[k].pair.close = mark;
                 scan.pairs.push_back(scan.open[k].pair);
+                scan.unclosed.insert(scan.unclosed.end(), scan.open.begin() + static_cast<std::ptrdiff_t>(k) + 1, scan.open.end());
                 scan.open.resize(k);
                 break;
             }
@@ -119,7 +121,8 @@ std::vector<FoldLine> foldLines(std::string_view text) {
 std::string missingEnd(std::string_view text, uint32_t offset) {
     const Scan before = scanBlocks(text, offset);
     if (before.open.empty()) return {};
-    const Scan whole = scanBlocks(text, static_cast<uint32_t>(text.size()) + 1);
+    Scan whole = scanBlocks(text, static_cast<uint32_t>(text.size()) + 1);
+    whole.open.insert(whole.open.end(), whole.unclosed.begin(), whole.unclosed.end());
     const uint32_t openAt = before.open.back().pair.open.begin;
     // Closed properly only when its own END has not been taken from an outer block: an unclosed opener anywhere outside means one END is missing.
     for (const Scan::Open& open : whole.open)

@@ -115,6 +115,7 @@ void Session::startThread(RunMode mode) {
         m->controller,
         [s](const std::string& text, const std::string& instance) { return s->versions->expression(*s->current.load(), text, instance); },
         [s](const debug::Halt& halt) { return s->serveHalt(halt); });
+    m->debugger->setBreakpoints(m->breakpoints);
     m->lastRetainSave = wallNow();
     m->optimise(m->versions->of(built().program.get()));
     m->controller.start();
@@ -316,6 +317,7 @@ void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
     std::vector<debug::Breakpoint> wanted;
     for (Breakpoint& b : breakpoints) wanted.push_back({b.file, b.line, std::move(b.condition), b.hitCount, std::move(b.instance), b.isEnabled});
     m->post(When::Now, [s = m.get(), wanted = std::move(wanted)]() mutable {
+        s->breakpoints = wanted; // kept for the debugger that startThread makes
         if (s->debugger) s->debugger->setBreakpoints(std::move(wanted));
     });
 }

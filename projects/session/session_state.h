@@ -63,6 +63,7 @@ struct Session::State final : controller::ScanObserver {
 
     // --- the scan thread
     controller::Controller controller;
+    std::vector<debug::Breakpoint> breakpoints; // as last set
     std::unique_ptr<debug::Debugger> debugger;
     WriteQueue writes;
     std::deque<Command> deferred; // posted while halted, for the boundary
