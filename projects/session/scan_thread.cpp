@@ -11,7 +11,7 @@ using controller::EventKind;
 using PlcState = controller::State;
 
 namespace {
-constexpr int64_t kPublishEvery = 5'000'000, kStatisticsEvery = 100'000'000, kLoadWindow = 250'000'000;
+constexpr int64_t kPublishEvery = 5'000'000, kShareEvery = 5'000'000, kStatisticsEvery = 100'000'000, kLoadWindow = 250'000'000;
 constexpr size_t kEventsKept = 100'000;
 } // namespace
 
@@ -95,7 +95,7 @@ void Session::State::scanInRealTime(int64_t now, double factor) {
     if (due > plcNow) {
         const auto wait = static_cast<int64_t>(static_cast<double>(due - plcNow) / factor);
         if (wait > kPublishEvery / 2 || now - lastPublish >= kPublishEvery) publish();
-        share(wait > 200'000);
+        if (sharedIsStale && (wait > 200'000 || now - lastShare >= kShareEvery)) share(wait > 200'000);
         wakeUp.wait(std::clamp<int64_t>(wait, 0, 100'000'000));
         return;
     }
@@ -143,8 +143,7 @@ void Session::State::afterScans(int64_t begin, int64_t end) {
         skippedReportedAt = end;
     }
     if (end - lastPublish >= kPublishEvery) publish();
-    if (end - lastStatistics >= kStatisticsEvery) sharedIsStale = true;
-    if (sharedIsStale) share(false);
+    if (end - lastShare >= (sharedIsStale ? kShareEvery : kStatisticsEvery)) share(false);
 }
 
 // ---------------------------------------------------------------- at a breakpoint
@@ -210,7 +209,6 @@ void Session::State::publish() {
 }
 
 void Session::State::share(bool mayWait) {
-    if (!sharedIsStale && !mayWait) return;
     std::unique_lock lock(mutex, std::defer_lock);
     if (mayWait) lock.lock();
     else if (!lock.try_lock()) return; // at the next boundary
@@ -224,10 +222,10 @@ void Session::State::putShared() {
     shared.frames = haltFrames;
     shared.haltProblem = haltProblem;
     shared.tasks = controller.statistics();
-    lastStatistics = wallNow();
-    for (controller::Event& event : newEvents)
-        if (shared.events.size() < kEventsKept) shared.events.push_back(std::move(event));
+    lastShare = wallNow();
+    for (controller::Event& event : newEvents) shared.events.push_back(std::move(event));
     newEvents.clear();
+    for (; shared.events.size() > kEventsKept; ++shared.firstEvent) shared.events.pop_front();
     for (std::string& refusal : newRefusals) shared.refusals.push_back(std::move(refusal));
     newRefusals.clear();
     sharedIsStale = false;

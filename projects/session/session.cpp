@@ -229,8 +229,9 @@ void Session::resetTaskStatistics() {
 std::vector<controller::Event> Session::eventsSince(size_t index) const {
     if (!m->isQueueing.load(std::memory_order_acquire)) m->share(true);
     const std::lock_guard lock(m->mutex);
-    if (index >= m->shared.events.size()) return {};
-    return {m->shared.events.begin() + static_cast<std::ptrdiff_t>(index), m->shared.events.end()};
+    const size_t skipped = index > m->shared.firstEvent ? index - m->shared.firstEvent : 0;
+    if (skipped >= m->shared.events.size()) return {};
+    return {m->shared.events.begin() + static_cast<std::ptrdiff_t>(skipped), m->shared.events.end()};
 }
 
 std::vector<std::string> Session::takeRefusals() {

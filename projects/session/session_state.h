@@ -53,7 +53,8 @@ struct Session::State final : controller::ScanObserver {
         std::optional<controller::Fault> fault, simulationFault;
         std::vector<controller::Forced> forces;
         std::vector<controller::TaskStatistics> tasks;
-        std::vector<controller::Event> events;
+        std::deque<controller::Event> events; // the newest
+        size_t firstEvent = 0;                // how many older ones are gone
         std::vector<std::string> refusals;
         std::vector<controller::FaultFrame> frames; // while halted, innermost first
         std::string haltProblem, retainProblem;
@@ -78,7 +79,7 @@ struct Session::State final : controller::ScanObserver {
     std::vector<std::string> newRefusals;
     std::vector<controller::FaultFrame> haltFrames;
     std::string haltProblem;
-    int64_t lastPublish = 0, lastStatistics = 0, busyNs = 0, loadSince = 0;
+    int64_t lastPublish = 0, lastShare = 0, busyNs = 0, loadSince = 0;
     uint64_t skippedReported = 0;
     int64_t skippedReportedAt = 0;
 

@@ -22,41 +22,60 @@ bool allRanSince(const std::vector<uint64_t>& before, const std::vector<uint64_t
 
 } // namespace
 
-void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
-    if (m_waiting.empty()) return;
-    if (controller.nextScan() != m_touchedScan) m_touched.clear();
-    m_touchedScan = controller.nextScan();
-    const types::TypeTable& types = *controller.program().layout.types;
-    std::deque<Waiting> later;
-    while (!m_waiting.empty()) {
-        Waiting request = std::move(m_waiting.front());
-        m_waiting.pop_front();
-        const Result<image::Place> place = controller.program().layout.find(request.path);
-        if (!place) {
-            refusals.push_back(request.path + ": " + place.error().message);
-            continue;
-        }
-        const bool isTaken = areScansComing && std::any_of(m_touched.begin(), m_touched.end(), [&](const image::Place& p) { return overlap(types, p, *place); });
-        // What waits holds up whatever is written to the same variable after it.
-        m_touched.push_back(*place);
-        if (isTaken || carryOut(request, *place, controller, areScansComing, refusals) == Outcome::Wait) later.push_back(std::move(request));
+void WriteQueue::sortIn(const image::Layout& layout, Request request, std::vector<std::string>& refusals) {
+    const Result<image::Place> place = layout.find(request.path);
+    if (!place) {
+        refusals.push_back(request.path + ": " + place.error().message);
+        return;
     }
-    m_waiting = std::move(later);
+    request.place = *place;
+    const auto sharesBytes = [&](const image::Place& other) { return overlap(*layout.types, other, *place); };
+    auto lane = std::find_if(m_lanes.begin(), m_lanes.end(), [&](const Lane& l) { return std::any_of(l.places.begin(), l.places.end(), sharesBytes); });
+    if (lane == m_lanes.end()) lane = m_lanes.insert(m_lanes.end(), Lane{});
+    if (std::find(lane->places.begin(), lane->places.end(), *place) == lane->places.end()) lane->places.push_back(*place);
+    lane->waiting.push_back(std::move(request));
 }
 
-WriteQueue::Outcome WriteQueue::carryOut(Waiting& request, const image::Place& place, controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
-    const auto held = std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == place; });
+/// The program was exchanged: the paths are looked up again.
+void WriteQueue::rebind(const image::CompiledProgram& program, std::vector<std::string>& refusals) {
+    m_program = &program;
+    std::vector<Lane> lanes = std::exchange(m_lanes, {});
+    for (Held& held : m_held) {
+        const Result<image::Place> place = program.layout.find(held.path);
+        held.place = place ? *place : image::Place{};
+    }
+    for (Lane& lane : lanes)
+        for (Request& request : lane.waiting) sortIn(program.layout, std::move(request), refusals);
+}
+
+void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
+    if (isEmpty()) return;
+    if (&controller.program() != m_program) rebind(controller.program(), refusals);
+    for (; !m_fresh.empty(); m_fresh.pop_front()) sortIn(controller.program().layout, std::move(m_fresh.front()), refusals);
+    const uint64_t next = controller.nextScan();
+    for (Lane& lane : m_lanes) {
+        while (!lane.waiting.empty() && (!areScansComing || lane.writtenBefore != next)) {
+            if (!carryOut(lane.waiting.front(), controller, areScansComing, refusals)) break;
+            lane.waiting.pop_front();
+            lane.writtenBefore = next;
+        }
+    }
+    std::erase_if(m_lanes, [&](const Lane& lane) { return lane.waiting.empty() && (!areScansComing || lane.writtenBefore != next); });
+}
+
+bool WriteQueue::carryOut(Request& request, controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
+    const auto held = std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == request.place; });
     types::Value value = request.value;
     if (request.kind == Kind::Release) {
-        if (held == m_held.end()) return Outcome::Done; // the press was refused
-        if (areScansComing && !allRanSince(held->runs, controller.cyclicRuns())) return Outcome::Wait;
+        if (held == m_held.end()) return true; // the press was refused
+        if (areScansComing && !allRanSince(held->runs, controller.cyclicRuns())) return false;
         value = held->released;
     }
     if (held != m_held.end()) m_held.erase(held);
     const Result<void> done = controller.write(request.path, value);
     if (!done) refusals.push_back(done.error().text());
-    else if (request.kind == Kind::Press) m_held.push_back({place, request.released, controller.cyclicRuns()});
-    return Outcome::Done;
+    else if (request.kind == Kind::Press) m_held.push_back({request.path, request.place, request.released, controller.cyclicRuns()});
+    return true;
 }
 
 } // namespace plc::session

@@ -9,32 +9,42 @@ namespace plc::session {
 
 class WriteQueue {
 public:
-    void write(std::string path, types::Value value) { m_waiting.push_back({Kind::Write, std::move(path), std::move(value), {}}); }
-    void press(std::string path, types::Value pressed, types::Value released) { m_waiting.push_back({Kind::Press, std::move(path), std::move(pressed), std::move(released)}); }
-    void release(std::string path) { m_waiting.push_back({Kind::Release, std::move(path), {}, {}}); }
-    [[nodiscard]] bool isEmpty() const { return m_waiting.empty(); }
+    void write(std::string path, types::Value value) { m_fresh.push_back({Kind::Write, std::move(path), {}, std::move(value), {}}); }
+    void press(std::string path, types::Value pressed, types::Value released) { m_fresh.push_back({Kind::Press, std::move(path), {}, std::move(pressed), std::move(released)}); }
+    void release(std::string path) { m_fresh.push_back({Kind::Release, std::move(path), {}, {}, {}}); }
+    [[nodiscard]] bool isEmpty() const { return m_fresh.empty() && m_lanes.empty(); }
     /// At a scan boundary: carries out what may be. `areScansComing`: else nothing has to wait. Refusals go to `refusals`.
     void apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals);
 
 private:
     enum class Kind : uint8_t { Write, Press, Release };
-    struct Waiting {
+    struct Request {
         Kind kind;
         std::string path;
+        image::Place place;
         types::Value value, released;
     };
+    /// Requests to one variable, or to variables that share bytes.
+    struct Lane {
+        std::vector<image::Place> places;
+        std::deque<Request> waiting;
+        uint64_t writtenBefore = ~uint64_t(0); // number of the scan that gets, or got, its last write
+    };
     struct Held {
+        std::string path;
         image::Place place;
         types::Value released;
         std::vector<uint64_t> runs; // of the cyclic tasks at the press
     };
-    enum class Outcome : uint8_t { Done, Wait };
-    [[nodiscard]] Outcome carryOut(Waiting& request, const image::Place& place, controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals);
+    void sortIn(const image::Layout& layout, Request request, std::vector<std::string>& refusals);
+    void rebind(const image::CompiledProgram& program, std::vector<std::string>& refusals);
+    /// False: it has to wait.
+    [[nodiscard]] bool carryOut(Request& request, controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals);
 
-    std::deque<Waiting> m_waiting;
+    std::deque<Request> m_fresh;
+    std::vector<Lane> m_lanes;
     std::vector<Held> m_held;
-    std::vector<image::Place> m_touched; // written before the coming scan, which has this number
-    uint64_t m_touchedScan = ~uint64_t(0);
+    const image::CompiledProgram* m_program = nullptr; // that the places belong to
 };
 
 } // namespace plc::session

@@ -9,6 +9,7 @@ namespace plc::history {
 namespace {
 
 constexpr size_t kPageBytes = kPage;
+constexpr std::ptrdiff_t kMarksKept = 100'000;
 
 uint32_t pageLimitFor(size_t budget, uint32_t blocks) {
     // A segment is long enough that its keyframe weighs little, and short enough that eviction goes in small steps.
@@ -159,6 +160,7 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
 void History::mark(int kind, std::string text, Nanoseconds time) {
     const std::lock_guard lock(m->mutex);
     const Position end = m->end.load(std::memory_order_relaxed);
+    if (m->marks.size() >= size_t(kMarksKept)) m->marks.erase(m->marks.begin(), m->marks.begin() + kMarksKept / 2);
     m->marks.push_back({end > 0 ? end - 1 : 0, time, kind, std::move(text)});
 }
 

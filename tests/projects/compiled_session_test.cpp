@@ -23,6 +23,9 @@ driver::Built build(const std::string& text) {
     (void)once;
     driver::BuildInput input;
     input.files.push_back({"main.st", text});
+#ifdef __SANITIZE_THREAD__
+    input.threadSanitizer = true; // the thread contract holds for generated code too
+#endif
     driver::Built built = driver::build(input);
     std::string messages;
     for (const auto& d : built.checked.analysis->diagnostics) messages += d.message() + "\n";
@@ -293,12 +296,12 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
     std::string changed = kPlant;
     changed.insert(changed.find("seed : DWORD := 16"), "more : LREAL; ");
     for (int i = 0; i < 4; ++i) {
-        std::atomic<bool> isChanged{false};
-        session.changeProgram(build(i % 2 ? kPlant : changed), [&](const controller::OnlineChangeReport& report) {
+        auto isChanged = std::make_shared<std::atomic<bool>>(false);
+        session.changeProgram(build(i % 2 ? kPlant : changed), [isChanged](const controller::OnlineChangeReport& report) {
             EXPECT_EQ(report.refusal, "");
-            isChanged = true;
+            *isChanged = true;
         });
-        EXPECT_TRUE(eventually([&] { return isChanged.load(); }));
+        EXPECT_TRUE(eventually([&] { return isChanged->load(); }));
         const uint64_t scans = session.status().scans;
         EXPECT_TRUE(eventually([&] { return session.status().scans > scans + 100; }));
     }
@@ -308,6 +311,28 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
     const Status status = session.status();
     EXPECT_EQ(status.state, PlcState::Running) << (status.fault ? status.fault->message : "");
 }
+
+#ifdef __SANITIZE_THREAD__
+TEST(CompiledSession, ADeliberateRaceWithGeneratedCodeIsReported) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto race = [] {
+        Session session(build(kPlant));
+        const auto place = session.program()->layout.find("Main.n");
+        const std::byte* live = session.controller().image().data();
+        session.startThread({Pace::Fastest, 1.0});
+        // What nobody may do: look into the live image from another thread.
+        uint64_t sum = 0;
+        for (int i = 0; i < 2000; ++i) {
+            uint64_t n = 0;
+            std::memcpy(&n, live + place->offset, sizeof n);
+            sum += n;
+            std::this_thread::sleep_for(50us);
+        }
+        std::exit(sum == 1 ? 1 : 0); // the sanitizer turns 0 into its own exit code
+    };
+    EXPECT_EXIT(race(), ::testing::ExitedWithCode(66), "data race");
+}
+#endif
 
 } // namespace
 } // namespace plc::session
