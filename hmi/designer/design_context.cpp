@@ -1,6 +1,7 @@
 #include "hmi/designer/design_context.h"
 
 #include "editor/kit/edit_history.h"
+#include "hmi/designer/arrange.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/plc_convert.h"
 
@@ -72,7 +73,53 @@ Result<void> DesignContext::save() {
     if (m_alarmsChanged)
         if (auto saved = saveAlarms(m_project); !saved) return saved;
     m_alarmsChanged = false;
+    for (const QString& name : std::exchange(m_changedPanels, {}))
+        if (const NamedPanel* panel = m_project.find(name))
+            if (auto saved = savePanel(m_project, *panel); !saved) return saved;
     return {};
+}
+
+void DesignContext::openDocument(const QString& panel, PanelDocument* document) { m_documents.insert(panel, document); }
+
+void DesignContext::closeDocument(const PanelDocument* document) {
+    for (const QString& name : m_documents.keys(const_cast<PanelDocument*>(document))) m_documents.remove(name);
+}
+
+bool DesignContext::rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit) {
+    bool any = false;
+    for (NamedPanel& panel : m_project.panels) {
+        PanelDocument* open = m_documents.value(panel.name);
+        const Edit change = edit(open ? open->panel() : panel.panel);
+        if (change.isEmpty()) continue;
+        any = true;
+        if (open) {
+            open->perform(title, change);
+            continue;
+        }
+        applyTo(panel.panel, change);
+        if (!m_changedPanels.contains(panel.name)) m_changedPanels += panel.name;
+    }
+    return any;
+}
+
+bool DesignContext::renameVariable(const QString& from, const QString& to) {
+    bool any = rewritePanels(tr("Rename %1").arg(from), [&](const Panel& panel) { return renamedVariable(panel, from, to); });
+    AlarmFile alarms = m_project.alarms;
+    const std::string before = alarms.write();
+    for (Properties& row : alarms.rows()) {
+        for (const char* key : {"condition", "inhibit"})
+            if (row.has(key)) row.set(key, toUtf8(withRenamedPath(row.text(key), from, to)));
+        if (!row.has("values") || !row.at("values").is_object()) continue;
+        Json values = row.at("values");
+        for (Json& expression : values)
+            if (expression.is_string()) expression = toUtf8(withRenamedPath(toQString(expression), from, to));
+        row.set("values", values);
+    }
+    if (alarms.write() != before) {
+        setAlarms(std::move(alarms));
+        any = true;
+    }
+    return any;
 }
 
 std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {

@@ -41,6 +41,13 @@ public:
     /// Writes texts and alarms where they changed.
     Result<void> save();
 
+    /// An edit in every panel: as an undo step in those that are open, directly in the others. True if any changed.
+    bool rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit);
+    /// A variable was renamed in the code: bindings of panels and conditions of alarms follow.
+    bool renameVariable(const QString& from, const QString& to);
+    void openDocument(const QString& panel, PanelDocument* document);
+    void closeDocument(const PanelDocument* document);
+
     /// Facts of a variable in the checked program; nothing when it is unknown.
     std::optional<ValueFacts> factsOf(const QString& path) const;
     QString checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const;
@@ -62,6 +69,8 @@ private:
     std::function<std::optional<QString>(const QString&)> m_picker;
     QString m_language;
     bool m_textsChanged = false, m_alarmsChanged = false;
+    QMap<QString, PanelDocument*> m_documents; // of open designers
+    QStringList m_changedPanels;               // closed panels that a rename has touched
 };
 
 /// The element that fits a variable; `operates`: one that writes it, else one that shows it. The rectangle begins at (0, 0).

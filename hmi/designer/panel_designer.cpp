@@ -38,6 +38,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     : QWidget(parent), m_context(context), m_name(panelName), m_document(panelNamed(context, panelName)), m_palette(new Palette), m_canvas(new DesignCanvas(m_document, m_selection, context)),
       m_sheet(new PropertySheet(m_document, m_selection, context)), m_outline(new Outline(m_document, m_selection)), m_findingList(new QTreeWidget), m_pages(new QStackedWidget), m_where(new QLabel) {
     m_sheet->setPanelName(panelName);
+    m_context.openDocument(panelName, &m_document);
     makeActions();
     m_pages->addWidget(m_canvas);
     m_findingList->setHeaderLabels({tr("Finding"), tr("Element"), tr("Language")});
@@ -106,6 +107,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
 }
 
 PanelDesigner::~PanelDesigner() {
+    m_context.closeDocument(&m_document);
     m_document.disconnect(this);
     m_document.undoStack().disconnect(this);
 }

@@ -1,0 +1,368 @@
+// The designer with real events: a panel from nothing, run, pressed, seen, in another language; and what the designer does
+// on the way: texts get keys, variables become elements, everything is undone.
+#include "hmi/designer/alarm_editor.h"
+#include "hmi/designer/outline.h"
+#include "hmi/designer/palette.h"
+#include "hmi/designer/panel_designer.h"
+#include "hmi/designer/records_dialog.h"
+#include "hmi/designer/text_editor.h"
+#include "running.h"
+
+#include "editor/kit/variable_picker.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QTableView>
+
+namespace plc::hmi {
+namespace {
+
+struct Studio {
+    PanelProject project = machineProject();
+    driver::Built built = builtMachine();
+    session::Session session{builtMachine()};
+    std::unique_ptr<DesignContext> context;
+    std::unique_ptr<PanelDesigner> designer;
+
+    explicit Studio(const std::string& elements = {}) {
+        project.panels.push_back({QStringLiteral("main"), panelOf(elements)});
+        project.startPanel = QStringLiteral("main");
+        context = std::make_unique<DesignContext>(project);
+        context->setChecked(built.checked);
+        context->setSession(&session);
+        designer = std::make_unique<PanelDesigner>(*context, QStringLiteral("main"));
+        designer->resize(1400, 900);
+        designer->show();
+        QTest::qWait(1);
+        designer->canvas().setZoom(1);
+    }
+    const Panel& panel() const { return designer->document().panel(); }
+    QPoint at(double x, double y) const { return designer->canvas().toViewport(QPointF(x, y)).toPoint(); }
+    QWidget* ground() const { return designer->canvas().viewport(); }
+    void click(double x, double y, Qt::KeyboardModifiers modifiers = {}) { QTest::mouseClick(ground(), Qt::LeftButton, modifiers, at(x, y)); }
+    void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mousePress(ground(), Qt::LeftButton, modifiers, from);
+        for (int i = 1; i <= 5; ++i) {
+            const QPoint point = from + (to - from) * i / 5;
+            QMouseEvent move(QEvent::MouseMove, QPointF(point), ground()->mapToGlobal(QPointF(point)), Qt::NoButton, Qt::LeftButton, modifiers);
+            QApplication::sendEvent(ground(), &move);
+        }
+        QTest::mouseRelease(ground(), Qt::LeftButton, modifiers, to);
+    }
+    void drop(QMimeData* mime, double x, double y, Qt::KeyboardModifiers modifiers = {}) {
+        const QPoint point = at(x, y);
+        QDragEnterEvent enter(point, Qt::CopyAction, mime, Qt::LeftButton, modifiers);
+        QApplication::sendEvent(ground(), &enter);
+        QDropEvent event(QPointF(point), Qt::CopyAction, mime, Qt::LeftButton, modifiers);
+        QApplication::sendEvent(ground(), &event);
+        delete mime;
+    }
+    void dropElement(ElementKind kind, double x, double y) {
+        auto* mime = new QMimeData;
+        mime->setData(kElementMime, QByteArray::fromStdString(Json::array({newElementFields(kind)}).dump()));
+        drop(mime, x, y);
+    }
+    void dropVariable(const char* path, double x, double y, Qt::KeyboardModifiers modifiers = {}) { drop(kit::makeVariableMime({QLatin1String(path)}), x, y, modifiers); }
+    const Element& last() const { return panel().elements().back(); }
+};
+
+TEST(Designer, APanelFromNothingIsDrawnRunPressedSeenAndSwitchedToAnotherLanguage) {
+    Studio studio;
+    const std::string empty = studio.panel().write();
+    studio.dropElement(ElementKind::Button, 100, 60);
+    ASSERT_EQ(studio.panel().elements().size(), 1u);
+    const ElementId button = studio.last().id();
+    studio.designer->sheet().commit(QStringLiteral("text"), QStringLiteral("Go ahead"));
+    studio.designer->sheet().commit(QStringLiteral("target"), QStringLiteral("Main.start"));
+    studio.dropVariable("Main.running", 320, 60);
+    const ElementId lamp = studio.last().id();
+    EXPECT_EQ(studio.last().kind(), ElementKind::Lamp);
+    EXPECT_EQ(studio.last().text("value").toStdString(), "Main.running");
+    studio.dropElement(ElementKind::LanguageSelector, 300, 300);
+    const ElementId languages = studio.last().id();
+    // The typed text got a key; its translation is typed in the text table.
+    const QString key = keyOf(studio.panel().find(button)->text("text"));
+    EXPECT_EQ(key.toStdString(), "main.go_ahead");
+    EXPECT_EQ(studio.project.texts.table().text(key, QStringLiteral("en")).toStdString(), "Go ahead");
+    TextEditor editor(*studio.context);
+    editor.model().setData(editor.model().index(studio.project.texts.table().rowOf(key), TextModel::FirstLanguage + 1), QStringLiteral("Kør"), Qt::EditRole);
+    studio.designer->checkNow();
+    for (const Finding& finding : studio.designer->findings()) ADD_FAILURE() << finding.text().toStdString();
+
+    studio.session.startThread({session::Pace::Factor, 5});
+    studio.designer->action(QStringLiteral("live"))->trigger();
+    ASSERT_TRUE(studio.designer->preview());
+    PanelPlayer& player = *studio.designer->preview();
+    QTest::qWait(20);
+    PanelView& view = player.view();
+    const auto placeOf = [&](const ElementId& id) { return view.toWidget(studio.panel().find(id)->rect()); };
+    const QImage dark = player.scene().picture();
+    QTest::mouseClick(&view, Qt::LeftButton, {}, placeOf(button).center().toPoint());
+    const BindingId running = player.values()->bind(QStringLiteral("Main.running AND Main.presses = 1"));
+    ASSERT_TRUE(waitFor(player, [&] { return player.values()->value(running).toBool(); }));
+    const QImage lit = player.scene().picture();
+    const QRect lampRect = studio.panel().find(lamp)->rect().toRect();
+    EXPECT_NE(dark.copy(lampRect), lit.copy(lampRect));
+    const QRectF selector = placeOf(languages);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, QPointF(selector.left() + selector.width() * 0.5, selector.center().y()).toPoint());
+    EXPECT_EQ(player.language().toStdString(), "da");
+    EXPECT_EQ(player.scene().texts().text(u'@' + key, player.language()).toStdString(), "Kør");
+    const QRect buttonRect = studio.panel().find(button)->rect().toRect();
+    EXPECT_NE(lit.copy(buttonRect), player.scene().picture().copy(buttonRect));
+    // Without leaving the designer: an edit shows in the preview.
+    studio.designer->selection().set({lamp});
+    studio.designer->sheet().commit(QStringLiteral("onColor"), QStringLiteral("red"));
+    player.frame();
+    EXPECT_NE(lit.copy(lampRect), player.scene().picture().copy(lampRect));
+    studio.designer->action(QStringLiteral("live"))->trigger();
+    EXPECT_FALSE(studio.designer->isLive());
+
+    while (studio.designer->document().undoStack().canUndo()) studio.designer->document().undoStack().undo();
+    EXPECT_EQ(studio.panel().write(), empty);
+    EXPECT_FALSE(studio.project.texts.table().contains(key)); // its key went with it
+}
+
+TEST(Designer, VariablesBecomeTheElementsThatFit) {
+    const struct {
+        const char* path;
+        bool operates;
+        ElementKind kind;
+        const char *property, *extra;
+    } rows[] = {
+        {"Main.running", false, ElementKind::Lamp, "value", ""},          {"Main.start", true, ElementKind::Switch, "target", ""},
+        {"Main.level", false, ElementKind::NumericDisplay, "value", ""},  {"Main.level", true, ElementKind::NumericEntry, "target", ""},
+        {"Main.count", false, ElementKind::NumericDisplay, "value", "%d"}, {"Main.operation", false, ElementKind::MultiState, "value", ""},
+        {"Main.operation", true, ElementKind::ComboBox, "target", ""},    {"Main.name", true, ElementKind::TextEntry, "target", ""},
+        {"Main.numbers", false, ElementKind::BarChart, "value", ""},
+    };
+    Studio studio;
+    for (const auto& row : rows) {
+        studio.dropVariable(row.path, 300, 200, row.operates ? Qt::ShiftModifier : Qt::NoModifier);
+        EXPECT_EQ(studio.last().kind(), row.kind) << row.path;
+        EXPECT_EQ(studio.last().text(row.property).toStdString(), row.path);
+        if (*row.extra) { EXPECT_EQ(studio.last().text("format").toStdString(), row.extra); }
+        EXPECT_TRUE(studio.designer->selection().contains(studio.last().id()));
+    }
+    const QStringList problems = [&] {
+        QStringList out;
+        studio.designer->checkNow();
+        for (const Finding& finding : studio.designer->findings())
+            if (finding.kind == FindingKind::WrongBinding) out += finding.text();
+        return out;
+    }();
+    EXPECT_TRUE(problems.isEmpty()) << problems.join(u'\n').toStdString();
+}
+
+TEST(Designer, SelectsMovesWithSnappingResizesAndUndoesEachAsOneStep) {
+    Studio studio(R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
+    const std::string before = studio.panel().write();
+    studio.drag(studio.at(110, 110), studio.at(110 + 197, 110 + 43)); // 297: its left edge snaps to b's at 300
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->rect().x(), 300);
+    EXPECT_TRUE(studio.designer->canvas().guides().empty()); // they go with the drag
+    EXPECT_EQ(studio.designer->document().undoStack().count(), 1);
+    studio.designer->action(QStringLiteral("undo"))->trigger();
+    EXPECT_EQ(studio.panel().write(), before);
+    studio.designer->selection().set({QStringLiteral("a")});
+    const QPoint corner = studio.designer->canvas().handle(4).toPoint();
+    studio.drag(corner, corner + QPoint(33, 21), Qt::AltModifier);
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->rect(), QRectF(100, 100, 113, 61));
+    studio.designer->action(QStringLiteral("undo"))->trigger();
+    EXPECT_EQ(studio.panel().write(), before);
+    QTest::keyClick(&studio.designer->canvas(), Qt::Key_Right);
+    QTest::keyClick(&studio.designer->canvas(), Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->rect().topLeft(), QPointF(101, 108));
+    studio.drag(studio.at(20, 20), studio.at(450, 280)); // a band around both
+    EXPECT_EQ(studio.designer->selection().ids().size(), 2u);
+    studio.click(500, 350);
+    EXPECT_TRUE(studio.designer->selection().isEmpty());
+    studio.click(320, 220);
+    studio.click(110, 120, Qt::ControlModifier);
+    EXPECT_EQ(studio.designer->selection().ids().size(), 2u);
+    QTest::keyClick(&studio.designer->canvas(), Qt::Key_Delete);
+    EXPECT_TRUE(studio.panel().elements().empty());
+    studio.designer->action(QStringLiteral("undo"))->trigger();
+    EXPECT_EQ(studio.panel().elements().size(), 2u);
+}
+
+TEST(Designer, AGroupIsTakenAsOneAndEnteredByADoubleClick) {
+    Studio studio(R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
+    studio.designer->selectAll();
+    studio.designer->action(QStringLiteral("group"))->trigger();
+    const ElementId group = studio.designer->selection().ids().front();
+    studio.click(600, 380);
+    studio.click(120, 120);
+    EXPECT_EQ(studio.designer->selection().ids(), ElementIds{group});
+    QTest::mouseDClick(studio.ground(), Qt::LeftButton, {}, studio.at(120, 120));
+    EXPECT_EQ(studio.designer->selection().ids(), ElementIds{QStringLiteral("a")});
+    QTest::keyClick(&studio.designer->canvas(), Qt::Key_Escape);
+    EXPECT_EQ(studio.designer->selection().ids(), ElementIds{group});
+    studio.designer->action(QStringLiteral("lock"))->trigger();
+    studio.drag(studio.at(110, 110), studio.at(200, 200));
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->rect().x(), 100); // locked
+    studio.designer->selection().set({group});
+    studio.designer->action(QStringLiteral("lock"))->trigger();
+    studio.designer->action(QStringLiteral("ungroup"))->trigger();
+    EXPECT_FALSE(studio.panel().find(group));
+}
+
+TEST(Designer, CopiesBetweenPanelsThroughTheClipboard) {
+    Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.running"})");
+    studio.project.panels.push_back({QStringLiteral("other"), panelOf("")});
+    PanelDesigner other(*studio.context, QStringLiteral("other"));
+    studio.designer->selectAll();
+    studio.designer->copy();
+    other.paste();
+    other.paste();
+    ASSERT_EQ(other.document().panel().elements().size(), 2u);
+    EXPECT_EQ(other.document().panel().elements()[1].text("value").toStdString(), "Main.running");
+    EXPECT_NE(other.document().panel().elements()[0].rect(), other.document().panel().elements()[1].rect());
+}
+
+TEST(Designer, ThePropertySheetEditsSeveralElementsAtOnceAndOnlyWhatTheyShare) {
+    Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[200,100,60,60]},{"id":"t","kind":"text","rect":[0,0,100,30]})");
+    studio.designer->selection().set({QStringLiteral("a"), QStringLiteral("b")});
+    kit::PropertyGrid& grid = studio.designer->sheet().grid();
+    EXPECT_TRUE(grid.isVarious(QStringLiteral("rect.x")));
+    EXPECT_FALSE(grid.isVarious(QStringLiteral("rect.y")));
+    studio.designer->sheet().commit(QStringLiteral("shape"), QStringLiteral("square"));
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("shape").toStdString(), "square");
+    EXPECT_EQ(studio.panel().find(QStringLiteral("b"))->text("shape").toStdString(), "square");
+    EXPECT_EQ(studio.designer->document().undoStack().count(), 1);
+    studio.designer->selection().set({QStringLiteral("a"), QStringLiteral("t")});
+    EXPECT_FALSE(grid.descriptor(QStringLiteral("shape")));
+    EXPECT_TRUE(grid.descriptor(QStringLiteral("fontSize")));
+    EXPECT_TRUE(grid.descriptor(QStringLiteral("rect.w")));
+    studio.designer->selection().clear();
+    studio.designer->sheet().commit(QStringLiteral("size.preset"), QSize(800, 480));
+    EXPECT_EQ(studio.panel().size(), QSize(800, 480));
+}
+
+TEST(Designer, EveryPropertyOfEveryKindIsOfferedAndComesBackUnchanged) {
+    Studio studio;
+    for (const ElementDescriptor& kind : elementDescriptors()) {
+        Element element = Element::make(kind.kind, QStringLiteral("e"), QRectF(QPointF(10, 10), kind.size));
+        for (const PropertyDescriptor& property : kind.properties) {
+            const auto rows = gridRows(property, *studio.context);
+            const bool isHidden = property.type == PropertyType::Name || property.type == PropertyType::Element || property.type == PropertyType::Points;
+            EXPECT_EQ(rows.empty(), isHidden) << kind.key << '.' << property.key;
+            for (const kit::PropertyDescriptor& row : rows) {
+                const Json present = element.at(property.key);
+                EXPECT_EQ(fromGrid(property, present, row.id, gridValue(property, present, row.id, *studio.context)), present) << kind.key << '.' << property.key;
+            }
+        }
+    }
+}
+
+TEST(Designer, RecordsAreEditedInTheirDialog) {
+    Studio studio(R"({"id":"m","kind":"multiState","rect":[100,100,160,44]})");
+    const PropertyDescriptor* states = descriptorOf(ElementKind::MultiState).property("states");
+    RecordsDialog dialog(*states, Json::array(), *studio.context, {}, nullptr);
+    dialog.addRow();
+    emit dialog.grid().committed(QStringLiteral("value"), QStringLiteral("1"));
+    emit dialog.grid().committed(QStringLiteral("text"), QStringLiteral("Running"));
+    emit dialog.grid().committed(QStringLiteral("color"), QStringLiteral("green"));
+    dialog.addRow();
+    emit dialog.grid().committed(QStringLiteral("value"), QStringLiteral("2"));
+    dialog.moveRow(-1);
+    EXPECT_EQ(writeCompact(dialog.value()), R"([{"value": "2"}, {"value": "1", "text": "Running", "color": "green"}])");
+    dialog.removeRow();
+    EXPECT_EQ(dialog.rowCount(), 1);
+}
+
+TEST(Designer, ThePaletteFindsElementsByWhatTheyAreCalledElsewhere) {
+    Palette palette;
+    palette.setFilter(QStringLiteral("potentiometer"));
+    EXPECT_EQ(palette.shownTitles().join(u' ').toStdString(), "Turning knob");
+    palette.setFilter(QStringLiteral("pump"));
+    EXPECT_EQ(palette.shownTitles().join(u' ').toStdString(), "Pump");
+    palette.setFilter({});
+    EXPECT_GT(palette.shownTitles().size(), 55);
+}
+
+TEST(Designer, TheOutlineShowsTheTreeAndSelectsBothWays) {
+    Studio studio(R"({"id":"g","kind":"group","rect":[90,90,300,200]},{"id":"a","kind":"lamp","parent":"g","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[500,100,50,50]})");
+    Outline& outline = studio.designer->outline();
+    ASSERT_TRUE(outline.itemOf(QStringLiteral("a")));
+    EXPECT_EQ(outline.itemOf(QStringLiteral("a"))->parent(), outline.itemOf(QStringLiteral("g")));
+    EXPECT_EQ(outline.topLevelItem(0), outline.itemOf(QStringLiteral("b"))); // the topmost first
+    outline.itemOf(QStringLiteral("a"))->setSelected(true);
+    EXPECT_EQ(studio.designer->selection().ids(), ElementIds{QStringLiteral("a")});
+    studio.click(520, 120);
+    EXPECT_TRUE(outline.itemOf(QStringLiteral("b"))->isSelected());
+}
+
+TEST(Designer, ARenamedVariableIsRenamedInPanelsAndAlarms) {
+    Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.overload AND Main.running"})");
+    studio.project.panels.push_back({QStringLiteral("closed"), panelOf(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"main.OVERLOAD"})")});
+    EXPECT_TRUE(studio.context->renameVariable(QStringLiteral("Main.overload"), QStringLiteral("Main.tooMuch")));
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("value").toStdString(), "Main.tooMuch AND Main.running");
+    EXPECT_EQ(studio.project.panels[1].panel.elements()[0].text("value").toStdString(), "Main.tooMuch");
+    EXPECT_EQ(studio.project.alarms.definitions()[0].condition.toStdString(), "Main.tooMuch");
+    studio.designer->action(QStringLiteral("undo"))->trigger();
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("value").toStdString(), "Main.overload AND Main.running");
+}
+
+TEST(Texts, TheTableEditorRenamesKeysEverywhereAndKnowsTheUsers) {
+    Studio studio(R"({"id":"a","kind":"text","rect":[100,100,150,50],"text":"@start"})");
+    TextEditor editor(*studio.context);
+    EXPECT_EQ(studio.context->usersOf(QStringLiteral("start")).join(u' ').toStdString(), "main: a.text");
+    EXPECT_TRUE(editor.model().setData(editor.model().index(0, TextModel::Key), QStringLiteral("motor.start"), Qt::EditRole));
+    EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("text").toStdString(), "@motor.start");
+    EXPECT_TRUE(editor.model().setData(editor.model().index(1, TextModel::Key), QStringLiteral("alarm.over"), Qt::EditRole));
+    EXPECT_EQ(studio.project.alarms.definitions()[0].text.toStdString(), "@alarm.over");
+    editor.addKey(QStringLiteral("new.key"));
+    editor.setFilter({}, true);
+    EXPECT_EQ(editor.shownKeys().join(u' ').toStdString(), "new.key");
+    editor.setFilter(QStringLiteral("Blink"), false);
+    EXPECT_EQ(editor.shownKeys().join(u' ').toStdString(), "flash");
+    const std::string now = studio.project.texts.table().write();
+    editor.addLanguage(QStringLiteral("fr"));
+    editor.undoStack().undo();
+    EXPECT_EQ(studio.project.texts.table().write(), now);
+}
+
+TEST(Alarms, TheEditorAddsChangesAndUndoes) {
+    Studio studio;
+    AlarmEditor editor(*studio.context);
+    const std::string before = studio.project.alarms.write();
+    editor.addAlarm();
+    editor.commit(QStringLiteral("id"), QStringLiteral("12004"));
+    editor.commit(QStringLiteral("condition"), QStringLiteral("Main.level > 50"));
+    editor.commit(QStringLiteral("priority"), 1);
+    editor.commit(QStringLiteral("text"), QStringLiteral("Too hot"));
+    const AlarmDefinition added = studio.project.alarms.definitions().back();
+    EXPECT_EQ(added.id.toStdString(), "12004");
+    EXPECT_EQ(added.condition.toStdString(), "Main.level > 50");
+    EXPECT_EQ(added.priority, 1);
+    EXPECT_EQ(studio.project.texts.text(added.text, QStringLiteral("en")).toStdString(), "Too hot");
+    editor.commit(QStringLiteral("id"), QStringLiteral("over")); // taken
+    EXPECT_EQ(studio.project.alarms.definitions().back().id.toStdString(), "12004");
+    while (editor.undoStack().canUndo()) editor.undoStack().undo();
+    EXPECT_EQ(studio.project.alarms.write(), before);
+}
+
+TEST(Designer, Picture) {
+    if (!qEnvironmentVariableIsSet("STEPWISE_PICTURES")) GTEST_SKIP() << "STEPWISE_PICTURES names no folder";
+    Studio studio(R"({"id":"g","kind":"group","rect":[16,16,300,180],"frame":true,"title":"@start"},
+        {"id":"s","kind":"symbol","rect":[32,60,96,96],"state":"Main.running","label":"M1"},{"id":"b","kind":"button","rect":[180,64,120,52],"text":"@start","target":"Main.start","icon":"play"},
+        {"id":"b2","kind":"button","rect":[180,130,120,52],"text":"Notausschalterverriegelung","target":"Main.stop"},
+        {"id":"t","kind":"tankLevel","rect":[360,24,130,170],"value":"Main.level","low":10,"high":80},{"id":"r","kind":"trend","rect":[16,210,400,180],"series":[{"value":"Main.level"}]},
+        {"id":"l","kind":"languages","rect":[430,340,200,44]},{"id":"x","kind":"gauge","rect":[440,200,130,130],"value":"Main.leve"})");
+    studio.designer->checkNow();
+    studio.designer->selection().set({QStringLiteral("t")});
+    QTest::qWait(20);
+    studio.designer->grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/designer.png"));
+    TextEditor editor(*studio.context);
+    editor.resize(900, 400);
+    editor.grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/texts.png"));
+    AlarmEditor alarms(*studio.context);
+    alarms.select(QStringLiteral("over"));
+    alarms.resize(1000, 500);
+    alarms.grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/alarms.png"));
+}
+
+} // namespace
+} // namespace plc::hmi
