@@ -8,6 +8,7 @@
 #include <llvm/IR/Verifier.h>
 #include <llvm/Passes/PassBuilder.h>
 #include <llvm/Support/CommandLine.h>
+#include <llvm/Support/DynamicLibrary.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/Target/TargetMachine.h>
 #include <llvm/Transforms/Instrumentation/ThreadSanitizer.h>
@@ -231,6 +232,8 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     if (!jit) return failed(jit.takeError());
     llvm::orc::JITDylib& library = (*jit)->getMainJITDylib();
     if (options.threadSanitizer) {
+        if (!llvm::sys::DynamicLibrary::SearchForAddressOfSymbol("__tsan_func_entry"))
+            return Error{"Code for the thread sanitizer needs a process that runs under it", ""};
         auto process = llvm::orc::DynamicLibrarySearchGenerator::GetForCurrentProcess((*jit)->getDataLayout().getGlobalPrefix());
         if (process) library.addGenerator(std::move(*process));
         else llvm::consumeError(process.takeError());
