@@ -188,7 +188,9 @@ int run(const Arguments& arguments) {
     if (faulted && session.controller().fault()) std::cerr << "stepwise: " << session.controller().fault()->message << "\n";
     needApplication();
     std::shared_ptr<trace::FileRecording> beneath;
-    if (const auto file = arguments.value("--beneath")) {
+    std::optional<std::string> file = arguments.value("--beneath");
+    if (!file && !setup->compareWith.empty()) file = (std::filesystem::path(project->folder) / setup->compareWith).string();
+    if (file) {
         const auto older = trace::FileRecording::open(*file);
         if (!older) return wrongUse(older.error());
         beneath = *older;

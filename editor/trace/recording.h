@@ -44,6 +44,8 @@ public:
     [[nodiscard]] virtual std::optional<Position> findChange(const std::string& expression, Position from, history::History::Direction direction) const = 0;
     /// The program of the newest scan, for names and completion; null before anything ran.
     [[nodiscard]] virtual std::shared_ptr<const image::CompiledProgram> program() const = 0;
+    /// Writes what is recorded now to a file that `stepwise replay` and the studio open.
+    virtual Result<void> save(const std::string& path) const = 0;
 };
 
 /// The positions that lead to the newest scan, oldest first: what was recorded and then gone back from is left out.

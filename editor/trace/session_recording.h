@@ -24,6 +24,7 @@ public:
     std::optional<Position> find(const std::string& expression, Position from, history::History::Direction direction) const override;
     std::optional<Position> findChange(const std::string& expression, Position from, history::History::Direction direction) const override;
     std::shared_ptr<const image::CompiledProgram> program() const override { return m_session.program(); }
+    Result<void> save(const std::string& path) const override { return m_session.history().save(path); }
 
 private:
     const session::Session& m_session;
@@ -45,6 +46,7 @@ public:
     std::optional<Position> find(const std::string& expression, Position from, history::History::Direction direction) const override;
     std::optional<Position> findChange(const std::string& expression, Position from, history::History::Direction direction) const override;
     std::shared_ptr<const image::CompiledProgram> program() const override;
+    Result<void> save(const std::string& path) const override { return m_history->save(path); }
     [[nodiscard]] const history::History& history() const { return *m_history; }
 
 private:

@@ -6,10 +6,13 @@
 #include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/channel_panel.h"
+#include "editor/trace/session_recording.h"
 
 #include <QAction>
 #include <QActionGroup>
+#include <QDir>
 #include <QFileDialog>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -155,7 +158,14 @@ void TraceView::makeActions(QToolBar* bar) {
     add(kit::Icon::ChevronRight, tr("Next trigger"), tr("Where the trigger would have fired next"), [this] { findTrigger(history::History::Direction::Forward); });
     bar->addSeparator();
     add(kit::Icon::Add, tr("Add chart"), tr("Another chart over the same time"), [this] { change(tr("Add chart"), [](TraceSetup& s) { s.charts.emplace_back(); }); });
-    add(kit::Icon::Layers, tr("Compare"), tr("Load an older recording beneath the present one"), [this] { m_beneath ? setBeneath(nullptr) : recordingWanted(); });
+    add(kit::Icon::Layers, tr("Compare"), tr("Load an older recording beneath the present one"), [this] {
+        if (m_beneath) {
+            report(compareWith({}));
+            return;
+        }
+        const QString path = QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}), tr("Recordings (*.rec);;All files (*)"));
+        if (!path.isEmpty()) report(compareWith(path));
+    });
 
     auto* spacer = new QWidget(bar);
     spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -184,6 +194,22 @@ void TraceView::makeActions(QToolBar* bar) {
     };
     files->addAction(kit::icon(kit::Icon::Save), tr("Save set-up"), this, [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
     files->addAction(tr("Save set-up as…"), this, saveAs);
+    files->addSeparator();
+    files->addAction(tr("Open recording…"), this, [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}), tr("Recordings (*.rec);;All files (*)"));
+        if (!path.isEmpty()) report(openRecording(path));
+    });
+    QAction* close = files->addAction(tr("Back to the running PLC"), this, &TraceView::closeRecording);
+    QAction* save = files->addAction(tr("Save recording…"), this, [this] {
+        QString path = QFileDialog::getSaveFileName(this, tr("Save recording"), inProject({}), tr("Recordings (*.rec)"));
+        if (path.isEmpty() || !m_recording) return;
+        if (!path.endsWith(QLatin1String(".rec"))) path += QStringLiteral(".rec");
+        report(m_recording->save(path.toStdString()));
+    });
+    connect(files, &QMenu::aboutToShow, this, [this, close, save] {
+        close->setEnabled(showsFile());
+        save->setEnabled(m_recording != nullptr);
+    });
     QMenu* exports = menuButton(kit::Icon::Export, tr("Export"));
     exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] { kit::copyPicture(m_plot->model(), {m_plot->size(), 2}); });
     for (const char* suffix : {"png", "svg", "pdf", "csv"})
@@ -217,6 +243,78 @@ void TraceView::exportTo(const QString& suffix) {
 }
 
 void TraceView::setRecording(const Recording* recording) {
+    m_live = recording;
+    if (!m_opened) showRecording(recording);
+}
+
+Result<void> TraceView::openRecording(const QString& path) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor); // the program in it is compiled again
+    auto opened = FileRecording::open(path.toStdString());
+    QGuiApplication::restoreOverrideCursor();
+    if (!opened) return opened.error();
+    showRecording(nullptr);
+    m_opened = *opened;
+    m_openedName = QFileInfo(path).fileName();
+    showRecording(m_opened.get());
+    m_feed->pumpAll();
+    m_plot->setFollowing(false);
+    m_plot->fit();
+    emit recordingShown();
+    return {};
+}
+
+void TraceView::closeRecording() {
+    if (!m_opened) return;
+    showRecording(nullptr);
+    m_opened.reset();
+    showRecording(m_live);
+    m_plot->setFollowing(true);
+    emit recordingShown();
+}
+
+QString TraceView::inProject(const QString& path) const {
+    const QDir project(m_folder.isEmpty() ? QString() : m_folder + QStringLiteral("/.."));
+    return QDir::cleanPath(path.isEmpty() ? project.absolutePath() : project.absoluteFilePath(path));
+}
+
+Result<void> TraceView::compareWith(const QString& path) {
+    if (path.isEmpty()) {
+        m_compared.clear();
+        change(tr("Compare"), [](TraceSetup& s) { s.compareWith.clear(); });
+        setBeneath(nullptr);
+        return {};
+    }
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    auto opened = FileRecording::open(path.toStdString());
+    QGuiApplication::restoreOverrideCursor();
+    if (!opened) return opened.error();
+    const QString shown = m_folder.isEmpty() ? path : QDir(inProject({})).relativeFilePath(path);
+    m_compared = shown;
+    change(tr("Compare"), [&](TraceSetup& s) { s.compareWith = shown.toStdString(); });
+    setBeneath(*opened);
+    return {};
+}
+
+/// The set-up names what lies beneath: after opening one, and after undo.
+void TraceView::followCompareWith() {
+    const QString wanted = QString::fromStdString(m_setup.compareWith);
+    if (wanted == m_compared) return;
+    m_compared = wanted;
+    if (wanted.isEmpty()) {
+        m_olderFeed.reset();
+        m_beneath.reset();
+        return;
+    }
+    auto opened = FileRecording::open(inProject(wanted).toStdString());
+    if (!opened) {
+        emit failed(QString::fromStdString(opened.error().text()));
+        return;
+    }
+    m_beneath = *opened;
+    m_olderFeed = std::make_unique<TraceFeed>(*m_beneath, m_store);
+}
+
+void TraceView::showRecording(const Recording* recording) {
     m_plot->edit([](kit::PlotModel& model) {
         model.curves.clear();
         model.markers.clear();
@@ -308,6 +406,7 @@ void TraceView::addChannel(const QString& expression, int chart) {
 }
 
 void TraceView::setupTaken() {
+    followCompareWith();
     if (m_feed) {
         m_feed->setSettings({m_setup.every, m_setup.condition});
         m_feed->setExpressions(expressionsOf(m_setup));
@@ -487,7 +586,8 @@ void TraceView::showStatus() {
     }
     const history::Statistics s = m_recording->statistics();
     auto megabytes = [](size_t bytes) { return QLocale().toString(static_cast<double>(bytes) / 1048576.0, 'f', 1); };
-    m_memory->setText(tr("%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB")
+    const QString file = m_opened ? m_openedName + QStringLiteral("  ·  ") : QString();
+    m_memory->setText(file + tr("%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB")
                           .arg(s.scans).arg(megabytes(s.bytes), megabytes(s.budget), megabytes(m_store->bytes()), megabytes(m_store->budget())));
 }
 

@@ -25,8 +25,14 @@ public:
     explicit TraceView(QWidget* parent = nullptr);
     ~TraceView() override;
 
-    /// The recording to show; null while there is none. It must outlive its stay here.
+    /// The running recording; null while there is none. It must outlive its stay here.
     void setRecording(const Recording* recording);
+    /// Shows a recording from a file instead of the running one, until it is closed.
+    Result<void> openRecording(const QString& path);
+    void closeRecording();
+    bool showsFile() const { return m_opened != nullptr; }
+    /// The recording that is drawn: the opened file's, else the running one.
+    const Recording* recording() const { return m_recording; }
     /// The program has changed: names and completion follow, expressions are tried again.
     void programChanged();
     /// Draws an older recording beneath; null takes it away.
@@ -58,12 +64,14 @@ public:
     QString statusText() const;
     /// Folder that file dialogs begin in: the project's traces.
     void setFolder(const QString& folder) { m_folder = folder; }
+    /// Loads an older recording beneath and notes it in the set-up; an empty path takes it away.
+    Result<void> compareWith(const QString& path);
 
 signals:
     void setupChanged();
     void positionActivated(quint64 position); // double click on a chart
     void failed(const QString& message);
-    void recordingWanted(); // "Load recording beneath…": the owner opens it and calls setBeneath
+    void recordingShown(); // another one is drawn: a file's, or the running one again
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -82,8 +90,14 @@ private:
     void plotMenu(const QPoint& global, int chart, const QString& curve);
     void exportTo(const QString& suffix);
     void report(const Result<void>& result);
+    void showRecording(const Recording* recording);
+    void followCompareWith();
+    QString inProject(const QString& path) const;
 
-    const Recording* m_recording = nullptr;
+    const Recording* m_recording = nullptr; // drawn
+    const Recording* m_live = nullptr;
+    std::shared_ptr<const Recording> m_opened;
+    QString m_openedName, m_compared; // compared: path of what lies beneath
     std::shared_ptr<const Recording> m_beneath;
     std::shared_ptr<history::ColumnStore> m_store;
     std::unique_ptr<TraceFeed> m_feed, m_olderFeed;

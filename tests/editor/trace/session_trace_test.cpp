@@ -9,9 +9,11 @@
 #include "runtime/compiler/jit/jit.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUndoStack>
 
 #include <gtest/gtest.h>
 
@@ -214,6 +216,44 @@ TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
     const auto text = renderTrace(live, out);
     ASSERT_TRUE(text) << text.error().text();
     EXPECT_FALSE(QImage(out.picture).isNull());
+}
+
+TEST(SessionTrace, TheViewOpensSavesAndComparesRecordings) {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkdir("traces");
+    session::Session session(build(Logger));
+    runScans(session, 300);
+    const SessionRecording live(session);
+    ASSERT_TRUE(live.save(folder.filePath("old.rec").toStdString()));
+    runScans(session, 300);
+    TraceView view;
+    view.setFolder(folder.filePath("traces"));
+    view.setRecording(&live);
+    view.addChannel("Main.n");
+    auto count = [&] { return view.plot()->model().curves[0].source->countIn(0, INT64_MAX); };
+    for (int i = 0; i < 20; ++i) view.tick();
+    EXPECT_EQ(count(), 600u);
+
+    ASSERT_TRUE(view.compareWith(folder.filePath("old.rec")));
+    ASSERT_EQ(view.plot()->model().curves[0].beneath.size(), 1u);
+    EXPECT_EQ(view.setup().compareWith, "old.rec") << "relative to the project";
+    view.undoStack()->undo();
+    EXPECT_TRUE(view.plot()->model().curves[0].beneath.empty());
+    view.undoStack()->redo();
+    EXPECT_EQ(view.plot()->model().curves[0].beneath.size(), 1u);
+
+    ASSERT_TRUE(view.openRecording(folder.filePath("old.rec")));
+    EXPECT_TRUE(view.showsFile());
+    EXPECT_EQ(count(), 300u);
+    view.setRecording(nullptr); // the PLC stops meanwhile
+    EXPECT_EQ(count(), 300u);
+    view.setRecording(&live);
+    view.closeRecording();
+    for (int i = 0; i < 20; ++i) view.tick();
+    EXPECT_EQ(count(), 600u);
+    EXPECT_FALSE(view.openRecording(folder.filePath("missing.rec")));
+    EXPECT_FALSE(view.showsFile());
+    view.setRecording(nullptr);
 }
 
 TEST(SessionTrace, NamesCompleteAndUnitsComeFromComments) {
