@@ -80,6 +80,10 @@ void World::checkBody(Unit& unit) {
     checker.functionId = unit.function;
     if (unit.isInstanced()) emitEdges(checker, unit, function.body);
     else emitLocals(*this, checker, unit, function.body);
+    if (unit.hasImplicitEno && unit.isInstanced()) {
+        const Denoted eno = checker.ofVariable(*unit.members[key("ENO")].variable, nullptr, unit.range, Access::Write);
+        if (eno.place) function.body.push_back(checker.assignStmt(eno.place, checker.constant({types::TypeTable::of(TypeKind::Bool), int64_t(1)}, unit.range).expr, {}));
+    }
     checker.declareLabels(body->statements);
     checker.statements(body->statements, function.body);
     if (unit.resultVariable && types.kind(unit.result) != TypeKind::Void && types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {

@@ -251,6 +251,7 @@ void World::declareMembers(Unit& unit) {
         result.symbol = unit.symbol;
         unit.resultVariable = &addVariable(unit, std::move(result), nullptr);
     }
+    declareImplicitEno(unit);
     const auto taken = [&](const syntax::Name& name) {
         const auto it = unit.members.find(key(name.text)); // a variable may share its name: a call or an access from outside means the other
         if (it == unit.members.end() || (!it->second.unit && !it->second.property)) return false;
@@ -322,6 +323,45 @@ void World::declareMembers(Unit& unit) {
         unit.actions.push_back(&made);
         unit.members[made.id].unit = &made; // an action may share its name with a BOOL of the chart
     }
+}
+
+/// A unit that writes ENO without declaring it has it as an output, TRUE at the begin of each call (edition 2, 2.5.1.2).
+void World::declareImplicitEno(Unit& unit) {
+    const bool canHave = unit.kind == UnitKind::Function || unit.kind == UnitKind::Method || unit.kind == UnitKind::Block;
+    if (!canHave || !unit.file || !unit.pou->body.range.file.isValid() || unit.members.count(key("ENO"))) return;
+    const SourceRange body = unit.pou->body.range;
+    const std::string_view text = sources[unit.file->file].text();
+    const auto& tokens = unit.file->tokens.tokens;
+    auto at = std::lower_bound(tokens.begin(), tokens.end(), body.begin, [](const lex::Token& token, uint32_t begin) { return token.begin < begin; });
+    bool found = false;
+    for (; at != tokens.end() && at->begin < body.end && !found; ++at) {
+        if (at->kind != lex::TokenKind::Identifier || at->end - at->begin != 3 || (text[at->begin] | 0x20) != 'e') continue;
+        const bool isArgument = at + 1 != tokens.end() && (at + 1)->kind == lex::TokenKind::Output;
+        const bool isMember = at != tokens.begin() && (at - 1)->kind == lex::TokenKind::Dot;
+        found = !isArgument && !isMember && equalsIgnoringCase(text.substr(at->begin, 3), "ENO");
+    }
+    if (!found) return;
+    auto* boolean = arena.make<syntax::TypeSpec>();
+    boolean->kind = syntax::TypeSpecKind::Named;
+    boolean->path.push_back({"BOOL", unit.range});
+    boolean->range = unit.range;
+    auto* yes = arena.make<syntax::Expr>();
+    yes->kind = syntax::ExprKind::Literal;
+    yes->op = lex::TokenKind::True;
+    yes->range = unit.range;
+    auto* declaration = arena.make<syntax::VarDecl>();
+    declaration->type = boolean;
+    declaration->initial = yes;
+    Variable eno;
+    eno.name = "ENO";
+    eno.id = key("ENO");
+    eno.declaration = declaration;
+    eno.spec = boolean;
+    eno.range = unit.range;
+    eno.kind = SectionKind::Output;
+    eno.symbol = unit.symbol;
+    addVariable(unit, std::move(eno), nullptr);
+    unit.hasImplicitEno = true;
 }
 
 Variable& World::addVariable(Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas) {

@@ -141,6 +141,10 @@ Operand Checker::expression(const syntax::Expr& e, TypeId hint) {
 
 /// [1, 2] and (a := 1) as a value: needs the type it is for, and constants inside.
 Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
+    if (isExpression) {
+        emit(e.range, Kind::NotAllowedInExpression, {textOf(e.range)});
+        return unknown(e.range);
+    }
     if (!hint.isValid() || !types.isAggregate(hint)) {
         if (!hint.isValid() || !isKind(hint, TypeKind::Unknown)) emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::ArrayInit ? "[…]" : "(… := …)", "this place"});
         return unknown(e.range);

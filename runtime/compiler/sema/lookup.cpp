@@ -5,6 +5,10 @@
 
 namespace plc::sema {
 
+namespace {
+constexpr size_t kMaximumSuggestions = 100;
+}
+
 Member World::findMember(Unit& unit, NameId id) {
     Unit* at = &unit;
     for (int guard = 0; at && guard < 200; ++guard) {
@@ -115,6 +119,7 @@ World::Found World::lookupPath(const Scope& scope, const syntax::Path& path) {
 
 std::vector<std::string> World::visibleNames(const Scope& scope) {
     std::vector<std::string> out;
+    if (!frozen && suggestions > kMaximumSuggestions) return out;
     const auto addUnit = [&](const Unit& unit) {
         for (const Variable& variable : unit.variables) out.push_back(variable.name);
         for (const Unit* method : unit.methods)
@@ -161,6 +166,7 @@ std::vector<std::string> World::memberNames(TypeId type) {
 }
 
 void World::suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name, const std::vector<std::string>& candidates) {
+    if (!frozen && ++suggestions > kMaximumSuggestions) return;
     const std::optional<std::string> near = nearestName(name, candidates);
     if (!near) return;
     diagnostic.fixes.push_back({"Did you mean " + *near + "?", {{range, *near}}});

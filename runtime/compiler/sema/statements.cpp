@@ -105,6 +105,8 @@ Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
                 diagnostic.severity = diagnostics::Severity::Warning;
             }
         }
+        if (world.options.strict && denoted.variable && denoted.variable->kind == syntax::SectionKind::Input && scope.unit && denoted.variable->owner == scope.unit)
+            emit(e.range, Kind::NotAssignable, {denoted.variable->name + " (an input)"}).severity = diagnostics::Severity::Warning;
         for (const Variable* variable : loopVariables)
             if (variable == denoted.variable && denoted.place->type == variable->type) emit(e.range, Kind::LoopVariableWritten, {variable->name});
         if (type) *type = denoted.place->type;

@@ -259,7 +259,7 @@ TypeId World::typeOf(Variable& variable) {
         variable.type = TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Done;
-    if (variable.symbol.isValid() && !variable.isResult) symbols[variable.symbol.index()].type = variable.type;
+    if (variable.symbol.isValid() && !variable.isResult && variable.declaration && variable.section) symbols[variable.symbol.index()].type = variable.type;
     return variable.type;
 }
 

@@ -269,7 +269,7 @@ void World::completeFunction(Unit& unit) {
         if (types.kind(variable.type) == TypeKind::Block && unit.kind == UnitKind::Function && !isLibraryFile(variable.range.file))
             emit(variable.range, Kind::TimerInFunction, {variable.name});
     }
-    symbols[unit.symbol.index()].type = unit.result;
+    symbols[unit.symbol.index()].type = unit.property ? typeOf(unit.variables.front()) : unit.result;
 }
 
 /// Blocks with methods, interfaces or relatives carry their number at offset 0 of each instance.

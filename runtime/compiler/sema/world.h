@@ -52,7 +52,10 @@ public:
     // world.cpp
     void build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files);
     [[nodiscard]] NameId key(std::string_view spelling) { return frozen ? names.find(spelling) : names.intern(spelling); }
-    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) { return sink.emit(range, kind, std::move(arguments)); }
+    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) {
+        return (frozen && expressionSink ? *expressionSink : sink).emit(range, kind, std::move(arguments));
+    }
+    static thread_local diagnostics::Sink* expressionSink; // of the expression this thread checks against a frozen World
     SymbolId addSymbol(SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range, std::string_view comment = {});
     void refer(SourceRange range, SymbolId symbol, bool isRead, bool isWrite);
     [[nodiscard]] std::string_view textOf(SourceRange range) const { return range.file.isValid() ? sources[range.file].slice(range) : std::string_view{}; }
@@ -68,6 +71,7 @@ public:
     Unit* declareMethod(const syntax::Pou& pou, Unit& owner, std::string_view name, UnitKind kind);
     void declareMembers(Unit& unit);
     void declareVariables(Unit& unit, const std::vector<syntax::VarSection*>& sections);
+    void declareImplicitEno(Unit& unit);
     Variable& addVariable(Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas);
     void declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table);
     void declareGlobals(const syntax::GlobalList& list, Space& space, const syntax::SyntaxFile& file, std::string_view name);
@@ -228,6 +232,7 @@ public:
     std::vector<DynamicInit> programInits; // absolute offsets, in order
     std::vector<const syntax::TestDecl*> tests;
     std::vector<SourceRange> syntaxErrors;
+    size_t suggestions = 0; // so many near names were looked for; at some point a reader has enough
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
     std::vector<std::byte> image;
     std::vector<NameId> slotNames;
