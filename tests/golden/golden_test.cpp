@@ -1,5 +1,6 @@
 // Every `.st` file below tests/golden with its `.expected` or `.diagnostics` is one test (see golden_script.h).
 #include "tests/golden/agreement_test.h"
+#include "tests/golden/broken_test.h"
 #include "tests/golden/corpus_test.h"
 #include "tests/golden/golden_script.h"
 
@@ -44,6 +45,7 @@ driver::BuildInput inputFor(const fs::path& source, const std::vector<Line>& scr
 }
 
 std::string shown(const SourceSet& sources, const diagnostics::Diagnostic& diagnostic) {
+    if (!diagnostic.range.file.isValid()) return std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
     const auto& file = sources[diagnostic.range.file];
     const auto begin = file.lineColumn(diagnostic.range.begin), end = file.lineColumn(diagnostic.range.end);
     const std::string place = diagnostic.range.file.index() == 0 ? "" : file.path() + ":";
@@ -212,6 +214,7 @@ int main(int argc, char** argv) {
     jit::setRuntimeSymbols(controller::runtimeSymbols());
     registerGoldens();
     registerAgreement();
+    registerBroken();
     registerCorpus();
     return RUN_ALL_TESTS();
 }
