@@ -118,6 +118,21 @@ Unit* methodNamed(Unit& unit, NameId id) {
 
 } // namespace
 
+namespace {
+
+/// The names behind IMPLEMENTS, as far as they are there.
+SourceRange implementsRange(const Unit& unit) {
+    SourceRange range;
+    for (const syntax::Path& path : unit.pou->implements) {
+        if (path.empty()) continue;
+        const SourceRange here = joined(path.front().range, path.back().range);
+        range = range.file.isValid() ? joined(range, here) : here;
+    }
+    return range.file.isValid() ? range : unit.range;
+}
+
+} // namespace
+
 void World::checkInheritance(Unit& unit) {
     for (Unit* method : unit.methods) {
         Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
@@ -140,7 +155,7 @@ void World::checkInheritance(Unit& unit) {
     for (Unit* interface : interfaces) {
         for (Unit* wanted : interface->methods) {
             Unit* made = methodNamed(unit, wanted->id);
-            const SourceRange at = !unit.pou->implements.empty() && !unit.pou->implements.front().empty() ? joined(unit.pou->implements.front().front().range, unit.pou->implements.back().back().range) : unit.range;
+            const SourceRange at = implementsRange(unit);
             if (!made || made->isAbstract) {
                 auto& diagnostic = emit(at, Kind::NotInterfaceImplemented, {unit.name, wanted->name, interface->name});
                 if (!made && wanted->kind == UnitKind::Method && unit.pou->hasEnd && unit.pou->range.file.isValid()) {
