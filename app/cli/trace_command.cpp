@@ -75,6 +75,15 @@ Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Pr
             if (!time) return time.error();
             *target = time->count();
         }
+    if (const auto text = arguments.value("--cursors")) {
+        const size_t comma = text->find(',');
+        if (comma == std::string::npos) return Error{"--cursors needs two times, for example 1s,2.5s", *text};
+        const auto a = parseDuration(text->substr(0, comma)), b = parseDuration(text->substr(comma + 1));
+        if (!a || !b) return !a ? a.error() : b.error();
+        setup.cursorA = a->count();
+        setup.cursorB = b->count();
+        setup.hasTable = true;
+    }
     return setup;
 }
 
@@ -215,6 +224,7 @@ Command traceCommand() {
               {"--picture", "FILE", "the charts as .png, .svg or .pdf"},
               {"--csv", "FILE", "every sample shown, a row per scan"},
               {"--statistics", "", "a table: values at the cursors (or ends), least, greatest, mean, RMS, step response"},
+              {"--cursors", "1s,2s", "two cursors in the picture, with the measuring table beneath"},
               {"--trigger", "EXPR", "show what is around its rising edge (or as the set-up says)"},
               {"--before", "1s", "time shown before the trigger"},
               {"--after", "1s", "time shown after it"},

@@ -16,8 +16,6 @@ namespace plc::kit {
 
 namespace {
 
-constexpr size_t FewSamples = 600; // up to here the painter's own soft lines are quick enough
-
 bool isBroken(const std::vector<PlotGap>& gaps, int64_t from, int64_t to) {
     for (const PlotGap& gap : gaps)
         if (gap.from >= from && gap.to <= to && gap.to > gap.from) return true;
@@ -209,7 +207,7 @@ void drawDots(QPainter& painter, const CurveShape& shape, const PlotCurve& curve
 
 } // namespace
 
-bool isDrawnByPainter(const CurveShape& shape) { return shape.isExact && shape.samples.size() <= FewSamples; }
+bool isDrawnByPainter(const CurveShape& shape, const PlotPixels& pixels) { return !pixels.image || (shape.isExact && shape.samples.size() <= pixels.finely); }
 
 std::optional<PlotRange> CurveShape::extent() const {
     std::optional<PlotRange> range;
@@ -259,16 +257,18 @@ CurveShape shapeOf(const SampleSource& source, int64_t from, int64_t to, int col
 }
 
 void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color, const PlotPixels& pixels) {
-    const bool few = isDrawnByPainter(shape);
-    if (pixels.image && !few) {
+    if (!isDrawnByPainter(shape, pixels)) {
         PlotMapping device = mapping;
         device.area = QRectF(0, 0, pixels.area.width(), pixels.area.height());
-        device.ratio = 0; // the raster's own soft ends do it
+        device.ratio = 1;
         std::vector<ColumnSpan> spans(static_cast<size_t>(pixels.area.width()));
         if (shape.isExact) LineMaker(shape, curve, device).run([&](const QPolygonF& line) { addLine(spans, line); });
         else addBuckets(spans, shape, curve, device);
-        const auto ratio = static_cast<float>(pixels.area.width() / mapping.area.width());
-        fillColumns(*pixels.image, pixels.area, spans, static_cast<float>(curve.width) * ratio, color);
+        const double ratio = pixels.area.width() / mapping.area.width();
+        PlotCurve scaled;
+        scaled.width = curve.width * ratio;
+        const auto width = static_cast<float>(curve.style == CurveStyle::Line ? scaled.width : heldWidth(scaled, device));
+        fillColumns(*pixels.image, pixels.area, spans, width, color);
         return;
     }
     std::vector<QPolygonF> lines;
@@ -284,7 +284,7 @@ void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curv
         if (line.size() == 1) painter.drawPoint(line[0]);
         else painter.drawPolyline(clipped(line, mapping.area));
     }
-    if (few) drawDots(painter, shape, curve, mapping, color);
+    if (shape.isExact) drawDots(painter, shape, curve, mapping, color);
     painter.restore();
 }
 
@@ -384,8 +384,17 @@ void drawValueLane(QPainter& painter, const std::vector<LaneRun>& runs, const Pl
         const double room = run.to - run.from - 2 * slant - 2;
         QString shown = metrics.horizontalAdvance(text) <= room ? text : metrics.elidedText(text, Qt::ElideRight, room);
         if (shown.size() < 2 && shown != text) continue;
+        if (shown != text) { // smaller letters before torn words
+            QFont small = font;
+            small.setPointSizeF(font.pointSizeF() * 0.82);
+            if (QFontMetricsF(small).horizontalAdvance(text) <= room) {
+                painter.setFont(small);
+                shown = text;
+            }
+        }
         painter.setPen(colors().text);
         painter.drawText(QRectF(run.from + slant, lane.top(), run.to - run.from - 2 * slant, lane.height()), Qt::AlignCenter, shown);
+        painter.setFont(font);
     }
 }
 

@@ -51,10 +51,11 @@ struct PlotMapping {
 struct PlotPixels {
     QImage* image = nullptr;
     QRect area;
+    size_t finely = 600; // up to so many samples the painter draws a curve, which is finer and slower
 };
 
-/// Whether a shape has so few samples that the painter draws it; the others go into the pixels where there are any.
-[[nodiscard]] bool isDrawnByPainter(const CurveShape& shape);
+/// Whether the painter draws the shape; else it goes into the pixels.
+[[nodiscard]] bool isDrawnByPainter(const CurveShape& shape, const PlotPixels& pixels);
 
 /// Draws a Line or Hold curve.
 void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color,

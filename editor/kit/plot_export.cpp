@@ -58,6 +58,7 @@ QImage plotPicture(const PlotModel& model, const PictureOptions& options) {
     PlotRenderer renderer;
     renderer.setFont(QApplication::font());
     renderer.setPixelRatio(options.scale);
+    renderer.setFineSamples(100'000);
     renderer.paint(painter, model, QRectF(QPointF(), QSizeF(options.size)));
     return image;
 }

@@ -23,7 +23,8 @@ struct ColumnSpan {
 };
 
 /// `image` is 32 bits a pixel, premultiplied or opaque; span i lies in column i of `area`, rows count from its top, and is widened
-/// by half of `width` at both ends. Nothing is drawn outside the area.
+/// by half of `width` at both ends. What the width has beyond one pixel sideways falls softly into the neighbouring columns, so that
+/// steep lines are not thinner than level ones. Nothing is drawn outside the area.
 void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> spans, float width, const QColor& color);
 
 } // namespace plc::kit

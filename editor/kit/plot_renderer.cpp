@@ -436,6 +436,11 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
         layer.fill(Qt::transparent);
         pixels = {&layer, layer.rect()};
     }
+    size_t samples = 0;
+    for (const auto& owned : m_parts)
+        for (const auto& kept : owned->kept)
+            for (const PaneParts::Kept& k : kept) samples += k.shape.isExact ? k.shape.samples.size() : m_fineSamples;
+    pixels.finely = samples <= m_fineSamples ? m_fineSamples : 600;
     bool layerUsed = false;
     auto flush = [&] { // keeps the order of curves drawn in the two ways
         if (!layerUsed) return;
@@ -453,7 +458,7 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
             if (!kept.source) continue;
             QColor color = curve.color;
             if (b > 0) color.setAlphaF(0.35f);
-            const bool few = isDrawnByPainter(kept.shape);
+            const bool few = isDrawnByPainter(kept.shape, pixels);
             if (few) flush();
             drawCurve(painter, kept.shape, curve, map, color, pixels);
             layerUsed = layerUsed || (!few && hasLayer);

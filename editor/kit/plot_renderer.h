@@ -33,6 +33,8 @@ public:
     void setFont(const QFont& font) { m_font = font; }
     /// Device pixels per unit; more columns for paper that is scaled.
     void setPixelRatio(double ratio) { m_ratio = ratio; }
+    /// Samples in view, over all curves, up to which fine lines are drawn; beyond, quick ones. Files want fine ones.
+    void setFineSamples(size_t samples) { m_fineSamples = samples; }
     /// Paints everything into `rect`.
     void paint(QPainter& painter, const PlotModel& model, const QRectF& rect);
     /// Only what follows the mouse, over a picture painted before.
@@ -68,6 +70,7 @@ private:
     void paintVertical(QPainter& painter, double x, const QPen& pen);
 
     QFont m_font;
+    size_t m_fineSamples = 4000;
     double m_ratio = 1, m_left = 0, m_right = 0, m_width = 0;
     QRectF m_rect, m_titleRect, m_tableRect;
     QString m_timeTitle;

@@ -271,9 +271,9 @@ TEST(FillColumns, CoversExactlyWhatIsAsked) {
     spans[3] = {5.0f, 9.0f};
     spans[20] = {-100.0f, 200.0f};
     spans[21] = {-50.0f, -40.0f};
-    fillColumns(image, image.rect(), spans, 2, Qt::red);
+    fillColumns(image, image.rect(), spans, 1, Qt::red);
     for (int y = 0; y < 20; ++y) {
-        EXPECT_EQ(qAlpha(image.pixel(3, y)), y >= 4 && y < 10 ? 255 : 0) << y;
+        EXPECT_EQ(qAlpha(image.pixel(3, y)), y >= 5 && y < 9 ? 255 : y == 4 || y == 9 ? 128 : 0) << y;
         EXPECT_EQ(qAlpha(image.pixel(20, y)), 255);
         EXPECT_EQ(qAlpha(image.pixel(21, y)), 0);
         EXPECT_EQ(qAlpha(image.pixel(4, y)), 0);
@@ -282,6 +282,9 @@ TEST(FillColumns, CoversExactlyWhatIsAsked) {
     spans[3] = {5.25f, 9.0f};
     fillColumns(image, image.rect(), spans, 2, Qt::red);
     EXPECT_NEAR(qAlpha(image.pixel(3, 4)), 191, 3);
+    EXPECT_NEAR(qAlpha(image.pixel(4, 7)), 128, 3) << "half of the second pixel's width on either side";
+    EXPECT_NEAR(qAlpha(image.pixel(2, 7)), 128, 3);
+    EXPECT_EQ(qAlpha(image.pixel(5, 7)), 0);
     image.fill(Qt::transparent);
     std::vector<ColumnSpan> all(20, ColumnSpan{-5, 50});
     fillColumns(image, QRect(8, 6, 20, 9), all, 1, Qt::red);
