@@ -253,9 +253,11 @@ Operand Checker::converted(Operand operand, TypeId to) {
         return unknown(range);
     }
     const tree::Expr& e = *operand.expr;
+    bool isDividing = false;
     if (e.kind == tree::ExprKind::Binary && types::isInteger(fromFamily) && isNumeric(to)) {
         const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
-        if (toFamily == Family::Real && e.binary == library::BinaryOp::Divide) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
+        isDividing = toFamily == Family::Real && e.binary == library::BinaryOp::Divide;
+        if (isDividing) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
         else if (widens && types::bitsOf(fromKind) < 64 &&
                  (e.binary == library::BinaryOp::Multiply || ((e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract) && e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
             emit(range, Kind::WrapsBeforeWidening, {textOf(range), nameOf(from), nameOf(to)});
@@ -264,6 +266,7 @@ Operand Checker::converted(Operand operand, TypeId to) {
     case types::Implicit::Same:
     case types::Implicit::Widening: break;
     case types::Implicit::Narrowing:
+        if (isDividing) break;
         if (target.kind == TypeKind::Enum) emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
         else {
             auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});

@@ -408,7 +408,8 @@ void World::declareVariables(Unit& unit, const std::vector<syntax::VarSection*>&
                 variable.spec = declaration->type;
                 variable.range = name.range;
                 variable.kind = section->kind;
-                variable.isConstant = section->constant;
+                // a CONSTANT parameter has the caller's value, but can not be written
+                variable.isConstant = section->constant && section->kind != SectionKind::Input && section->kind != SectionKind::InOut && section->kind != SectionKind::Output;
                 variable.isLocated = !declaration->address.empty();
                 variable.symbol = addSymbol(section->constant ? SymbolKind::Constant : SymbolKind::Variable, name.text, unit.qualified, name.range, declaration->comment);
                 Symbol& symbol = symbols[variable.symbol.index()];

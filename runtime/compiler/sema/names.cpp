@@ -271,7 +271,7 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
     out.kind = DK::Place;
     out.place = isKind(type, TypeKind::Reference) ? dereferenced(place, range) : place;
     out.isExact = isKind(type, TypeKind::Block) && !variable.isInOut();
-    if (variable.isConstant) {
+    if (variable.isConstant || (variable.section && variable.section->constant && !instance)) {
         out.isReadOnly = true;
         out.whyReadOnly = variable.name + " (a constant)";
     } else if (instance && !isExpression) {

@@ -81,12 +81,16 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
             field.constant = variable.isConstant;
         }
         field.declaration = variable.range;
+        if (variable.name.starts_with("__")) field.isPrivate = true; // made by the lowering of charts and lists
+        if (variable.spec && variable.spec->path.size() == 1 && equalsIgnoringCase(variable.spec->path.front().text, "SFC_STEP")) {
+            field.section = FieldSection::Step;
+            if (variable.symbol.isValid()) symbols[variable.symbol.index()].kind = SymbolKind::Step;
+        }
         if (variable.declaration) {
             field.comment = std::string(variable.declaration->comment);
             for (const syntax::Pragma& pragma : variable.declaration->pragmas) {
                 if (!pragma.isAttribute) continue;
                 if (equalsIgnoringCase(pragma.key, "hide")) field.isPrivate = true;
-                if (equalsIgnoringCase(pragma.key, "sfc_step")) field.section = FieldSection::Step;
                 if (!equalsIgnoringCase(pragma.key, "alias")) continue;
                 std::string word;
                 for (const char c : std::string(pragma.value) + ",") {

@@ -139,6 +139,8 @@ const Row kDeclarations[] = {
     {"P3020", "x : INT;|x := 1; EXIT;", {"P3020 'EXIT;'"}, "x : INT;|WHILE x < 5 DO x := x + 1; EXIT; END_WHILE"},
     {"P3021", "i : INT;|FOR i := 1 TO 5 DO i := i + 1; END_FOR", {"P3021 'i'"}, "i, j : INT;|FOR i := 1 TO 5 DO j := i + 1; END_FOR"},
     {"P3022", "PROGRAM Main VAR_EXTERNAL g : INT; END_VAR g := 1; END_PROGRAM", {"P3022 'g'"}, "VAR_GLOBAL g : INT; END_VAR PROGRAM Main VAR_EXTERNAL g : INT; END_VAR g := 1; END_PROGRAM"},
+    {"P3023", "a, b, c : ARRAY[1..100000000] OF BYTE;|a[1] := 1; b[1] := 1; c[1] := 1;", {"P3023"}, "a : ARRAY[1..1000] OF BYTE;|a[1] := 1;"},
+    {"P3024", "FUNCTION F : INT F := 1; END_FUNCTION", {"P3024"}, "PROGRAM Main END_PROGRAM"},
     {"P3025", "PROGRAM A END_PROGRAM PROGRAM B END_PROGRAM", {"P3025 'B'"}, "PROGRAM Main END_PROGRAM PROGRAM B END_PROGRAM"},
     {"P3026", "USING Nowhere; PROGRAM Main END_PROGRAM", {"P3026 'Nowhere'"}, "NAMESPACE Here FUNCTION F : INT F := 1; END_FUNCTION END_NAMESPACE USING Here; PROGRAM Main VAR x : INT; END_VAR x := F(); END_PROGRAM"},
     {"P3027", "a : ARRAY[3..1] OF INT;|a[1] := 1;", {"P3027 '3..1'"}, "a : ARRAY[1..3] OF INT;|a[1] := 1;"},
@@ -153,7 +155,7 @@ const Row kDeclarations[] = {
      "FUNCTION_BLOCK B METHOD M : INT VAR_INPUT n : INT; END_VAR M := n; END_METHOD END_FUNCTION_BLOCK PROGRAM Main VAR b : B; i : INT; END_VAR i := b.M(3); END_PROGRAM"},
 };
 
-bool isInfo(std::string_view code) { return code == "P2033" || code == "P3006"; }
+bool isInfo(std::string_view code) { return code == "P2033" || code == "P3006" || code == "P3024"; }
 
 void checkRow(const Row& row) {
     const CheckedText wrong = check(program(row.wrong));
