@@ -28,6 +28,12 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
     setAcceptDrops(true);
     setFrameShape(QFrame::NoFrame);
     m_scene.setDesigning(true);
+    m_scene.setUnderlay([this](QPainter& painter) {
+        painter.save();
+        painter.resetTransform();
+        drawGrid(painter);
+        painter.restore();
+    });
     m_scene.setFolder(context.project().folder);
     m_scene.setTexts(&context.project().texts);
     m_scene.setLanguage(context.language());
@@ -131,7 +137,6 @@ void DesignCanvas::paintEvent(QPaintEvent*) {
     painter.scale(m_zoom, m_zoom);
     m_scene.paint(painter, QRectF(QPointF(), m_scene.size()));
     painter.restore();
-    drawGrid(painter);
     painter.setRenderHint(QPainter::Antialiasing, false);
     drawFindings(painter);
     drawSelection(painter);

@@ -11,7 +11,13 @@ namespace plc::hmi {
 
 namespace {
 constexpr int kIdRole = Qt::UserRole;
+
+/// The name given by the engineer, else what it is.
+QString titleOf(const Element& element) {
+    const QString name = element.text("name");
+    return name.isEmpty() ? QStringLiteral("%1  %2").arg(QCoreApplication::translate("Hmi", element.descriptor().title), element.id()) : name;
 }
+} // namespace
 
 Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent) : QTreeWidget(parent), m_document(document), m_selection(selection) {
     setHeaderHidden(true);
@@ -26,7 +32,7 @@ Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent)
         const bool names = std::any_of(touched.elements.begin(), touched.elements.end(), [this](const ElementId& id) {
             const QTreeWidgetItem* item = itemOf(id);
             const Element* element = m_document.panel().find(id);
-            return !item || !element || item->text(0) != element->caption() || item->icon(1).isNull() == element->isSet("locked");
+            return !item || !element || item->text(0) != titleOf(*element) || item->icon(1).isNull() == element->isSet("locked");
         });
         if (touched.structure || names) rebuild();
     });
@@ -57,7 +63,7 @@ void Outline::rebuild() {
     QHash<ElementId, QTreeWidgetItem*> items;
     const auto& elements = m_document.panel().elements();
     for (const Element& element : elements) {
-        auto* item = new QTreeWidgetItem({element.caption()});
+        auto* item = new QTreeWidgetItem({titleOf(element)});
         item->setData(0, kIdRole, element.id());
         item->setToolTip(0, QCoreApplication::translate("Hmi", element.descriptor().title));
         if (element.isSet("locked")) item->setIcon(1, kit::icon(kit::Icon::Lock));

@@ -94,7 +94,26 @@ void PropertySheet::rebuild() {
     if (shape != m_shape) {
         m_shape = shape;
         std::vector<kit::PropertyDescriptor> rows;
-        for (const PropertyDescriptor* property : shared())
+        // What the element is about comes first; the place is mostly set with the mouse.
+        std::vector<const PropertyDescriptor*> properties = shared();
+        const auto rank = [](PropertyGroup group) {
+            switch (group) {
+            case PropertyGroup::Text: return 0;
+            case PropertyGroup::Value: return 1;
+            case PropertyGroup::Behaviour: return 2;
+            case PropertyGroup::Look: return 3;
+            case PropertyGroup::Geometry: return 4;
+            case PropertyGroup::Condition: return 5;
+            case PropertyGroup::Motion: return 6;
+            }
+            return 7;
+        };
+        std::stable_sort(properties.begin(), properties.end(), [&](const PropertyDescriptor* a, const PropertyDescriptor* b) {
+            const bool aCommon = descriptorOf(ElementKind::Unknown).property(a->key), bCommon = descriptorOf(ElementKind::Unknown).property(b->key);
+            if (rank(a->group) != rank(b->group)) return rank(a->group) < rank(b->group);
+            return aCommon < bCommon;
+        });
+        for (const PropertyDescriptor* property : properties)
             for (kit::PropertyDescriptor& row : gridRows(*property, m_context)) rows.push_back(std::move(row));
         m_grid->setDescriptors(std::move(rows));
         m_grid->setFilter(m_filter->text());

@@ -54,6 +54,16 @@ Result<std::vector<QString>> renderPanels(const PanelProject& project, session::
     return out;
 }
 
+Result<void> formatPanels(const PanelProject& project) {
+    for (const NamedPanel& panel : project.panels)
+        if (auto saved = savePanel(project, panel); !saved) return saved;
+    if (project.hasTexts)
+        if (auto saved = saveTexts(project); !saved) return saved;
+    if (project.hasAlarms)
+        if (auto saved = saveAlarms(project); !saved) return saved;
+    return {};
+}
+
 namespace {
 
 /// The nearest name of the program for the first name in the expression that nothing is called.

@@ -19,6 +19,9 @@ Result<std::vector<QString>> renderPanels(const PanelProject& project, session::
 /// The image that renderPanels writes.
 QImage renderPanel(const PanelProject& project, session::Session* session, const QString& panel, const QString& language, double scale = 1, const QString& theme = {});
 
+/// Writes panels, texts and alarms in the canonical order, for files made by hand; files that are canonical stay untouched.
+Result<void> formatPanels(const PanelProject& project);
+
 /// All findings, those of the front end included: unknown paths, wrong types.
 std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked, const QStringList& languages = {});
 /// The answer of the front end to one binding; used by the designer while typing, too.

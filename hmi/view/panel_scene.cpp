@@ -180,6 +180,7 @@ void PanelScene::paint(QPainter& painter, const QRectF& clip, const QRegion* reg
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
     const QColor ground = m_theme->color(m_panel.text("background"));
     painter.fillRect(clip & QRectF(QPointF(), size()), ground.isValid() ? ground : m_theme->color("background"));
+    if (m_underlay) m_underlay(painter);
     for (const auto& view : m_views) {
         const QRectF shown = shownRect(*view);
         if (!shown.intersects(clip) || !isShown(*view)) continue;

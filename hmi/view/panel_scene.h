@@ -50,6 +50,8 @@ public:
 
     /// Reads all values at a time in ms (any epoch); returns what must be painted anew. At most one repaint per frame.
     QRegion refresh(qint64 milliseconds);
+    /// Painted between the background and the elements: the designer's grid.
+    void setUnderlay(std::function<void(QPainter&)> underlay) { m_underlay = std::move(underlay); }
     /// Paints what lies in `clip`; with a region (in device coordinates of `toDevice`) only the elements that touch it.
     void paint(QPainter& painter, const QRectF& clip, const QRegion* region = nullptr, const QTransform& toDevice = {});
     QImage picture(double scale = 1);
@@ -105,6 +107,7 @@ private:
     QHash<ElementId, ElementView*> m_byId;
     ElementView* m_pressed = nullptr;
     QRegion m_dirty;
+    std::function<void(QPainter&)> m_underlay;
     QHash<const ElementView*, QRectF> m_lastRects; // of those that move
     qint64 m_frame = -1;
     quint64 m_revision = 0;

@@ -129,6 +129,12 @@ void drawText(QPainter& painter, const TextBox& box) {
         const QFontMetricsF metrics(box.font);
         if (metrics.horizontalAdvance(text) > box.rect.width() + 0.5) text = metrics.elidedText(text, Qt::ElideRight, box.rect.width());
     }
+    if (box.wraps) {
+        // A word that is wider than its line would lose both its ends.
+        const QFontMetricsF metrics(box.font);
+        for (const QString& word : text.split(u' ', Qt::SkipEmptyParts))
+            if (metrics.horizontalAdvance(word) > box.rect.width() + 0.5) text.replace(word, metrics.elidedText(word, Qt::ElideRight, box.rect.width()));
+    }
     painter.setLayoutDirection(box.rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
     painter.drawText(box.rect, flagsOf(box), text);
 }
