@@ -1,0 +1,90 @@
+// `stepwise trace` as its user types it: files written, texts printed, wrong words refused.
+#include "app/cli/command.h"
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+const std::string Examples = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/";
+
+struct Said {
+    int code;
+    std::string out, err;
+};
+
+Said say(std::vector<std::string> words) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    words.insert(words.begin(), "trace");
+    const int code = plc::cli::runCommandLine(words);
+    return {code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+QList<QByteArray> linesOf(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll().trimmed().split('\n');
+}
+
+} // namespace
+
+TEST(TraceCommand, DrawsTheProjectsOwnSetup) {
+    QTemporaryDir folder;
+    const QString picture = folder.filePath("loop.png"), csv = folder.filePath("loop.csv");
+    const Said said = say({Examples + "pid_pt1", "--for", "2s", "--picture", picture.toStdString(), "--csv", csv.toStdString(), "--size", "800x500", "--statistics"});
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_EQ(QImage(picture).size(), QSize(800, 500));
+    const auto lines = linesOf(csv);
+    EXPECT_EQ(lines.size(), 41) << "2 s at 50 ms, and the header";
+    EXPECT_EQ(lines[0], "time [s],Set point,Open loop,Closed loop,Output");
+    EXPECT_NE(said.out.find("Closed loop"), std::string::npos);
+    EXPECT_NE(said.out.find("RMS"), std::string::npos);
+}
+
+TEST(TraceCommand, ChannelsMayHoldCommasInBrackets) {
+    QTemporaryDir folder;
+    const QString csv = folder.filePath("a.csv");
+    const Said said = say({Examples + "pid_pt1", "--for", "1s", "--channels", "Main.SetPoint,LIMIT(-50.0, Main.SetPoint, 50.0)", "--csv", csv.toStdString()});
+    ASSERT_EQ(said.code, 0) << said.err;
+    const auto lines = linesOf(csv);
+    for (qsizetype i = 1; i < lines.size(); ++i) {
+        const auto cells = lines[i].split(',');
+        EXPECT_EQ(std::clamp(cells[1].toDouble(), -50.0, 50.0), cells[2].toDouble()) << lines[i].toStdString();
+    }
+}
+
+TEST(TraceCommand, WritesAndTriggersActAtTheirTimes) {
+    const Said said = say({Examples + "pid_pt1", "--for", "4s", "--set", "Main.Amplitude=30@2s", "--channels", "Main.SetPoint", "--trigger", "ABS(Main.SetPoint) < 50.0", "--before", "100ms", "--after", "1s", "--statistics"});
+    ASSERT_EQ(said.code, 0) << said.err;
+    EXPECT_NE(said.out.find("Triggered at 2 s"), std::string::npos) << said.out;
+    const Said never = say({Examples + "pid_pt1", "--for", "1s", "--channels", "Main.SetPoint", "--trigger", "Main.SetPoint > 1000.0"});
+    EXPECT_EQ(never.code, 0);
+    EXPECT_NE(never.out.find("did not fire"), std::string::npos);
+}
+
+TEST(TraceCommand, ARecordingDrawsLikeTheRun) {
+    QTemporaryDir folder;
+    const QString rec = folder.filePath("a.rec"), one = folder.filePath("1.csv"), two = folder.filePath("2.csv");
+    testing::internal::CaptureStdout();
+    ASSERT_EQ(plc::cli::runCommandLine({"run", Examples + "pid_pt1", "--for", "2s", "--record", rec.toStdString()}), 0);
+    testing::internal::GetCapturedStdout();
+    ASSERT_EQ(say({"--recording", rec.toStdString(), "--channels", "Main.SetPoint,IO.Drive", "--csv", one.toStdString()}).code, 0);
+    ASSERT_EQ(say({Examples + "pid_pt1", "--for", "2s", "--channels", "Main.SetPoint,IO.Drive", "--csv", two.toStdString()}).code, 0);
+    EXPECT_EQ(linesOf(one), linesOf(two));
+}
+
+TEST(TraceCommand, RefusesWrongUseWithAReason) {
+    struct Row { std::vector<std::string> words; const char* part; };
+    for (const Row& row : {Row{{}, "needs a project"}, Row{{Examples + "motor", "--for", "1s", "--channels", "Main.nothing"}, "nothing"},
+                           Row{{Examples + "pid_pt1", "--setup", "missing"}, "missing"}, Row{{Examples + "pid_pt1", "--size", "big"}, "--size"},
+                           Row{{Examples + "pid_pt1", "--for", "1s", "--picture", "a.gif"}, ".png"}, Row{{Examples + "pid_pt1", "--cursors", "1s"}, "--cursors"},
+                           Row{{Examples + "pid_pt1", "--for", "ten"}, "ten"}}) {
+        const Said said = say(row.words);
+        EXPECT_EQ(said.code, 2);
+        EXPECT_NE(said.err.find(row.part), std::string::npos) << said.err;
+    }
+}
