@@ -3,6 +3,7 @@
 #include "runtime/base/assert.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace plc::expression {
 namespace {
@@ -21,8 +22,15 @@ Instruction& CodeBuilder::add(Instruction instruction, int slots) {
 }
 
 void CodeBuilder::constant(const types::TypeTable& types, const types::Value& value) {
-    add({.op = isObject(value) ? Op::Object : Op::Constant, .kind = types.storageKind(value.type), .a = static_cast<uint32_t>(m_code.constants.size())}, 1);
-    m_code.constants.push_back(value);
+    const types::TypeKind kind = types.storageKind(value.type);
+    if (isObject(value)) {
+        add({.op = Op::Object, .kind = kind, .a = static_cast<uint32_t>(m_code.constants.size())}, 1);
+        m_code.constants.push_back(value);
+        return;
+    }
+    const auto* real = std::get_if<double>(&value.data);
+    const auto bits = real ? std::bit_cast<uint64_t>(*real) : static_cast<uint64_t>(value.integer());
+    add({.op = Op::Constant, .kind = kind, .a = static_cast<uint32_t>(bits), .b = static_cast<uint32_t>(bits >> 32)}, 1);
 }
 
 void CodeBuilder::offset(uint32_t offset) { add({.op = Op::Offset, .a = offset}, 1); }

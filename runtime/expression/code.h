@@ -6,7 +6,7 @@
 namespace plc::expression {
 
 enum class Op : uint8_t {
-    Constant,      // a: constants index (scalar)
+    Constant,      // a, b: low and high half of the slot (scalar)
     Object,        // a: constants index (text, aggregate)
     Offset,        // a: image offset → slot
     Load,          // a: image offset, bit; b: type

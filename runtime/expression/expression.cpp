@@ -5,7 +5,7 @@
 namespace plc::expression {
 
 Expression::Expression(std::string text, std::shared_ptr<const types::TypeTable> types, std::shared_ptr<const Code> code, types::TypeId type)
-    : m_text(std::move(text)), m_types(std::move(types)), m_code(std::move(code)), m_type(type) {}
+    : m_text(std::move(text)), m_types(std::move(types)), m_code(std::move(code)), m_type(type), m_kind(m_types->storageKind(type)) {}
 
 std::optional<image::Place> Expression::place() const { return m_code ? m_code->place : std::nullopt; }
 
@@ -21,18 +21,17 @@ Outcome Expression::evaluate(std::span<const std::byte> image) const {
 
 std::optional<double> Expression::number(std::span<const std::byte> image) const {
     if (!m_code) return std::nullopt;
-    const types::TypeKind kind = m_types->storageKind(m_type);
-    if (!types::isElementary(kind)) return std::nullopt;
+    if (!types::isElementary(m_kind)) return std::nullopt;
     Machine machine(*m_types, *m_code, image);
     Slot result;
     if (!machine.run(result)) return std::nullopt;
-    if (types::familyOf(kind) == types::Family::Real) return result.real;
-    if (kind == types::TypeKind::Ulint || kind == types::TypeKind::Lword) return static_cast<double>(static_cast<uint64_t>(result.integer));
+    if (types::familyOf(m_kind) == types::Family::Real) return result.real;
+    if (m_kind == types::TypeKind::Ulint || m_kind == types::TypeKind::Lword) return static_cast<double>(static_cast<uint64_t>(result.integer));
     return static_cast<double>(result.integer);
 }
 
 bool Expression::isTrue(std::span<const std::byte> image) const {
-    if (!m_code || m_types->storageKind(m_type) != types::TypeKind::Bool) return false;
+    if (!m_code || m_kind != types::TypeKind::Bool) return false;
     Machine machine(*m_types, *m_code, image);
     Slot result;
     return machine.run(result) && result.integer != 0;

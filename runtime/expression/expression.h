@@ -51,6 +51,7 @@ private:
     std::shared_ptr<const types::TypeTable> m_types;
     std::shared_ptr<const Code> m_code;
     types::TypeId m_type;
+    types::TypeKind m_kind = types::TypeKind::Unknown; // that stores m_type
 };
 
 } // namespace plc::expression

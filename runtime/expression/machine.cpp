@@ -220,17 +220,11 @@ bool Machine::unary(const Instruction& instruction) {
 bool Machine::binary(const Instruction& instruction) {
     const auto op = static_cast<BinaryOp>(instruction.extra);
     const Slot b = pop(), a = top();
-    switch (types::familyOf(instruction.kind)) {
-    case Family::Real:
-        if (instruction.kind == TypeKind::Real ? quickReal(op, static_cast<float>(a.real), static_cast<float>(b.real), top()) : quickReal(op, a.real, b.real, top())) return true;
-        break;
-    case Family::Other:
-        if (isObjectKind(instruction.kind)) break;
-        [[fallthrough]];
-    default:
-        if (quickInteger(op, instruction.kind, a.integer, b.integer, top())) return true;
-    }
-    return slowBinary(instruction, a, b);
+    bool isDone = false;
+    if (instruction.kind == TypeKind::Real) isDone = quickReal(op, static_cast<float>(a.real), static_cast<float>(b.real), top());
+    else if (instruction.kind == TypeKind::Lreal) isDone = quickReal(op, a.real, b.real, top());
+    else if (!isObjectKind(instruction.kind)) isDone = quickInteger(op, instruction.kind, a.integer, b.integer, top());
+    return isDone || slowBinary(instruction, a, b);
 }
 
 bool Machine::slowBinary(const Instruction& instruction, Slot a, Slot b) {
@@ -275,11 +269,7 @@ bool Machine::run(Slot& result) {
     for (size_t at = 0; at < end;) {
         const Instruction& instruction = m_code.instructions[at++];
         switch (instruction.op) {
-        case Op::Constant: {
-            const Value& value = m_code.constants[instruction.a];
-            push(std::holds_alternative<double>(value.data) ? ofReal(value.real()) : ofInteger(value.integer()));
-            break;
-        }
+        case Op::Constant: push(ofInteger(static_cast<int64_t>(uint64_t(instruction.b) << 32 | instruction.a))); break; // a slot has one pattern for both
         case Op::Object: push(object(Value(m_code.constants[instruction.a]))); break;
         case Op::Offset: push(ofInteger(instruction.a)); break;
         case Op::Load: push(load(instruction, instruction.a)); break;
