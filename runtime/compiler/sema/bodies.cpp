@@ -1,6 +1,8 @@
 // The bodies of all units: prologue (initial values of locals, edges of inputs), statements, end-of-body checks.
 #include "runtime/compiler/sema/checker.h"
 
+#include "runtime/base/text.h"
+
 namespace plc::sema {
 
 using diagnostics::Kind;
@@ -16,9 +18,11 @@ namespace {
 /// before := CLK; edge := CLK AND NOT before — for each R_EDGE or F_EDGE input of a block.
 void emitEdges(Checker& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
     const TypeId boolean = types::TypeTable::of(TypeKind::Bool);
-    for (Unit* at = &unit; at; at = at->base) {
+    // a body that runs its base's leaves the inputs of the base to it
+    const bool runsBase = unit.base && foldCase(checker.world.textOf(unit.pou->body.range)).find("super") != std::string::npos;
+    for (Unit* at = &unit; at; at = runsBase ? nullptr : at->base) {
         for (Variable& variable : at->variables) {
-            if (variable.edgeOffset == Id<int>::kNone || at != &unit) continue;
+            if (variable.edgeOffset == Id<int>::kNone) continue;
             const auto place = [&](uint32_t offset) { return checker.fieldPlace(checker.thisPlace(variable.range), offset, boolean, -1, variable.range); };
             const auto input = [&] {
                 Operand value = checker.load(place(variable.offset), variable.range);

@@ -433,7 +433,7 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
         list->space = &space;
         if (!name.empty()) addSymbol(SymbolKind::GlobalList, name, space.qualified, {}, declared.comment);
     }
-    list->qualifiedOnly = list->qualifiedOnly || hasAttribute(declared.section->pragmas, "qualified_only");
+    const bool qualifiedOnly = hasAttribute(declared.section->pragmas, "qualified_only");
     const Scope scope{nullptr, &space, &file};
     for (const syntax::VarDecl* declaration : declared.section->declarations) {
         declareInlineEnums(declaration->type, scope, space.enumerators);
@@ -460,7 +460,7 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
                 emit(variable.range, Kind::DuplicateName, {variable.name}).related.push_back({first->range, "first declared here"});
             } else {
                 first = &variable;
-                if (!list->qualifiedOnly) space.entities[variable.id].push_back({&variable, nullptr, nullptr});
+                if (!qualifiedOnly) space.entities[variable.id].push_back({&variable, nullptr, nullptr});
             }
         }
     }

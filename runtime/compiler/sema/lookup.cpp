@@ -166,6 +166,7 @@ std::vector<std::string> World::memberNames(TypeId type) {
 }
 
 void World::suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name, const std::vector<std::string>& candidates) {
+    if (name.size() < 3) return; // everything is near to it
     if (!frozen && ++suggestions > kMaximumSuggestions) return;
     const std::optional<std::string> near = nearestName(name, candidates);
     if (!near) return;

@@ -193,7 +193,6 @@ struct GlobalsList {
     std::string name;
     NameId id;
     Space* space = nullptr;
-    bool qualifiedOnly = false;
     std::unordered_map<NameId, Variable*> variables;
 };
 
