@@ -233,7 +233,7 @@ void Session::State::putShared() {
 }
 
 void Session::State::scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds at) {
-    if (settings.record) history.append(image, scan, at);
+    if (settings.record) history.append(image, scan, at, controller.dirtyPages());
     scans.store(scan + 1, std::memory_order_relaxed);
     time.store(at.count(), std::memory_order_relaxed);
 }

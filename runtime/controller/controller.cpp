@@ -49,6 +49,7 @@ State Controller::state() const { return m->isHalted ? State::Halted : m->state;
 const std::optional<Fault>& Controller::fault() const { return m->fault; }
 const std::optional<Fault>& Controller::simulationFault() const { return m->simulationFault; }
 std::span<const std::byte> Controller::image() const { return m->image.span(); }
+std::span<const uint8_t> Controller::dirtyPages() const { return m->isAllDirty ? std::span<const uint8_t>() : std::span<const uint8_t>(m->dirtyPages); }
 uint64_t Controller::nextScan() const { return m->scan; }
 Nanoseconds Controller::nextDue() const { return Nanoseconds(m->schedule.nextDue()); }
 Nanoseconds Controller::lastTime() const { return Nanoseconds(std::max<int64_t>(0, m->time)); }
@@ -69,6 +70,8 @@ void Controller::State_::setProgram(std::shared_ptr<const image::CompiledProgram
     program = std::move(next);
     image.resize(std::max<size_t>(program->layout.imageSize, sizeof(image::ImageHeader)));
     siteFlags.assign(program->sites.size() + 1, 0);
+    dirtyPages.assign(image::dirtyPageCount(static_cast<uint32_t>(image.span().size())) + 1, 0);
+    isAllDirty = true;
     schedule.setTasks(program->tasks, settings.freewheelingInterval);
     schedule.rebase(time);
     prepareContext(image.get());
@@ -81,6 +84,7 @@ void Controller::State_::prepareContext(std::byte* bytes) {
     context->frameTop = program->layout.frameBegin;
     context->imageSize = program->layout.imageSize;
     context->siteFlags = siteFlags.data();
+    context->dirtyPages = dirtyPages.data();
     context->depth = 0;
     context->currentSite = 0;
     context->fault = image::FaultCode::None;
@@ -135,6 +139,7 @@ void callTask(void* argument) {
 } // namespace
 
 bool Controller::State_::initialise(std::span<std::byte> bytes) {
+    isAllDirty = true;
     const std::vector<std::byte>& initial = program->initialImage;
     const size_t known = std::min(initial.size(), bytes.size());
     std::memcpy(bytes.data(), initial.data(), known);
@@ -157,8 +162,9 @@ void Controller::State_::keepSafeOutputs() {
 }
 
 void Controller::State_::makeOutputsSafe() {
+    isAllDirty = true;
     if (!safeOutputs.empty()) std::memcpy(image.get() + layout().outputs.begin, safeOutputs.data(), safeOutputs.size());
-    forces.apply(image.get());
+    applyForces();
 }
 
 bool Controller::runFunction(uint32_t function, uint32_t instance) {
@@ -227,7 +233,7 @@ void Controller::reset(ResetKind kind) {
         m->time = -1;
     }
     m->firstPending = true;
-    m->forces.apply(m->image.get());
+    m->applyForces();
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
     m->schedule.skip(false);
@@ -247,6 +253,7 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
     s.code = s.currentCode();
     if (!s.code) return true;
     s.wantsAbandon = false;
+    s.isAllDirty = s.isAllDirty || !s.code->marksWrites;
     const bool plcRuns = s.plcRuns();
     const bool isFirst = s.firstPending && plcRuns;
     const uint64_t skipped = s.schedule.begin(instant, at ? at->count() : instant, isFirst);
@@ -268,7 +275,7 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
     } else if (s.schedule.hasSimulation()) {
         s.schedule.skip(true);
     }
-    s.forces.apply(s.image.get());
+    s.applyForces();
     bool good = true;
     if (plcRuns) {
         header.firstScan = s.firstPending ? 1 : 0;
@@ -276,7 +283,7 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
         if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
         good = s.runTasks(false);
         if (!good && s.wantsAbandon) return s.finishScan(-1), false;
-        if (good) s.forces.apply(s.image.get());
+        if (good) s.applyForces();
     } else {
         s.schedule.skip(false);
     }
@@ -303,6 +310,8 @@ void Controller::State_::finishScan(int64_t instant) {
     time = instant;
     const std::span<const std::byte> bytes = image.span();
     for (ScanObserver* observer : observers) observer->scanFinished(bytes, number, Nanoseconds(instant));
+    std::fill(dirtyPages.begin(), dirtyPages.end(), uint8_t(0));
+    isAllDirty = false;
 }
 
 bool Controller::State_::runTasks(bool isSimulation) {

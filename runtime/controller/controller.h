@@ -95,6 +95,8 @@ public:
     [[nodiscard]] const std::optional<Fault>& fault() const;
     [[nodiscard]] const std::optional<Fault>& simulationFault() const;
     [[nodiscard]] std::span<const std::byte> image() const;
+    /// For observers inside scanFinished: which pages (image::kDirtyPage) may have changed since the scan before; empty = any.
+    [[nodiscard]] std::span<const uint8_t> dirtyPages() const;
     [[nodiscard]] uint64_t nextScan() const;      // number of the scan to come
     [[nodiscard]] Nanoseconds nextDue() const;    // PLC time at which at least one task is due
     [[nodiscard]] Nanoseconds lastTime() const;   // time of the last scan

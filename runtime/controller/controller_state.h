@@ -40,6 +40,8 @@ struct Controller::State_ {
     std::unique_ptr<image::RuntimeContext> context;
     FaultExit exit;
     std::vector<uint8_t> siteFlags;
+    std::vector<uint8_t> dirtyPages; // of the image, and one behind
+    bool isAllDirty = true;          // something wrote without marking
     SiteHook hook;
     Schedule schedule;
     Forces forces;
@@ -82,6 +84,7 @@ struct Controller::State_ {
     void finishScan(int64_t instant);
     void enterFault(bool isSimulation);
     void report(EventKind kind, std::string text);
+    void applyForces() { forces.apply(image.get(), dirtyPages); }
 
     [[nodiscard]] int64_t watchdogNs() const { return task && task->watchdog.count() > 0 ? task->watchdog.count() : settings.defaultWatchdog.count(); }
 };

@@ -48,8 +48,14 @@ void Forces::clear() {
     m_bytes.clear();
 }
 
-void Forces::apply(std::byte* image) const {
+void markWritten(std::span<uint8_t> dirtyPages, uint32_t offset, uint32_t size) {
+    const uint32_t last = (offset + std::max(1u, size) - 1) / image::kDirtyPage;
+    for (uint32_t page = offset / image::kDirtyPage; page <= last && page < dirtyPages.size(); ++page) dirtyPages[page] = 1;
+}
+
+void Forces::apply(std::byte* image, std::span<uint8_t> dirtyPages) const {
     for (const Patch& patch : m_patches) {
+        markWritten(dirtyPages, patch.offset, patch.size);
         if (patch.bit < 0) {
             std::memcpy(image + patch.offset, m_bytes.data() + patch.begin, patch.size);
             continue;

@@ -4,6 +4,9 @@
 
 namespace plc::controller {
 
+/// Marks what lies at [offset, offset + size) as written.
+void markWritten(std::span<uint8_t> dirtyPages, uint32_t offset, uint32_t size);
+
 class Forces {
 public:
     [[nodiscard]] const std::vector<Forced>& list() const { return m_list; }
@@ -13,7 +16,7 @@ public:
     void set(const types::TypeTable& types, Forced forced);
     bool remove(const image::Place& place);
     void clear();
-    void apply(std::byte* image) const;
+    void apply(std::byte* image, std::span<uint8_t> dirtyPages) const;
     /// Finds the variables again in another program; returns the paths that are gone there.
     std::vector<std::string> rebind(const image::Layout& layout);
 

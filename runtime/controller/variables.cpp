@@ -43,6 +43,7 @@ Result<void> Controller::write(image::Place place, const types::Value& value) {
     const Result<types::Value> fit = fitted(types, value, place.type);
     if (!fit) return fit.error();
     types::writeValue(types, place.type, *fit, m->image.span().subspan(place.offset), place.bit);
+    markWritten(m->dirtyPages, place.offset, place.bit >= 0 ? 1 : types[place.type].size);
     return {};
 }
 
@@ -55,7 +56,7 @@ Result<void> Controller::force(std::string_view path, const types::Value& value)
     if (!fit) return Error{fit.error().message, std::string(path)};
     const std::string text = shownWrite(m->layout(), path, *fit);
     m->forces.set(types, Forced{std::string(path), *place, std::move(*fit)});
-    m->forces.apply(m->image.get());
+    m->applyForces();
     m->report(EventKind::Force, text);
     return {};
 }
@@ -79,6 +80,7 @@ const std::vector<Forced>& Controller::forces() const { return m->forces.list();
 // ---------------------------------------------------------------- another program, another time
 
 OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::CompiledProgram> program) {
+    m->isAllDirty = true;
     const std::shared_ptr<const image::CompiledProgram> oldProgram = m->program;
     ImageBuffer old = std::move(m->image);
     m->image = ImageBuffer();
@@ -102,7 +104,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
     result = carryOver(oldProgram->layout, old.span(), program->layout, m->image.span());
     m->header() = header;
     for (std::string& path : m->forces.rebind(program->layout)) result.lost.push_back("force of " + path);
-    m->forces.apply(m->image.get());
+    m->applyForces();
     m->schedule.restoreTriggers(m->image.get());
     for (TaskRun& run : m->schedule.runs()) run.isPending = std::find(pending.begin(), pending.end(), run.task->name) != pending.end();
     m->simulationFault.reset(); // the plant may be what was mended
@@ -112,6 +114,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
 }
 
 void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image, uint64_t scan, Nanoseconds time) {
+    m->isAllDirty = true;
     const bool isOther = program != m->program;
     m->time = time.count();
     m->scan = scan + 1;
@@ -134,7 +137,7 @@ void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> progra
         (void)m->forces.rebind(m->layout());
         for (ScanObserver* observer : m->observers) observer->programChanged(m->program);
     }
-    m->forces.apply(m->image.get());
+    m->applyForces();
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
     m->report(EventKind::WentBack, {});
@@ -159,6 +162,7 @@ std::vector<std::pair<std::string, types::Value>> Controller::retained(bool pers
 size_t Controller::restoreRetained(std::span<const std::pair<std::string, types::Value>> values) {
     const types::TypeTable& types = *m->layout().types;
     size_t restored = 0;
+    m->isAllDirty = true;
     for (const auto& [path, value] : values) {
         const Result<image::Place> place = m->layout().find(path);
         if (!place) continue;
@@ -169,7 +173,7 @@ size_t Controller::restoreRetained(std::span<const std::pair<std::string, types:
         types::writeValue(types, place->type, *fit, m->image.span().subspan(place->offset), place->bit);
         ++restored;
     }
-    m->forces.apply(m->image.get());
+    m->applyForces();
     m->schedule.restoreTriggers(m->image.get());
     return restored;
 }

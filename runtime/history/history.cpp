@@ -123,7 +123,7 @@ void History::beginProgram(std::shared_ptr<const image::CompiledProgram> program
 
 void History::beginBranch(Position parent) { m->pendingBranch = parent; }
 
-void History::append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) {
+void History::append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time, std::span<const uint8_t> dirtyPages) {
     State& s = *m;
     const int64_t now = time.count();
     uint32_t dataEnd = s.current && !s.programChanged ? s.current->dataEnd : static_cast<uint32_t>(image.size());
@@ -150,7 +150,7 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
         }
         s.publishSegment();
     } else {
-        (void)s.writer.append(image.data(), static_cast<uint32_t>(image.size()), scan, now);
+        (void)s.writer.append(image.data(), static_cast<uint32_t>(image.size()), scan, now, dirtyPages);
     }
     s.lastTime = now;
     s.end.store(position + 1, std::memory_order_release);

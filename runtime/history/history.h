@@ -64,7 +64,8 @@ public:
     // --- the scan thread
     void beginProgram(std::shared_ptr<const image::CompiledProgram> program); // a new segment under this version
     void beginBranch(Position parent);                                        // after going back
-    void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
+    /// `dirtyPages`: one byte for each image::kDirtyPage bytes that may have changed since the scan before; empty = look everywhere.
+    void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time, std::span<const uint8_t> dirtyPages = {});
     void mark(int kind, std::string text, Nanoseconds time);
 
     // --- any thread

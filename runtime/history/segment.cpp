@@ -29,7 +29,9 @@ inline uint16_t changedWords(const std::byte* a, const std::byte* b) {
 #endif
 }
 
-constexpr uint32_t kFirstChunk = 120, kLargestChunk = 4088; // bytes behind the head
+constexpr uint32_t kLargestChunk = 4088; // bytes behind the head
+/// Of a large image most blocks that change at all change once in a while.
+constexpr uint32_t firstChunk(uint32_t blocks) { return blocks > 2048 ? 24 : 120; }
 
 } // namespace
 
@@ -65,7 +67,7 @@ void SegmentWriter::begin(Segment& segment, const std::byte* bytes, uint64_t sca
 
 bool SegmentWriter::isFull() const { return m_segment->count.load(std::memory_order_relaxed) >= kScansPerSegment || m_segment->pageCount >= m_pageLimit; }
 
-bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time) {
+bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time, std::span<const uint8_t> dirtyPages) {
     if (isFull()) return false;
     const uint32_t index = m_segment->count.load(std::memory_order_relaxed);
     const uint32_t blocks = m_segment->blocks;
@@ -75,9 +77,17 @@ bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t 
         const auto mask = static_cast<uint16_t>(changedWords(before, image) & ~kClockWords);
         if (mask) writeBlock(0, mask, image, static_cast<uint16_t>(index));
     }
-    for (uint32_t block = 1; block < whole; ++block) {
-        const uint16_t mask = changedWords(before + size_t(block) * kBlock, image + size_t(block) * kBlock);
-        if (mask) [[unlikely]] writeBlock(block, mask, image + size_t(block) * kBlock, static_cast<uint16_t>(index));
+    if (dirtyPages.empty()) {
+        compareBlocks(1, whole, image, static_cast<uint16_t>(index));
+    } else {
+        constexpr uint32_t kBlocksPerPage = image::kDirtyPage / kBlock;
+        const auto pages = std::min(static_cast<uint32_t>(dirtyPages.size()), (whole + kBlocksPerPage - 1) / kBlocksPerPage);
+        for (uint32_t page = 0; page < pages; ++page) {
+            uint64_t eight = 1;
+            if (page + 8 <= pages && page > 0) std::memcpy(&eight, dirtyPages.data() + page, 8);
+            if (eight == 0) page += 7;
+            else if (page == 0 || dirtyPages[page]) compareBlocks(std::max(1u, page * kBlocksPerPage), std::min(whole, (page + 1) * kBlocksPerPage), image, static_cast<uint16_t>(index));
+        }
     }
     if (whole < blocks) { // an image that ends within a block
         std::byte last[kBlock] = {};
@@ -89,6 +99,14 @@ bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t 
     stamp(index, scan, time);
     m_segment->count.store(index + 1, std::memory_order_release);
     return true;
+}
+
+void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte* image, uint16_t index) {
+    const std::byte* before = m_shadow.get();
+    for (uint32_t block = first; block < end; ++block) {
+        const uint16_t mask = changedWords(before + size_t(block) * kBlock, image + size_t(block) * kBlock);
+        if (mask) [[unlikely]] writeBlock(block, mask, image + size_t(block) * kBlock, index);
+    }
 }
 
 void SegmentWriter::writeBlock(uint32_t block, uint16_t mask, const std::byte* now, uint16_t index) {
@@ -134,7 +152,7 @@ std::byte* SegmentWriter::room(uint32_t log, uint32_t size) {
     Tail& tail = m_tails[log];
     if (tail.used + size <= tail.size) [[likely]] return tail.chunk + tail.used;
     // A block that changes often gets longer chunks.
-    const uint32_t wanted = tail.chunk ? std::min(kLargestChunk, tail.size * 2 + 8) : kFirstChunk;
+    const uint32_t wanted = tail.chunk ? std::max(size, std::min(kLargestChunk, tail.size * 2 + 8)) : std::max(size, firstChunk(m_segment->blocks));
     std::byte* bytes = nullptr;
     const uint32_t id = takeChunk(wanted, bytes);
     if (tail.chunk) reinterpret_cast<ChunkHead*>(tail.chunk - sizeof(ChunkHead))->next.store(id, std::memory_order_release);

@@ -72,7 +72,7 @@ public:
     /// Begins with a keyframe; `bytes` holds segment.blocks × 64 bytes.
     void begin(Segment& segment, const std::byte* bytes, uint64_t scan, int64_t time);
     /// Records the next scan; false when the segment is full (nothing was written).
-    [[nodiscard]] bool append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time);
+    [[nodiscard]] bool append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time, std::span<const uint8_t> dirtyPages);
     [[nodiscard]] bool isFull() const;
     void setPageLimit(uint32_t pages) { m_pageLimit = pages; }
     /// For loading: one entry as it was written.
@@ -86,6 +86,7 @@ private:
         std::byte* chunk = nullptr;
         uint32_t used = 0, size = 0; // without the head
     };
+    void compareBlocks(uint32_t first, uint32_t end, const std::byte* image, uint16_t index);
     void writeBlock(uint32_t block, uint16_t mask, const std::byte* now, uint16_t index);
     void stamp(uint32_t index, uint64_t scan, int64_t time);
     [[nodiscard]] std::byte* room(uint32_t log, uint32_t size);

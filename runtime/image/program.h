@@ -59,6 +59,7 @@ struct FunctionInfo {
 struct Code {
     std::vector<Entry> entries;
     bool hasSites = false; // quick tier: calls atSite, keeps locals in the frame
+    bool marksWrites = false; // sets RuntimeContext::dirtyPages
     std::shared_ptr<void> keepAlive;
 };
 

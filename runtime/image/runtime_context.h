@@ -31,6 +31,8 @@ struct CallRecord {
 };
 
 inline constexpr uint32_t kMaximumDepth = 256;
+inline constexpr uint32_t kDirtyPage = 1024;
+[[nodiscard]] constexpr uint32_t dirtyPageCount(uint32_t imageSize) { return imageSize / kDirtyPage + 1; } // without the one behind
 
 struct RuntimeContext {
     std::byte* image = nullptr;
@@ -48,6 +50,9 @@ struct RuntimeContext {
     uint8_t* siteFlags = nullptr;
     void* owner = nullptr;      // the Controller
     CallRecord calls[kMaximumDepth];
+    /// Code of large programs (Code::marksWrites) sets the byte of each kDirtyPage bytes of the image it writes to; one more byte behind takes
+    /// what lies outside. The recording then looks at those pages only.
+    uint8_t* dirtyPages = nullptr;
     uint64_t stackLimit = 0;    // set by each entry: recursive functions do not go below it on the thread's own stack
 };
 

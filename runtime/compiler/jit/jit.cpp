@@ -1,5 +1,6 @@
 #include "runtime/compiler/jit/jit.h"
 
+#include "runtime/compiler/jit/write_marks.h"
 #include "runtime/library/text_runtime.h"
 
 #include <llvm/ExecutionEngine/Orc/CompileUtils.h>
@@ -89,6 +90,7 @@ llvm::orc::SymbolMap runtimeSymbols(llvm::orc::LLJIT& jit) {
     add("roundeven", addressOf(&roundEven));
     add("roundevenf", addressOf(&roundEvenSingle));
     add("plc_compare_bytes", addressOf(&compareBytes));
+    add("plc_mark_written", addressOf(&markWritten));
     add("plc_fault", addressOf(g_symbols.fault));
     add("plc_budget_used_up", addressOf(g_symbols.budgetUsedUp));
     add("plc_at_site", addressOf(g_symbols.atSite));
@@ -188,7 +190,10 @@ Result<Object> compilePart(const tree::Program& program, const codegen::ProgramF
     if (llvm::verifyModule(*module, &stream)) return Error{"The code generator made a broken module: " + stream.str(), ""};
 #endif
     if (options.threadSanitizer) instrument(*module, **machine);
+    const bool marks = marksWrites(program.layout);
+    if (!isQuick && marks) keepImageArguments(*module);
     if (!isQuick) optimise(*module, **machine);
+    if (marks) markWrites(*module, program.layout.imageSize);
     if (!isQuick) dump(*module, "optimised");
     auto object = llvm::orc::SimpleCompiler(**machine)(*module);
     if (!object) return failed(object.takeError());
@@ -248,6 +253,7 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     }
     auto code = std::make_shared<image::Code>();
     code->hasSites = isQuick;
+    code->marksWrites = marksWrites(program.layout);
     code->entries.resize(program.functions.size(), nullptr);
     for (uint32_t part = 0; part < parts; ++part) {
         auto table = (*jit)->lookup("plc.entries." + std::to_string(part));
