@@ -105,6 +105,7 @@ private:
     [[nodiscard]] std::vector<uint32_t> entryFunctions() const;
     llvm::Function* emitEntry(uint32_t function);
     void emitEntries();
+    void limitInlining();
     void resolvePatches();
     uint32_t need(uint32_t function);
     void addAttributes(llvm::Function& function);

@@ -42,7 +42,29 @@ std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
     }
     emitEntries();
     resolvePatches();
+    if (!isQuick()) limitInlining();
     return std::move(module);
+}
+
+/// Inlining everything that is called once would make one function of a whole plant, and optimising that takes minutes. What is long
+/// gains nothing by it; callers with many calls take in only what is short.
+void ModuleEmitter::limitInlining() {
+    constexpr unsigned kLong = 500, kShort = 80, kManyCalls = 40;
+    for (llvm::Function* function : m_functions) {
+        if (!function || function->isDeclaration()) continue;
+        if (function->getInstructionCount() > kLong) function->addFnAttr(llvm::Attribute::NoInline);
+    }
+    for (llvm::Function* function : m_functions) {
+        if (!function || function->isDeclaration()) continue;
+        std::vector<llvm::CallBase*> calls;
+        for (llvm::BasicBlock& block : *function)
+            for (llvm::Instruction& instruction : block)
+                if (auto* call = llvm::dyn_cast<llvm::CallBase>(&instruction); call && call->getCalledFunction() && !call->getCalledFunction()->isDeclaration() && call->getCalledFunction() != m_raise)
+                    calls.push_back(call);
+        if (calls.size() < kManyCalls) continue;
+        for (llvm::CallBase* call : calls)
+            if (call->getCalledFunction()->getInstructionCount() > kShort) call->setIsNoInline();
+    }
 }
 
 /// What tasks and the initializer run; quick code also has every body and action that needs no arguments, for tests and tools.
