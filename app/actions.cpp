@@ -113,6 +113,15 @@ const std::vector<ActionSpec> kActions = {
     {"view.palette", TR("View"), TR("Command Palette"), "Ctrl+Shift+P", drawn(Icon::Command), [](MainWindow& w) { w.openPalette(); }},
     {"view.split", TR("View"), TR("Split the Editor"), "Ctrl+\\", drawn(Icon::Split), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->toggleSplit(); }},
     {"view.table", TR("View"), TR("Declarations as a Table"), "Ctrl+Shift+D", drawn(Icon::Table), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) { p->toggleTable(); p->table().setModel(w.workspace().model()); } }},
+    {"view.chart", TR("View"), TR("Chart Beside the Text"), "Ctrl+Shift+G", drawn(Icon::Sfc),
+     [](MainWindow& w) {
+         auto* page = w.tabs().currentPage();
+         const auto model = w.workspace().model();
+         const auto file = page && model ? model->fileOf(page->file().toStdString()) : std::nullopt;
+         if (!file) return;
+         if (page->chart() && page->chart()->isVisible()) page->showChart({});
+         else page->showChart(QString::fromStdString(model->pouAt(*file, page->active().cursorOffset())).section('.', 0, 0));
+     }},
     {"view.values", TR("View"), TR("Online Values in the Text"), "Ctrl+Shift+O", none,
      [](MainWindow& w) {
          auto s = w.settings().editor();

@@ -17,7 +17,8 @@ using editor::StEditor;
 // ------------------------------------------------------------------ a page
 
 StPage::StPage(const QString& file, QWidget* parent) : QWidget(parent), m_file(file) {
-    m_splitter = new QSplitter(Qt::Vertical, this);
+    m_sides = new QSplitter(Qt::Horizontal, this);
+    m_splitter = new QSplitter(Qt::Vertical, m_sides);
     m_first = new StEditor(m_splitter);
     m_first->setFile(file);
     m_find = new editor::FindBar(*m_first, this);
@@ -29,7 +30,7 @@ StPage::StPage(const QString& file, QWidget* parent) : QWidget(parent), m_file(f
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_splitter);
+    layout->addWidget(m_sides);
     layout->addWidget(m_find);
     setFocusProxy(m_first);
 }
@@ -49,6 +50,23 @@ void StPage::toggleSplit() {
 }
 
 void StPage::toggleTable() { m_table->setVisible(!m_table->isVisible()); }
+
+editor::ChartView* StPage::showChart(const QString& unit) {
+    if (unit.isEmpty() && m_chart && m_chart->isVisible()) {
+        m_chart->hide();
+        return nullptr;
+    }
+    if (!m_chart) {
+        m_chart = new editor::ChartView(m_sides);
+        m_sides->addWidget(m_chart);
+        m_sides->setSizes({500, 500});
+        emit chartMade(m_chart);
+    }
+    if (!unit.isEmpty()) m_chart->setUnit(unit);
+    m_chart->show();
+    m_chart->setText(m_first->utf8());
+    return m_chart;
+}
 
 std::vector<StEditor*> StPage::editors() {
     std::vector<StEditor*> out{m_first};
@@ -83,6 +101,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
             if (auto* page = qobject_cast<StPage*>(widget(i))) {
                 for (StEditor* editor : page->editors()) editor->setModel(model);
                 page->table().setModel(model);
+                if (page->chart()) page->chart()->setModel(model, page->file());
             }
     });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
@@ -122,6 +141,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();
+            if (page->chart()) page->chart()->refreshOnline();
         }
     });
 }
@@ -148,6 +168,7 @@ StPage* EditorTabs::openFile(const QString& file) {
     auto* page = new StPage(file, this);
     page->first().load(m_workspace.text(file));
     connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
+    connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
     connectEditor(&page->first());
     page->table().setOnlineValues(onlineValues());
     page->table().setModel(m_workspace.model());
@@ -184,6 +205,39 @@ void EditorTabs::connectEditor(StEditor* editor) {
         QToolTip::showText(at, html, editor);
     });
     emit editorMade(editor);
+}
+
+void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
+    StEditor* text = &page->first();
+    chart->setModel(m_workspace.model(), page->file());
+    chart->setValues([this, chart](const QString& expression) {
+        const auto shown = m_control.valueIn(expression, chart->unit());
+        return editor::ChartValue{shown.text, shown.isTrue};
+    });
+    connect(chart, &editor::ChartView::editsRequested, text, [text](const std::vector<diagnostics::TextEdit>& edits) { text->applyEdits(edits); });
+    connect(chart, &editor::ChartView::placeSelected, text, [text](uint32_t offset) {
+        const QSignalBlocker blocker(text); // the chart follows the cursor; here the cursor follows the chart
+        text->SendScintilla(QsciScintillaBase::SCI_GOTOPOS, static_cast<unsigned long>(offset));
+    });
+    connect(chart, &editor::ChartView::breakpointRequested, this, [this, page, text](uint32_t offset) {
+        m_control.toggleBreakpoint(page->file(), static_cast<int>(text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))) + 1);
+    });
+    connect(chart, &editor::ChartView::forceStepRequested, this, [this, chart](const QString& step, bool active) {
+        const QString path = m_control.preferredInstance(chart->unit()) + "." + step + ".X";
+        if (!active) return m_control.unforce(path);
+        if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(QString::fromStdString(forced.error().text()), true);
+    });
+    connect(chart, &editor::ChartView::failed, this, [this](const QString& text) { emit message(text, true); });
+    connect(text, &StEditor::edited, chart, [text, chart] {
+        if (chart->isVisible()) chart->setText(text->utf8());
+    });
+    connect(text, &StEditor::cursorMoved, chart, [text, chart] {
+        if (chart->isVisible() && text->hasFocus()) chart->showCursor(text->cursorOffset());
+    });
+}
+
+void EditorTabs::showChart(const QString& file, const QString& unit) {
+    if (StPage* page = openFile(file)) page->showChart(unit);
 }
 
 editor::OnlineValues EditorTabs::onlineValues() {

@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
+#include "editor/graph/chart_view.h"
 #include "editor/text/declaration_table.h"
 #include "editor/text/find_bar.h"
 #include "editor/text/st_editor.h"
@@ -27,14 +28,20 @@ public:
     [[nodiscard]] const QString& file() const { return m_file; }
     void toggleSplit();
     void toggleTable();
+    /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more when it is shown.
+    editor::ChartView* showChart(const QString& unit);
+    [[nodiscard]] editor::ChartView* chart() { return m_chart; }
     [[nodiscard]] std::vector<editor::StEditor*> editors();
 
 signals:
     void editorMade(plc::editor::StEditor* editor);
+    void chartMade(plc::editor::ChartView* chart);
 
 private:
     QString m_file;
+    QSplitter* m_sides;
     QSplitter* m_splitter;
+    editor::ChartView* m_chart = nullptr;
     editor::StEditor* m_first;
     editor::StEditor* m_second = nullptr;
     editor::FindBar* m_find;
@@ -49,6 +56,7 @@ public:
     StPage* openFile(const QString& file);
     void goTo(const QString& file, uint32_t offset, uint32_t length = 0);
     void goToLine(const QString& file, int line);
+    void showChart(const QString& file, const QString& unit);
     void goBack();
     void goForward();
     [[nodiscard]] StPage* currentPage() const { return qobject_cast<StPage*>(currentWidget()); }
@@ -73,6 +81,7 @@ signals:
 
 private:
     void connectEditor(editor::StEditor* editor);
+    void connectChart(StPage* page, editor::ChartView* chart);
     void markModified(const QString& file, bool modified);
     void showBreakpoints();
     void showExecutedLine();

@@ -217,6 +217,7 @@ void MainWindow::connectParts() {
     connect(m_startPage, &StartPage::openRequested, this, &MainWindow::chooseProject);
     connect(m_startPage, &StartPage::tourRequested, this, &MainWindow::startTour);
     connect(m_tree, &ProjectTree::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_tree, &ProjectTree::chartRequested, m_tabs, &EditorTabs::showChart);
     connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnit);
     connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
     connect(m_tree, &ProjectTree::deleteRequested, this, &MainWindow::deleteUnit);
