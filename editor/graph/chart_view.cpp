@@ -345,6 +345,10 @@ bool ChartView::eventFilter(QObject* watched, QEvent* event) {
         editSelected();
         return true;
     }
+    if (watched == m_canvas && event->type() == QEvent::ShortcutOverride) { // F2 edits here, it does not rename in the text
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_F2 || key == Qt::Key_Delete || key == Qt::Key_Insert) return event->accept(), true;
+    }
     if (watched == m_canvas && event->type() == QEvent::KeyPress) {
         keyPressEvent(static_cast<QKeyEvent*>(event));
         return event->isAccepted();
