@@ -84,8 +84,14 @@ ChartView::ChartView(QWidget* parent) : QWidget(parent) {
     });
 }
 
+ChartView::~ChartView() { m_scene->disconnect(this); } // selected items that die would ask for their place
+
 void ChartView::setText(const std::string& text) {
-    if (text == m_text && m_chart) return;
+    if (text == m_text && m_chart) {
+        m_isStale = false;
+        m_state->clear();
+        return;
+    }
     diagnostics::Sink sink;
     // The tree views the text: both are replaced together, the old chart first.
     auto fresh = std::make_unique<std::string>(text);

@@ -29,6 +29,7 @@ class ChartView : public QWidget {
     Q_OBJECT
 public:
     explicit ChartView(QWidget* parent = nullptr);
+    ~ChartView() override;
 
     /// The unit whose chart is shown; the text as it stands in the editor.
     void setUnit(const QString& pou) { m_unit = pou; }
