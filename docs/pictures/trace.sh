@@ -18,5 +18,5 @@ draw trace_pid_cursors pid_pt1 --for 4s --from 1400ms --to 2200ms --cursors 1500
 draw trace_pid_trigger pid_pt1 --for 10s --trigger 'Main.SetPoint > 50.0 AND IO.Measured > 99.0' --before 300ms --after 600ms
 draw trace_filter_100ms pt1_filter --for 10s
 draw trace_filter_500ms pt1_filter --for 10s --set 'Main.FilterTime=T#500ms'
-draw trace_pwm pwm_sine --for 5s
+draw trace_pwm pwm --for 5s
 draw trace_lanes traffic_light --for 60s --channels 'IO.Red,IO.Yellow,IO.Green,Main.State,Main.SecCount' --size 1200x360

@@ -12,7 +12,7 @@ namespace {
 
 TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
     int channels = 0;
-    for (const char* name : {"pid_pt1", "pt1_filter", "pwm_sine", "hour_meter"}) {
+    for (const char* name : {"pid_pt1", "pt1_filter", "pwm", "hour_meter"}) {
         const std::string folder = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name;
         const auto project = projects::openProject({folder});
         ASSERT_TRUE(project) << project.error().text();
@@ -34,7 +34,7 @@ TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
 }
 
 TEST(GuideProjects, PassTheirOwnTests) {
-    for (const char* name : {"pid_pt1", "pt1_filter", "pwm_sine", "hour_meter"}) {
+    for (const char* name : {"pid_pt1", "pt1_filter", "pwm", "hour_meter"}) {
         const auto project = projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name});
         ASSERT_TRUE(project) << project.error().text();
         jit::setRuntimeSymbols(controller::runtimeSymbols());
