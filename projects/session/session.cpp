@@ -226,6 +226,10 @@ void Session::resetTaskStatistics() {
     m->post(When::Now, [s = m.get()] { s->controller.resetStatistics(); });
 }
 
+void Session::resetStatistics() {
+    m->post(When::Now, [s = m.get()] { s->controller.resetStatistics(); });
+}
+
 std::vector<controller::Event> Session::eventsSince(size_t index) const {
     if (!m->isQueueing.load(std::memory_order_acquire)) m->share(true);
     const std::lock_guard lock(m->mutex);

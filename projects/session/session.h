@@ -104,6 +104,7 @@ public:
     [[nodiscard]] std::vector<controller::Forced> forces() const;
     [[nodiscard]] std::vector<controller::TaskStatistics> taskStatistics() const;
     void resetTaskStatistics();
+    void resetStatistics();
     /// Index counts from the first event of the session; of very many only the newest are kept.
     [[nodiscard]] std::vector<controller::Event> eventsSince(size_t index) const;
     /// Refusals of posted commands (unknown path, wrong type, forced): text per command, oldest first, taken once.

@@ -1,6 +1,7 @@
 // The session with compiled programs: going back in time, changing the program while it runs, breakpoints in ST, threads.
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/projects/random_program.h"
 
 #include <gtest/gtest.h>
 
@@ -91,42 +92,42 @@ CONFIGURATION C
 END_CONFIGURATION
 )";
 
-/// The recorded bytes of the scans [0, count), with inputs written from the seed.
+/// A session whose inputs are written as from a recipe: what is written depends on the scan alone.
 class Plant {
 public:
-    explicit Plant(unsigned seed) : m_seed(seed), session(build(kPlant)) { session.controller().start(); }
+    Plant(unsigned seed, const std::string& program, std::string input) : m_seed(seed), m_input(std::move(input)), session(build(program)) { session.controller().start(); }
     void run(uint64_t until) {
         while (session.controller().nextScan() < until) {
-            // What is written depends on the scan alone, as from a recipe.
             std::mt19937 dice(m_seed + static_cast<unsigned>(session.controller().nextScan()));
-            if (dice() % 5 == 0) { ASSERT_TRUE(session.controller().write("Main.input", Value{TypeTable::of(TypeKind::Int), int64_t(dice() % 100)})); }
-            ASSERT_TRUE(session.controller().scan());
+            if (dice() % 5 == 0) { ASSERT_TRUE(session.controller().write(m_input, Value{TypeTable::of(TypeKind::Int), int64_t(dice() % 100)})); }
+            ASSERT_TRUE(session.controller().scan()) << session.controller().fault()->message;
         }
     }
 
 private:
     unsigned m_seed;
+    std::string m_input;
 
 public:
     Session session;
 };
 
-TEST(TimeTravel, ResumingFromAnyScanGivesTheImagesOfARunThatWasNeverInterrupted) {
+unsigned seedOfRun() {
     const char* given = std::getenv("STEPWISE_SEED");
-    const unsigned seed = given ? static_cast<unsigned>(std::atoi(given)) : std::random_device()();
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    constexpr uint64_t kScans = 10'000;
-    Plant plant(seed);
-    if (!plant.session.program()) return;
-    plant.run(kScans);
+    return given ? static_cast<unsigned>(std::atoi(given)) : std::random_device()();
+}
+
+/// Runs, goes back to random scans and on from there; every image made again must be the one made first.
+void expectSameAgain(Plant& plant, uint64_t scans, int times, unsigned seed) {
+    plant.run(scans);
     std::mt19937 dice(seed);
-    for (int i = 0; i < 20; ++i) {
-        const history::Position back = dice() % kScans;
+    for (int i = 0; i < times; ++i) {
+        const history::Position back = dice() % scans;
         const history::Position end = plant.session.history().statistics().end;
         ASSERT_TRUE(plant.session.resumeFrom(back));
         ASSERT_EQ(plant.session.controller().nextScan(), back + 1);
         plant.session.start();
-        const uint64_t until = std::min<uint64_t>(kScans, back + 1 + dice() % 400);
+        const uint64_t until = std::min<uint64_t>(scans, back + 1 + dice() % 400);
         plant.run(until);
         for (uint64_t scan = back + 1; scan < until; ++scan) {
             const std::vector<std::byte> first = plant.session.history().seek(scan);
@@ -134,6 +135,24 @@ TEST(TimeTravel, ResumingFromAnyScanGivesTheImagesOfARunThatWasNeverInterrupted)
             ASSERT_FALSE(first.empty());
             ASSERT_EQ(first, again) << "scan " << scan << " after going back to " << back;
         }
+    }
+}
+
+TEST(TimeTravel, ResumingFromAnyScanGivesTheImagesOfARunThatWasNeverInterrupted) {
+    const unsigned seed = seedOfRun();
+    SCOPED_TRACE("seed " + std::to_string(seed) + " (STEPWISE_SEED sets it)");
+    Plant plant(seed, kPlant, "Main.input");
+    expectSameAgain(plant, 10'000, 20, seed);
+}
+
+TEST(TimeTravel, HoldsForRandomProgramsTasksAndInputs) {
+    const unsigned seed = seedOfRun();
+    for (unsigned run = 0; run < 12; ++run) {
+        const std::string program = plc::testing::RandomProgram(seed + run).text();
+        SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run) + " (STEPWISE_SEED sets it)\n" + program);
+        Plant plant(seed + run, program, "input");
+        expectSameAgain(plant, 1500, 6, seed + run);
+        if (::testing::Test::HasFailure()) return;
     }
 }
 
