@@ -151,8 +151,7 @@ QMarginsF PlotAxes::margins() {
 }
 
 void PlotAxes::place(const QRectF& area) {
-    const QMarginsF room = margins();
-    m->chart->setGeometry(area.marginsAdded(room));
+    m->chart->setGeometry(area.marginsAdded(margins()));
     m->chart->layout()->activate();
 }
 

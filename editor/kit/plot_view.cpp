@@ -174,7 +174,9 @@ void PlotView::refresh() {
             // Until the first screen is full the picture grows from the left, afterwards it moves.
             const int64_t span = m_model.to - m_model.from;
             const auto whole = wholeRange(m_model);
-            const int64_t to = whole && *newest - whole->first < span ? whole->first + span : *newest + span / 50;
+            // In small steps: between them only the curves grow, and the axes, the dearer part, stay as they are.
+            const int64_t step = std::max<int64_t>(1, span / 80);
+            const int64_t to = whole && *newest - whole->first < span ? whole->first + span : (*newest / step + 2) * step;
             takeRange(to - span, to);
         }
     }

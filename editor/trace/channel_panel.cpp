@@ -201,7 +201,9 @@ void ChannelPanel::showValues(const kit::PlotModel& model) {
                 const auto sample = curve.source->inForceAt(model.cursorA ? *model.cursorA : model.present.value_or(INT64_MAX));
                 if (sample) text = kit::curveValueText(curve, sample->value);
             }
-            item->setText(1, curve.problem.isEmpty() ? text : tr("error"));
+            const QString shown = curve.problem.isEmpty() ? text : tr("error");
+            if (item->text(1) == shown) continue;
+            item->setText(1, shown);
             item->setForeground(1, curve.problem.isEmpty() ? kit::colors().online : kit::colors().bad);
             item->setToolTip(0, curve.problem.isEmpty() ? QString::fromStdString(m_setup.channels[index].expression) : curve.problem);
         }

@@ -158,7 +158,7 @@ TimeSlider::TimeSlider(QWidget* parent) : QWidget(parent) {
     });
     connect(m_bar, &TimeBar::liveWanted, this, &TimeSlider::goLive);
     connect(m_variable, &QLineEdit::returnPressed, this, [this] { stepChange(-1); });
-    m_timer.setInterval(100);
+    m_timer.setInterval(150);
     connect(&m_timer, &QTimer::timeout, this, &TimeSlider::refresh);
     showState();
 }
