@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 namespace {
 
 const std::string Examples = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/";
@@ -75,6 +77,22 @@ TEST(TraceCommand, ARecordingDrawsLikeTheRun) {
     ASSERT_EQ(say({"--recording", rec.toStdString(), "--channels", "Main.SetPoint,IO.Drive", "--csv", one.toStdString()}).code, 0);
     ASSERT_EQ(say({Examples + "pid_pt1", "--for", "2s", "--channels", "Main.SetPoint,IO.Drive", "--csv", two.toStdString()}).code, 0);
     EXPECT_EQ(linesOf(one), linesOf(two));
+}
+
+TEST(TraceCommand, EveryShippedSetupDraws) {
+    QTemporaryDir folder;
+    int drawn = 0;
+    for (const auto& project : std::filesystem::directory_iterator(Examples)) {
+        const auto traces = project.path() / "traces";
+        if (!std::filesystem::is_directory(traces)) continue;
+        for (const auto& file : std::filesystem::directory_iterator(traces)) {
+            const QString picture = folder.filePath(QString("%1.png").arg(drawn++));
+            const Said said = say({project.path().string(), "--setup", file.path().string(), "--for", "300ms", "--picture", picture.toStdString()});
+            EXPECT_EQ(said.code, 0) << file.path() << ": " << said.err;
+            EXPECT_FALSE(QImage(picture).isNull()) << file.path();
+        }
+    }
+    EXPECT_GT(drawn, 3);
 }
 
 TEST(TraceCommand, RefusesWrongUseWithAReason) {
