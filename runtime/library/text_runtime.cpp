@@ -31,6 +31,7 @@ public:
     Output(C* to, uint32_t capacity) : m_to(to), m_capacity(capacity) {}
     void append(View<C> part) {
         const size_t count = std::min<size_t>(part.size(), m_capacity - m_length);
+        if (count == 0) return; // an empty view may have no address
         std::memcpy(m_to + m_length, part.data(), count * sizeof(C));
         m_length += static_cast<uint32_t>(count);
     }
