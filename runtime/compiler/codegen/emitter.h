@@ -276,9 +276,9 @@ private:
         const tree::Stmt& stmt;
         Address variable;
         llvm::IntegerType* type;
-        bool isSigned;
-        Value *first, *last, *step; // of `type`
-        Value *first64, *last64, *step64;
+        bool isSigned;              // the variable
+        bool comparesSigned;
+        Value *first, *last, *step; // i64
     };
     void countedLoop(const ForLoop& loop);
     void steppedLoop(const ForLoop& loop);

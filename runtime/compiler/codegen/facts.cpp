@@ -320,6 +320,8 @@ ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier) : m_program(
         m_blocks[type.blockNumber] = types::TypeId(t);
     }
     for (uint32_t f = 1; f < program.functions.size(); ++f) m_functions[f].mayBeNull.assign(program.functions[f].locals.size(), false);
+    for (uint32_t f = 1; f < program.functions.size(); ++f)
+        if (program.functions[f].methodSlot != Id<int>::kNone) m_targets[f] = findTargets(f);
     for (uint32_t f = 1; f < program.functions.size(); ++f) collect(f);
     findCycles();
     spread();
@@ -344,7 +346,13 @@ void ProgramFacts::collect(uint32_t index) {
     facts.frame = layFrameOut(types, function, inMemory);
 }
 
-std::vector<Target> ProgramFacts::targetsOf(uint32_t method) const {
+const std::vector<Target>& ProgramFacts::targetsOf(uint32_t method) const {
+    static const std::vector<Target> none;
+    const auto it = m_targets.find(method);
+    return it == m_targets.end() ? none : it->second;
+}
+
+std::vector<Target> ProgramFacts::findTargets(uint32_t method) const {
     std::vector<Target> targets;
     const Function& declared = m_program.functions[method];
     const types::TypeTable& types = *m_program.types;

@@ -76,12 +76,13 @@ public:
     [[nodiscard]] const FunctionFacts& operator[](uint32_t function) const { return m_functions[function]; }
     [[nodiscard]] const SiteTable& sites() const { return m_sites; }
     /// Every block whose instances may stand behind a call of `method` (by its owner's type).
-    [[nodiscard]] std::vector<Target> targetsOf(uint32_t method) const;
+    [[nodiscard]] const std::vector<Target>& targetsOf(uint32_t method) const;
     [[nodiscard]] types::TypeId blockType(uint32_t blockNumber) const;
     [[nodiscard]] uint32_t blockCount() const { return static_cast<uint32_t>(m_blocks.size()); }
 
 private:
     void collect(uint32_t function);
+    [[nodiscard]] std::vector<Target> findTargets(uint32_t method) const;
     void findCycles();
     void spread();
     void spreadWrites();
@@ -91,6 +92,7 @@ private:
     SiteTable m_sites;
     std::vector<types::TypeId> m_blocks; // by block number
     std::vector<FunctionFacts> m_functions;
+    std::unordered_map<uint32_t, std::vector<Target>> m_targets; // of every method that has a slot
 };
 
 } // namespace plc::codegen

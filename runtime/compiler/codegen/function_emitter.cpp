@@ -12,9 +12,12 @@ using types::TypeKind;
 namespace {
 class SlotFinder : public Walker {
 public:
-    std::vector<const tree::Place*> slots;
+    std::vector<const tree::Place*> slots, bound;
 
 protected:
+    void onStmt(const tree::Stmt& stmt) override {
+        if (stmt.kind == tree::StmtKind::Bind) bound.push_back(stmt.place);
+    }
     void onPlace(const tree::Place& place, Use) override {
         for (const tree::Place* p = &place; p; p = p->base)
             if (p->kind == tree::PlaceKind::InOutSlot) slots.push_back(p);
@@ -160,11 +163,16 @@ void FunctionEmitter::emitPrologue() {
     if (!m.isQuick() && m_facts.hasSlots) {
         SlotFinder finder;
         finder.walkFunction(m_tree);
+        std::set<uint32_t> bound; // a slot that is bound in this body is followed as it then is
+        for (const tree::Place* place : finder.bound) {
+            uint32_t at = place->offset;
+            if (place->kind == tree::PlaceKind::InOutSlot && fixedFromThis(place->base, at)) bound.insert(at);
+        }
         for (const tree::Place* place : finder.slots) {
             uint32_t at = 0;
             if (!fixedFromThis(place->base, at)) continue;
             at += place->offset;
-            if (m_slots.count(at)) continue;
+            if (m_slots.count(at) || bound.count(at)) continue;
             Slot& slot = m_slots[at];
             const Address where = slotAddress(*place);
             slot.offset = newSlot(m.i64, "slot");

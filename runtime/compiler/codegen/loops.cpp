@@ -163,40 +163,45 @@ llvm::Value* FunctionEmitter::widen(const ForLoop& loop, Value* value) {
 
 void FunctionEmitter::forLoop(const Stmt& stmt) {
     const types::TypeId type = stmt.place->type;
-    const types::TypeId operand = stmt.operandType.isValid() ? stmt.operandType : type;
+    const types::TypeId counted = stmt.operandType.isValid() ? stmt.operandType : type;
     auto* narrow = llvm::cast<llvm::IntegerType>(m.scalarType(type));
-    const types::Family family = m.types().family(type);
-    const bool isSigned = family == types::Family::Signed || family == types::Family::Duration;
+    const auto isSignedFamily = [&](types::TypeId id) { return m.types().family(id) == types::Family::Signed || m.types().family(id) == types::Family::Duration; };
+    // The three are computed in the type the loop counts in, which may be wider than the variable's (BY -1 with an unsigned one).
     const auto value = [&](const tree::Expr* expr) -> Value* {
-        if (!expr) return llvm::ConstantInt::get(narrow, 1);
-        return castInteger(scalar(*expr), expr->type.isValid() ? expr->type : operand, narrow);
+        return expr ? castInteger(scalar(*expr), expr->type.isValid() ? expr->type : counted, m.i64) : int64(1);
     };
-    ForLoop loop{stmt, {}, narrow, isSigned, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr};
+    ForLoop loop{stmt, {}, narrow, isSignedFamily(type), narrow->getBitWidth() < 64 || isSignedFamily(counted), nullptr, nullptr, nullptr};
     loop.first = value(stmt.a);
     loop.last = value(stmt.b);
     loop.step = value(stmt.c);
-    loop.first64 = widen(loop, loop.first);
-    loop.last64 = widen(loop, loop.last);
-    loop.step64 = widen(loop, loop.step);
-    // BY -1 with an unsigned variable still goes down.
-    if (stmt.c && stmt.c->kind == ExprKind::Constant && std::holds_alternative<int64_t>(stmt.c->value.data)) loop.step64 = int64(stmt.c->value.integer());
-    else if (stmt.c && m.types().family(stmt.c->type) == types::Family::Signed && !isSigned) loop.step64 = b.CreateSExt(loop.step, m.i64);
+    if (stmt.c && stmt.c->kind == ExprKind::Constant && std::holds_alternative<int64_t>(stmt.c->value.data)) loop.step = int64(stmt.c->value.integer());
+    const unsigned bits = narrow->getBitWidth();
+    if (bits < 64) {
+        const int64_t low = loop.isSigned ? -(int64_t(1) << (bits - 1)) : 0;
+        const int64_t high = loop.isSigned ? (int64_t(1) << (bits - 1)) - 1 : (int64_t(1) << bits) - 1;
+        if (m.types()[m.types().storage(counted)].size * 8 > bits) {
+            loop.first = widen(loop, b.CreateTrunc(loop.first, narrow));
+            loop.last = b.CreateSelect(b.CreateICmpSLT(loop.last, int64(low)), int64(low), loop.last);
+            loop.last = b.CreateSelect(b.CreateICmpSGT(loop.last, int64(high)), int64(high), loop.last);
+        }
+    }
     loop.variable = address(*stmt.place);
-    store(loop.variable, loop.first);
-    if (mayChange(*stmt.place, stmt.body)) steppedLoop(loop);
+    storeCounter(loop, loop.first);
+    // A label makes it possible to jump into the body: then nothing may be known that only the way through the head makes true.
+    if (m_tree.labelCount > 0 || mayChange(*stmt.place, stmt.body)) steppedLoop(loop);
     else countedLoop(loop);
 }
 
 std::pair<llvm::Value*, llvm::Value*> FunctionEmitter::stepped(const ForLoop& loop, Value* value64) {
     if (loop.type->getBitWidth() < 64) {
-        Value* next = b.CreateAdd(value64, loop.step64);
+        Value* next = b.CreateAdd(value64, loop.step);
         const unsigned bits = loop.type->getBitWidth();
         const int64_t low = loop.isSigned ? -(int64_t(1) << (bits - 1)) : 0;
         const int64_t high = loop.isSigned ? (int64_t(1) << (bits - 1)) - 1 : (int64_t(1) << bits) - 1;
         return {next, b.CreateICmpULE(b.CreateSub(next, int64(low)), int64(high - low))};
     }
-    Value* next = b.CreateAdd(value64, loop.step64);
-    Value* isUp = b.CreateICmpSGT(loop.step64, int64(0));
+    Value* next = b.CreateAdd(value64, loop.step);
+    Value* isUp = b.CreateICmpSGT(loop.step, int64(0));
     using P = llvm::CmpInst;
     Value* above = b.CreateICmp(loop.isSigned ? P::ICMP_SGT : P::ICMP_UGT, next, value64);
     Value* below = b.CreateICmp(loop.isSigned ? P::ICMP_SLT : P::ICMP_ULT, next, value64);
@@ -214,11 +219,11 @@ Range FunctionEmitter::counterRange(const ForLoop& loop) const {
     } else if (!loop.isSigned) {
         return range;
     }
-    const auto* step = llvm::dyn_cast<llvm::ConstantInt>(loop.step64);
+    const auto* step = llvm::dyn_cast<llvm::ConstantInt>(loop.step);
     if (!step) return range;
     const bool isUp = !step->isNegative();
-    const auto* low = llvm::dyn_cast<llvm::ConstantInt>(isUp ? loop.first64 : loop.last64);
-    const auto* high = llvm::dyn_cast<llvm::ConstantInt>(isUp ? loop.last64 : loop.first64);
+    const auto* low = llvm::dyn_cast<llvm::ConstantInt>(isUp ? loop.first : loop.last);
+    const auto* high = llvm::dyn_cast<llvm::ConstantInt>(isUp ? loop.last : loop.first);
     if (low) range.low = low->getSExtValue();
     if (high) range.high = high->getSExtValue();
     return range;
@@ -226,13 +231,13 @@ Range FunctionEmitter::counterRange(const ForLoop& loop) const {
 
 void FunctionEmitter::countedLoop(const ForLoop& loop) {
     using P = llvm::CmpInst;
-    Value* isUp = b.CreateICmpSGT(loop.step64, int64(0));
-    Value* isZero = b.CreateICmpEQ(loop.step64, int64(0));
-    Value* upwards = b.CreateICmp(loop.isSigned ? P::ICMP_SLE : P::ICMP_ULE, loop.first64, loop.last64);
-    Value* downwards = b.CreateICmp(loop.isSigned ? P::ICMP_SGE : P::ICMP_UGE, loop.first64, loop.last64);
+    Value* isUp = b.CreateICmpSGT(loop.step, int64(0));
+    Value* isZero = b.CreateICmpEQ(loop.step, int64(0));
+    Value* upwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SLE : P::ICMP_ULE, loop.first, loop.last);
+    Value* downwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SGE : P::ICMP_UGE, loop.first, loop.last);
     Value* enters = b.CreateAnd(b.CreateSelect(isUp, upwards, downwards), b.CreateNot(isZero));
-    Value* distance = b.CreateSelect(isUp, b.CreateSub(loop.last64, loop.first64), b.CreateSub(loop.first64, loop.last64));
-    Value* pace = b.CreateSelect(isUp, loop.step64, b.CreateNeg(loop.step64));
+    Value* distance = b.CreateSelect(isUp, b.CreateSub(loop.last, loop.first), b.CreateSub(loop.first, loop.last));
+    Value* pace = b.CreateSelect(isUp, loop.step, b.CreateNeg(loop.step));
     const auto* knownPace = llvm::dyn_cast<llvm::ConstantInt>(pace);
     // Passes behind the first one.
     Value* more = knownPace && knownPace->isOne() ? distance : b.CreateUDiv(distance, b.CreateSelect(isZero, int64(1), pace));
@@ -250,7 +255,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Block* again = newBlock("again");
     Block* finished = newBlock("finished");
     Block* done = newBlock("done");
-    b.CreateStore(loop.first64, counter);
+    b.CreateStore(loop.first, counter);
     b.CreateStore(more, later);
     b.CreateCondBr(enters, portion, done);
 
@@ -275,7 +280,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     b.CreateCondBr(b.CreateICmpSLE(remaining, int64(0)), portionEnd, again);
     enter(again);
     b.CreateStore(b.CreateSub(remaining, int64(1)), left);
-    Value* following = b.CreateAdd(b.CreateLoad(m.i64, counter), loop.step64);
+    Value* following = b.CreateAdd(b.CreateLoad(m.i64, counter), loop.step);
     b.CreateStore(following, counter);
     storeCounter(loop, following);
     b.CreateBr(pass);
@@ -286,7 +291,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
         b.CreateCondBr(b.CreateICmpSLE(rest, int64(0)), finished, more2);
         enter(more2);
         b.CreateStore(b.CreateSub(rest, int64(1)), later);
-        Value* first = b.CreateAdd(b.CreateLoad(m.i64, counter), loop.step64);
+        Value* first = b.CreateAdd(b.CreateLoad(m.i64, counter), loop.step);
         b.CreateStore(first, counter);
         storeCounter(loop, first);
         b.CreateBr(portion);
@@ -304,26 +309,40 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
 /// The body (or something it calls) may write the variable: every pass reads it again and is charged by itself.
 void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     using P = llvm::CmpInst;
+    llvm::AllocaInst* last = newSlot(m.i64, "last");
+    llvm::AllocaInst* step = newSlot(m.i64, "step");
+    b.CreateStore(loop.last, last);
+    b.CreateStore(loop.step, step);
+    const bool hasLabels = m_tree.labelCount > 0;
+    const auto here = [&] {
+        ForLoop now = loop;
+        now.last = b.CreateLoad(m.i64, last);
+        now.step = llvm::isa<llvm::ConstantInt>(loop.step) ? loop.step : b.CreateLoad(m.i64, step);
+        if (hasLabels) now.variable = address(*loop.stmt.place);
+        return now;
+    };
     Block* head = newBlock("for");
     Block* pass = newBlock("pass");
     Block* next = newBlock("next");
     Block* advance = newBlock("advance");
     Block* done = newBlock("done");
-    b.CreateCondBr(b.CreateICmpEQ(loop.step64, int64(0)), done, head);
+    b.CreateCondBr(b.CreateICmpEQ(loop.step, int64(0)), done, head);
     enter(head);
-    Value* current = widen(loop, load(loop.variable));
-    Value* isUp = b.CreateICmpSGT(loop.step64, int64(0));
-    Value* upwards = b.CreateICmp(loop.isSigned ? P::ICMP_SLE : P::ICMP_ULE, current, loop.last64);
-    Value* downwards = b.CreateICmp(loop.isSigned ? P::ICMP_SGE : P::ICMP_UGE, current, loop.last64);
+    const ForLoop atHead = here();
+    Value* current = widen(loop, load(atHead.variable));
+    Value* isUp = b.CreateICmpSGT(atHead.step, int64(0));
+    Value* upwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SLE : P::ICMP_ULE, current, atHead.last);
+    Value* downwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SGE : P::ICMP_UGE, current, atHead.last);
     b.CreateCondBr(b.CreateSelect(isUp, upwards, downwards), pass, done);
     enter(pass);
     charge(int64(1));
     loopBody(loop.stmt.body, done, next);
     enter(next);
-    auto [past, exists] = stepped(loop, widen(loop, load(loop.variable)));
+    const ForLoop atNext = here();
+    auto [past, exists] = stepped(atNext, widen(loop, load(atNext.variable)));
     b.CreateCondBr(exists, advance, done);
     enter(advance);
-    storeCounter(loop, past);
+    storeCounter(atNext, past);
     b.CreateBr(head);
     enter(done);
 }

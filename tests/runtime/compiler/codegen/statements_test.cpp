@@ -136,6 +136,43 @@ TEST(Codegen, ForLoopsRunAsOftenAsTheyShouldAndEndOnePastTheLimit) {
     }
 }
 
+TEST(Codegen, AForCountsDownAnUnsignedVariableToALimitBelowItsType) {
+    for (const bool isWritten : {false, true}) {
+        Bench t;
+        const auto usint = of(TypeKind::Usint), integer = of(TypeKind::Int), dint = of(TypeKind::Dint);
+        const uint32_t i = t.global(usint), n = t.global(dint), limit = t.global(integer);
+        t.set<int16_t>(limit, -1);
+        const uint32_t main = t.function("Main");
+        std::vector<Stmt*> body{t.assign(t.at(n, dint), t.binary(BinaryOp::Add, t.load(t.at(n, dint)), t.constant(dint, 1)))};
+        if (isWritten) body.push_back(t.assign(t.at(i, usint), t.load(t.at(i, usint))));
+        Stmt* loop = t.forLoop(t.at(i, usint), t.constant(integer, 10), t.load(t.at(limit, integer)), t.constant(integer, -1), body);
+        loop->operandType = integer;
+        t.add(main, loop);
+        EXPECT_EQ(FaultCode::None, t.runBoth(main));
+        EXPECT_EQ(11, t.get<int32_t>(n));
+        EXPECT_EQ(0, t.get<uint8_t>(i));
+    }
+}
+
+TEST(Codegen, AJumpIntoALoopStaysWithinBoundsAndEnds) {
+    Bench t;
+    const auto dint = of(TypeKind::Dint), lint = of(TypeKind::Lint);
+    const TypeId array = t.types.array({{1, 10}}, dint);
+    const uint32_t guard = t.global(lint), a = t.global(array), i = t.global(lint);
+    t.set<int64_t>(guard, -1);
+    const uint32_t main = t.function("Main");
+    t.fn(main).labelCount = 1;
+    Stmt* jump = t.statement(StmtKind::Jump);
+    jump->label = tree::LabelId(0);
+    t.add(main, jump);
+    Stmt* label = t.statement(StmtKind::Label);
+    label->label = tree::LabelId(0);
+    t.add(main, t.forLoop(t.at(i, lint), t.constant(lint, 1), t.constant(lint, 10), t.constant(lint, 1),
+                          {label, t.assign(t.element(t.at(a, array), {t.load(t.at(i, lint))}), t.constant(dint, 7))}));
+    EXPECT_EQ(FaultCode::IndexOutOfRange, t.runBoth(main)); // i is 0, not 1
+    EXPECT_EQ(-1, t.get<int64_t>(guard));
+}
+
 TEST(Codegen, AnEndlessLoopIsStoppedByTheBudget) {
     Bench t;
     const auto boolean = of(TypeKind::Bool);
