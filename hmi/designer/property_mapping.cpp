@@ -8,7 +8,9 @@ namespace plc::hmi {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Hmi", text); }
+class Hmi {
+    Q_DECLARE_TR_FUNCTIONS(Hmi)
+};
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
 
@@ -16,7 +18,7 @@ kit::PropertyDescriptor base(const PropertyDescriptor& property, const std::stri
     kit::PropertyDescriptor row;
     row.id = QString::fromStdString(prefix) + fromView(property.key) + part;
     row.group = titleOf(property.group);
-    row.label = tr(property.title);
+    row.label = Hmi::tr(property.title);
     row.toolTip = toolTipOf(property);
     return row;
 }
@@ -31,9 +33,9 @@ kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std:
 }
 
 std::vector<kit::PropertyChoice> colorChoices() {
-    std::vector<kit::PropertyChoice> out{{QStringLiteral(""), tr("as it is"), {}}, {QStringLiteral("none"), tr("none"), {}}};
+    std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}}, {QStringLiteral("none"), Hmi::tr("none"), {}}};
     for (const QString& role : PanelTheme::roles()) out.push_back({role, role, {}});
-    out.push_back({QStringLiteral("?"), tr("Other…"), {}});
+    out.push_back({QStringLiteral("?"), Hmi::tr("Other…"), {}});
     return out;
 }
 
@@ -41,15 +43,15 @@ std::vector<kit::PropertyChoice> colorChoices() {
 
 QString toolTipOf(const PropertyDescriptor& property) {
     if (property.type == PropertyType::Expression || property.type == PropertyType::Target) {
-        const QString what = property.type == PropertyType::Target ? tr("A variable that is written") : tr("An ST expression");
+        const QString what = property.type == PropertyType::Target ? Hmi::tr("A variable that is written") : Hmi::tr("An ST expression");
         return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, fromView(property.hint));
     }
-    if (property.type == PropertyType::Text) return tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
+    if (property.type == PropertyType::Text) return Hmi::tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
     return {};
 }
 
 QString summaryOf(const PropertyDescriptor& property, const Json& value) {
-    if (!value.is_structured() || value.empty()) return tr("none");
+    if (!value.is_structured() || value.empty()) return Hmi::tr("none");
     QStringList names;
     for (const auto& [key, item] : value.items()) {
         if (property.type == PropertyType::Bindings) names += QString::fromStdString(key);
@@ -67,14 +69,14 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
     case PropertyType::Element:
     case PropertyType::Points: return {};
     case PropertyType::Rect:
-        return {numberRow(property, prefix, QStringLiteral(".x"), tr("X")), numberRow(property, prefix, QStringLiteral(".y"), tr("Y")),
-                numberRow(property, prefix, QStringLiteral(".w"), tr("Width")), numberRow(property, prefix, QStringLiteral(".h"), tr("Height"))};
+        return {numberRow(property, prefix, QStringLiteral(".x"), Hmi::tr("X")), numberRow(property, prefix, QStringLiteral(".y"), Hmi::tr("Y")),
+                numberRow(property, prefix, QStringLiteral(".w"), Hmi::tr("Width")), numberRow(property, prefix, QStringLiteral(".h"), Hmi::tr("Height"))};
     case PropertyType::Size: {
         kit::PropertyDescriptor preset = base(property, prefix, QStringLiteral(".preset"));
         preset.kind = kit::PropertyKind::Enumeration;
         for (const auto& [w, h] : {std::pair{800, 480}, {1024, 600}, {1024, 768}, {1280, 800}, {1366, 768}, {1920, 1080}, {480, 800}, {600, 1024}, {800, 1280}, {1080, 1920}})
             preset.choices.push_back({QSize(w, h), QStringLiteral("%1 × %2").arg(w).arg(h), {}});
-        auto width = numberRow(property, prefix, QStringLiteral(".w"), tr("Width")), height = numberRow(property, prefix, QStringLiteral(".h"), tr("Height"));
+        auto width = numberRow(property, prefix, QStringLiteral(".w"), Hmi::tr("Width")), height = numberRow(property, prefix, QStringLiteral(".h"), Hmi::tr("Height"));
         width.minimum = height.minimum = 16;
         width.maximum = height.maximum = 16384;
         return {preset, width, height};
@@ -83,7 +85,7 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
     case PropertyType::Integer:
     case PropertyType::Number:
         row.kind = property.isOptional() ? kit::PropertyKind::Text : property.type == PropertyType::Integer ? kit::PropertyKind::Integer : kit::PropertyKind::Number;
-        if (property.isOptional()) row.placeholder = tr("none");
+        if (property.isOptional()) row.placeholder = Hmi::tr("none");
         if (const auto range = property.range()) {
             row.minimum = range->first;
             row.maximum = range->second;
@@ -102,16 +104,16 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
     case PropertyType::Text: row.kind = kit::PropertyKind::Text; break;
     case PropertyType::TextList:
         row.kind = kit::PropertyKind::Enumeration;
-        row.choices.push_back({QString(), tr("none"), {}});
+        row.choices.push_back({QString(), Hmi::tr("none"), {}});
         for (const QString& list : context.project().texts.table().listPrefixes()) row.choices.push_back({list, list, {}});
         break;
     case PropertyType::File:
         row.kind = kit::PropertyKind::File;
-        row.fileFilter = tr("Pictures (*.png *.jpg *.svg)");
+        row.fileFilter = Hmi::tr("Pictures (*.png *.jpg *.svg)");
         break;
     case PropertyType::Panel:
         row.kind = kit::PropertyKind::Enumeration;
-        row.choices.push_back({QString(), tr("none"), {}});
+        row.choices.push_back({QString(), Hmi::tr("none"), {}});
         for (const NamedPanel& panel : context.project().panels) row.choices.push_back({panel.name, panel.name, {}});
         break;
     case PropertyType::Expression:

@@ -81,27 +81,30 @@ QString nearMatch(const driver::Checked& checked, const QString& expression) {
     return {};
 }
 
+class HmiCheck {
+    Q_DECLARE_TR_FUNCTIONS(HmiCheck)
+};
+
 } // namespace
 
 QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("HmiCheck", text); };
     const auto compiled = driver::compileExpression(checked, expression.toStdString());
     if (!compiled) {
         const QString message = QString::fromStdString(compiled.error().message), near = nearMatch(checked, expression);
-        return near.isEmpty() || message.contains(near) ? message : message + QStringLiteral("; ") + tr("did you mean %1?").arg(near);
+        return near.isEmpty() || message.contains(near) ? message : message + QStringLiteral("; ") + HmiCheck::tr("did you mean %1?").arg(near);
     }
     const types::TypeTable& types = compiled->types();
     const types::TypeId type = compiled->type();
     const QString name = QString::fromStdString(types[type].name);
-    if (isTarget && !compiled->place()) return tr("%1 is not a variable, so it can not be written.").arg(expression);
+    if (isTarget && !compiled->place()) return HmiCheck::tr("%1 is not a variable, so it can not be written.").arg(expression);
     const types::Family family = types.family(type);
     const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
     const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
-    if (wanted == "bool" && !isBool) return tr("%1 is %2; a BOOL is needed here.").arg(expression, name);
-    if (wanted == "number" && !isNumber && !isBool) return tr("%1 is %2; a number is needed here.").arg(expression, name);
-    if (wanted == "text" && !types.isText(type)) return tr("%1 is %2; a STRING is needed here.").arg(expression, name);
-    if (wanted == "array" && !isArray) return tr("%1 is %2; an array is needed here.").arg(expression, name);
-    if (wanted == "any" && isArray) return tr("%1 is %2; a single value is needed here.").arg(expression, name);
+    if (wanted == "bool" && !isBool) return HmiCheck::tr("%1 is %2; a BOOL is needed here.").arg(expression, name);
+    if (wanted == "number" && !isNumber && !isBool) return HmiCheck::tr("%1 is %2; a number is needed here.").arg(expression, name);
+    if (wanted == "text" && !types.isText(type)) return HmiCheck::tr("%1 is %2; a STRING is needed here.").arg(expression, name);
+    if (wanted == "array" && !isArray) return HmiCheck::tr("%1 is %2; an array is needed here.").arg(expression, name);
+    if (wanted == "any" && isArray) return HmiCheck::tr("%1 is %2; a single value is needed here.").arg(expression, name);
     return {};
 }
 

@@ -1,0 +1,4146 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="da" sourcelanguage="en">
+<context>
+    <name>Diagnostics</name>
+    <message>
+        <source>The character {0} has no meaning here</source>
+        <translation>Tegnet {0} har ingen betydning her</translation>
+    </message>
+    <message>
+        <source>This comment is not closed</source>
+        <translation>Denne kommentar er ikke lukket</translation>
+    </message>
+    <message>
+        <source>This string is not closed on its line</source>
+        <translation>Denne streng er ikke lukket på sin linje</translation>
+    </message>
+    <message>
+        <source>The file is not UTF-8 here; save it as UTF-8</source>
+        <translation>Filen er ikke UTF-8 her; gem den som UTF-8</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid {1} literal</source>
+        <translation>{0} er ikke en gyldig {1}-konstant</translation>
+    </message>
+    <message>
+        <source>Expected {0} before {1}</source>
+        <translation>{0} forventes før {1}</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here</source>
+        <translation>Her mangler et semikolon</translation>
+    </message>
+    <message>
+        <source>{0} is missing for this {1}</source>
+        <translation>{0} mangler til denne {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not expected here</source>
+        <translation>{0} forventes ikke her</translation>
+    </message>
+    <message>
+        <source>This compares and drops the result; use := to assign</source>
+        <translation>Dette sammenligner og dropper resultatet; brug := til tildeling</translation>
+    </message>
+    <message>
+        <source>An assignment is not a condition; use = to compare</source>
+        <translation>En tildeling er ikke en betingelse; brug = til sammenligning</translation>
+    </message>
+    <message>
+        <source>A colon is missing between the name and its type</source>
+        <translation>Der mangler et kolon mellem navnet og dets type</translation>
+    </message>
+    <message>
+        <source>Decimal numbers are written with a point: {0}</source>
+        <translation>Decimaltal skrives med punktum: {0}</translation>
+    </message>
+    <message>
+        <source>An open bound is written ARRAY[*] and is allowed for VAR_IN_OUT</source>
+        <translation>En åben grænse skrives ARRAY[*] og er tilladt for VAR_IN_OUT</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled</source>
+        <translation>Dette er indlejret for dybt til at blive oversat</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect</source>
+        <translation>Pragmaet {0} er ukendt og uden virkning</translation>
+    </message>
+    <message>
+        <source>{0} is missing; the program unit ends here</source>
+        <translation>{0} mangler; programenheden slutter her</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here; it is read as if it stood there</source>
+        <translation>Her mangler et semikolon; det læses, som om det stod der</translation>
+    </message>
+    <message>
+        <source>{0} is not declared</source>
+        <translation>{0} er ikke erklæret</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}</source>
+        <translation>{0} har intet medlem {1}</translation>
+    </message>
+    <message>
+        <source>{0} can not be converted to {1}</source>
+        <translation>{0} kan ikke konverteres til {1}</translation>
+    </message>
+    <message>
+        <source>{0} may not fit into {1}</source>
+        <translation>{0} kan måske ikke være i {1}</translation>
+    </message>
+    <message>
+        <source>{0} can not be assigned to</source>
+        <translation>{0} kan ikke tildeles en værdi</translation>
+    </message>
+    <message>
+        <source>{0} can not be used with {1}</source>
+        <translation>{0} kan ikke bruges med {1}</translation>
+    </message>
+    <message>
+        <source>{0} can not combine {1} and {2}</source>
+        <translation>{0} kan ikke kombinere {1} og {2}</translation>
+    </message>
+    <message>
+        <source>{0} can not be called</source>
+        <translation>{0} kan ikke kaldes</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}</source>
+        <translation>{0} har ingen parameter {1}</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing</source>
+        <translation>Argumentet for {1} i {0} mangler</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} argument(s)</source>
+        <translation>{0} tager {1} argument(er)</translation>
+    </message>
+    <message>
+        <source>{0} is given twice</source>
+        <translation>{0} er angivet to gange</translation>
+    </message>
+    <message>
+        <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
+        <translation>{0} er en IN_OUT-parameter og kræver en variabel af typen {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string</source>
+        <translation>{0} er hverken array eller streng</translation>
+    </message>
+    <message>
+        <source>This array has {0} dimension(s), not {1}</source>
+        <translation>Dette array har {0} dimension(er), ikke {1}</translation>
+    </message>
+    <message>
+        <source>The index {0} lies outside {1}..{2}</source>
+        <translation>Indekset {0} ligger uden for {1}..{2}</translation>
+    </message>
+    <message>
+        <source>This divides by zero</source>
+        <translation>Her divideres med nul</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} kan ikke være i {1}</translation>
+    </message>
+    <message>
+        <source>A constant is needed here</source>
+        <translation>Her kræves en konstant</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference</source>
+        <translation>{0} er hverken pointer eller reference</translation>
+    </message>
+    <message>
+        <source>{0} has the bits 0 to {1}</source>
+        <translation>{0} har bittene 0 til {1}</translation>
+    </message>
+    <message>
+        <source>A condition is BOOL, not {0}</source>
+        <translation>En betingelse er BOOL, ikke {0}</translation>
+    </message>
+    <message>
+        <source>{0} gives no value</source>
+        <translation>{0} giver ingen værdi</translation>
+    </message>
+    <message>
+        <source>{0} exists in {1}; write the namespace before it</source>
+        <translation>{0} findes i {1}; skriv navnerummet foran</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and can have no instance</source>
+        <translation>{0} er abstrakt og kan ikke have en instans</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and can not be used here</source>
+        <translation>{0} er {1} og kan ikke bruges her</translation>
+    </message>
+    <message>
+        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
+        <translation>Tegnet {0} findes ikke i STRING (Latin-1); brug WSTRING</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be cut to {1}</source>
+        <translation>Teksten har {0} tegn og afkortes til {1}</translation>
+    </message>
+    <message>
+        <source>This integer division drops the fraction before it becomes {0}</source>
+        <translation>Denne heltalsdivision mister brøkdelen, før den bliver {0}</translation>
+    </message>
+    <message>
+        <source>{0} is computed in {1} and wraps before it becomes {2}</source>
+        <translation>{0} beregnes i {1} og løber over, før det bliver {2}</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are compared as {2}</source>
+        <translation>{0} og {1} sammenlignes som {2}</translation>
+    </message>
+    <message>
+        <source>{0} is stored in the enumeration {1} unchecked</source>
+        <translation>{0} gemmes ukontrolleret i enumerationen {1}</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used</source>
+        <translation>Resultatet af {0} bruges ikke</translation>
+    </message>
+    <message>
+        <source>The address {0} lies outside the {1} area</source>
+        <translation>Adressen {0} ligger uden for området {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which must have no side effects</source>
+        <translation>{0} er ikke tilladt i en overvågning eller binding, som ikke må have bivirkninger</translation>
+    </message>
+    <message>
+        <source>{0} is an {1}; write {2}</source>
+        <translation>{0} er en {1}; skriv {2}</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address</source>
+        <translation>En reference kræver en variabel, der har en adresse</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice</source>
+        <translation>{0} er erklæret to gange</translation>
+    </message>
+    <message>
+        <source>There is no type {0}</source>
+        <translation>Der er ingen type {0}</translation>
+    </message>
+    <message>
+        <source>{0} contains itself</source>
+        <translation>{0} indeholder sig selv</translation>
+    </message>
+    <message>
+        <source>{0} calls itself: {1}</source>
+        <translation>{0} kalder sig selv: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is never used</source>
+        <translation>{0} bruges aldrig</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written</source>
+        <translation>{0} læses, men skrives aldrig</translation>
+    </message>
+    <message>
+        <source>This is never executed</source>
+        <translation>Dette udføres aldrig</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path</source>
+        <translation>Resultatet af {0} sættes ikke ad alle veje</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE</source>
+        <translation>CASE har ingen gren for {0} og ingen ELSE</translation>
+    </message>
+    <message>
+        <source>{0} has a branch already</source>
+        <translation>{0} har allerede en gren</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}</source>
+        <translation>{0} og {1} deler adressen {2}</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice</source>
+        <translation>Tasken {0} er erklæret to gange</translation>
+    </message>
+    <message>
+        <source>There is no task {0}</source>
+        <translation>Der er ingen task {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}</source>
+        <translation>{0} implementerer ikke {1} fra {2}</translation>
+    </message>
+    <message>
+        <source>{0} has other parameters than the method it overrides</source>
+        <translation>{0} har andre parametre end den metode, den tilsidesætter</translation>
+    </message>
+    <message>
+        <source>{0} is final</source>
+        <translation>{0} er final</translation>
+    </message>
+    <message>
+        <source>{0} can not be extended by {1}</source>
+        <translation>{0} kan ikke udvides af {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in {1}</source>
+        <translation>{0} er ikke tilladt i {1}</translation>
+    </message>
+    <message>
+        <source>There is no label {0}</source>
+        <translation>Der er ingen label {0}</translation>
+    </message>
+    <message>
+        <source>{0} stands outside a loop</source>
+        <translation>{0} står uden for en løkke</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop</source>
+        <translation>Løkkevariablen {0} ændres inde i sin løkke</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}</source>
+        <translation>Der er ingen global variabel {0} af typen {1}</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; {1} are possible</source>
+        <translation>Variablerne kræver {0} byte; {1} er mulige</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run</source>
+        <translation>Der er intet PROGRAM at køre</translation>
+    </message>
+    <message>
+        <source>There are several programs and no CONFIGURATION; name one Main or write a CONFIGURATION</source>
+        <translation>Der er flere programmer og ingen CONFIGURATION; kald ét Main, eller skriv en CONFIGURATION</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}</source>
+        <translation>Der er intet navnerum {0}</translation>
+    </message>
+    <message>
+        <source>The bounds {0}..{1} are not valid</source>
+        <translation>Grænserne {0}..{1} er ugyldige</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration</source>
+        <translation>{0} er ikke en variabel i denne konfiguration</translation>
+    </message>
+    <message>
+        <source>{0} has an incomplete address and no VAR_CONFIG gives one</source>
+        <translation>{0} har en ufuldstændig adresse, og ingen VAR_CONFIG angiver en</translation>
+    </message>
+    <message>
+        <source>{0} starts anew in every call, because a function keeps nothing</source>
+        <translation>{0} begynder forfra ved hvert kald, fordi en funktion intet husker</translation>
+    </message>
+    <message>
+        <source>{0} initial values for {1} elements</source>
+        <translation>{0} startværdier til {1} elementer</translation>
+    </message>
+    <message>
+        <source>{0} may call itself; the depth is limited while it runs</source>
+        <translation>{0} kalder måske sig selv; dybden er begrænset under kørsel</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP</source>
+        <translation>Diagrammet har ingen INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}</source>
+        <translation>Diagrammet har to starttrin: {0} og {1}</translation>
+    </message>
+    <message>
+        <source>There is no step {0}</source>
+        <translation>Der er intet trin {0}</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}</source>
+        <translation>Ingen transition fører til trin {0}</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at a time: the branches from here do not join</source>
+        <translation>Trin {0} kan blive aktivt to gange samtidig: grenene herfra samles ikke</translation>
+    </message>
+    <message>
+        <source>The steps before this transition can not be active together</source>
+        <translation>Trinene før denne transition kan ikke være aktive samtidig</translation>
+    </message>
+    <message>
+        <source>This transition is always true; the step before it lasts one scan</source>
+        <translation>Denne transition er altid sand; trinet før den varer ét scan</translation>
+    </message>
+    <message>
+        <source>The qualifier {0} needs a time</source>
+        <translation>Kvalifikatoren {0} kræver en tid</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier</source>
+        <translation>{0} er ikke en handlingskvalifikator</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}</source>
+        <translation>Der er ingen handling eller BOOL-variabel {0}</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice</source>
+        <translation>Trinet {0} er erklæret to gange</translation>
+    </message>
+    <message>
+        <source>{0} is not an instruction</source>
+        <translation>{0} er ikke en instruktion</translation>
+    </message>
+    <message>
+        <source>{0} needs a current result; load one with LD</source>
+        <translation>{0} kræver et aktuelt resultat; indlæs et med LD</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed</source>
+        <translation>Parentesen i denne instruktion er ikke lukket</translation>
+    </message>
+    <message>
+        <source>The current result is {0} on one way to this label and {1} on another</source>
+        <translation>Det aktuelle resultat er {0} ad én vej til denne label og {1} ad en anden</translation>
+    </message>
+    <message>
+        <source>{0} is allowed in a TEST only</source>
+        <translation>{0} er kun tilladt i en TEST</translation>
+    </message>
+</context>
+<context>
+    <name>EditHistory</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Fortryd</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gentag</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>as it is</source>
+        <translation>som det er</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Andet…</translation>
+    </message>
+    <message>
+        <source>A variable that is written</source>
+        <translation>En variabel, der skrives</translation>
+    </message>
+    <message>
+        <source>An ST expression</source>
+        <translation>Et ST-udtryk</translation>
+    </message>
+    <message>
+        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
+        <translation>Vises til operatøren. En indtastet tekst får selv sin nøgle; @key nævner en.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Højde</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.svg)</source>
+        <translation>Billeder (*.png *.jpg *.svg)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Unknown element</source>
+        <translation>Ukendt element</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Alarm class</source>
+        <translation>Alarmklasse</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Linjebredde</translation>
+    </message>
+    <message>
+        <source>Line style</source>
+        <translation>Linjetype</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Fyld</translation>
+    </message>
+    <message>
+        <source>Fill level</source>
+        <translation>Fyldniveau</translation>
+    </message>
+    <message>
+        <source>Full at</source>
+        <translation>Fuld ved</translation>
+    </message>
+    <message>
+        <source>Level colour</source>
+        <translation>Niveaufarve</translation>
+    </message>
+    <message>
+        <source>Font size</source>
+        <translation>Skriftstørrelse</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>Fed</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Justering</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Tekstfarve</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maksimum</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhed</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Limit low-low</source>
+        <translation>Grænse lav-lav</translation>
+    </message>
+    <message>
+        <source>Limit low</source>
+        <translation>Grænse lav</translation>
+    </message>
+    <message>
+        <source>Limit high</source>
+        <translation>Grænse høj</translation>
+    </message>
+    <message>
+        <source>Limit high-high</source>
+        <translation>Grænse høj-høj</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Valgmuligheder</translation>
+    </message>
+    <message>
+        <source>Text list</source>
+        <translation>Tekstliste</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Størrelse</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Baggrund</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Id</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Betingelse</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Prioritet</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Values in texts</source>
+        <translation>Værdier i tekster</translation>
+    </message>
+    <message>
+        <source>On delay in seconds</source>
+        <translation>Tilforsinkelse i sekunder</translation>
+    </message>
+    <message>
+        <source>Off delay in seconds</source>
+        <translation>Fraforsinkelse i sekunder</translation>
+    </message>
+    <message>
+        <source>Must be acknowledged</source>
+        <translation>Skal kvitteres</translation>
+    </message>
+    <message>
+        <source>Suppressed if</source>
+        <translation>Undertrykt hvis</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farve</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppér</translation>
+    </message>
+    <message>
+        <source>Tab page</source>
+        <translation>Faneside</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation>Placering og størrelse</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Vinkel</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Låst</translation>
+    </message>
+    <message>
+        <source>Visible if</source>
+        <translation>Synlig hvis</translation>
+    </message>
+    <message>
+        <source>Enabled if</source>
+        <translation>Aktiv hvis</translation>
+    </message>
+    <message>
+        <source>Appearance by condition</source>
+        <translation>Udseende efter betingelse</translation>
+    </message>
+    <message>
+        <source>Move right by</source>
+        <translation>Flyt til højre med</translation>
+    </message>
+    <message>
+        <source>Move down by</source>
+        <translation>Flyt ned med</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Rotér med</translation>
+    </message>
+    <message>
+        <source>Fixed language</source>
+        <translation>Fast sprog</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Hvis</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>Blinker</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Synlig</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
+        <source>On if</source>
+        <translation>Tændt hvis</translation>
+    </message>
+    <message>
+        <source>Blinks if</source>
+        <translation>Blinker hvis</translation>
+    </message>
+    <message>
+        <source>Variable with [#] as index</source>
+        <translation>Variabel med [#] som indeks</translation>
+    </message>
+    <message>
+        <source>Editable</source>
+        <translation>Kan redigeres</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Trin</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkter</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Slut</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>Polylinje</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rektangel</translation>
+    </message>
+    <message>
+        <source>Rounded rectangle</source>
+        <translation>Afrundet rektangel</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bue</translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation>Startvinkel</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>Spænd</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Pipe</source>
+        <translation>Rør</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Tykkelse</translation>
+    </message>
+    <message>
+        <source>Flow (sign gives the direction)</source>
+        <translation>Flow (fortegnet giver retningen)</translation>
+    </message>
+    <message>
+        <source>Flow colour</source>
+        <translation>Flowfarve</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Ombrydes</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Billede</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Tilpas</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>Symbol</translation>
+    </message>
+    <message>
+        <source>Running if</source>
+        <translation>Kører hvis</translation>
+    </message>
+    <message>
+        <source>Warning if</source>
+        <translation>Advarsel hvis</translation>
+    </message>
+    <message>
+        <source>Fault if</source>
+        <translation>Fejl hvis</translation>
+    </message>
+    <message>
+        <source>Colour off</source>
+        <translation>Farve fra</translation>
+    </message>
+    <message>
+        <source>Colour running</source>
+        <translation>Farve kørende</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiket</translation>
+    </message>
+    <message>
+        <source>Button</source>
+        <translation>Knap</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Handling</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Value to write</source>
+        <translation>Værdi at skrive</translation>
+    </message>
+    <message>
+        <source>Go to panel</source>
+        <translation>Gå til panel</translation>
+    </message>
+    <message>
+        <source>Language tag</source>
+        <translation>Sprogmærke</translation>
+    </message>
+    <message>
+        <source>Question to confirm</source>
+        <translation>Bekræftelsesspørgsmål</translation>
+    </message>
+    <message>
+        <source>Lit if</source>
+        <translation>Lyser hvis</translation>
+    </message>
+    <message>
+        <source>Colour lit</source>
+        <translation>Farve lysende</translation>
+    </message>
+    <message>
+        <source>Icon</source>
+        <translation>Ikon</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Text on</source>
+        <translation>Tekst til</translation>
+    </message>
+    <message>
+        <source>Text off</source>
+        <translation>Tekst fra</translation>
+    </message>
+    <message>
+        <source>Colour on</source>
+        <translation>Farve til</translation>
+    </message>
+    <message>
+        <source>Rotary selector</source>
+        <translation>Drejevælger</translation>
+    </message>
+    <message>
+        <source>Check box</source>
+        <translation>Afkrydsningsfelt</translation>
+    </message>
+    <message>
+        <source>Radio group</source>
+        <translation>Radiogruppe</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolonner</translation>
+    </message>
+    <message>
+        <source>Combo box</source>
+        <translation>Kombinationsfelt</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Skyder</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Trin</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Retning</translation>
+    </message>
+    <message>
+        <source>Shows the value</source>
+        <translation>Viser værdien</translation>
+    </message>
+    <message>
+        <source>Turning knob</source>
+        <translation>Drejeknap</translation>
+    </message>
+    <message>
+        <source>Numeric entry</source>
+        <translation>Talindtastning</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Mindste værdi</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Største værdi</translation>
+    </message>
+    <message>
+        <source>Title of the keypad</source>
+        <translation>Tastaturets titel</translation>
+    </message>
+    <message>
+        <source>Text entry</source>
+        <translation>Tekstindtastning</translation>
+    </message>
+    <message>
+        <source>Longest text</source>
+        <translation>Længste tekst</translation>
+    </message>
+    <message>
+        <source>Masked entry</source>
+        <translation>Maskeret indtastning</translation>
+    </message>
+    <message>
+        <source>Mask (# digit, A letter, * any)</source>
+        <translation>Maske (# ciffer, A bogstav, * vilkårlig)</translation>
+    </message>
+    <message>
+        <source>Hides the value</source>
+        <translation>Skjuler værdien</translation>
+    </message>
+    <message>
+        <source>Numeric display</source>
+        <translation>Talvisning</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Ramme</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Dato og klokkeslæt</translation>
+    </message>
+    <message>
+        <source>Value (empty: the controller&apos;s clock)</source>
+        <translation>Værdi (tom: styringens ur)</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Viser</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunder</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Blinks when on</source>
+        <translation>Blinker når tændt</translation>
+    </message>
+    <message>
+        <source>Multi-state indicator</source>
+        <translation>Flertilstandsindikator</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Tilstande</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Bjælke</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Setpunkt</translation>
+    </message>
+    <message>
+        <source>Tank level</source>
+        <translation>Tankniveau</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>Viserinstrument</translation>
+    </message>
+    <message>
+        <source>Span of the scale</source>
+        <translation>Skalaens spænd</translation>
+    </message>
+    <message>
+        <source>Divisions</source>
+        <translation>Inddelinger</translation>
+    </message>
+    <message>
+        <source>7-segment display</source>
+        <translation>7-segmentdisplay</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>Cifre</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Decimaler</translation>
+    </message>
+    <message>
+        <source>Leading zeros</source>
+        <translation>Foranstillede nuller</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fremskridt</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Lystårn</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lys</translation>
+    </message>
+    <message>
+        <source>Siren if</source>
+        <translation>Sirene hvis</translation>
+    </message>
+    <message>
+        <source>Float switch</source>
+        <translation>Svømmerafbryder</translation>
+    </message>
+    <message>
+        <source>Raised if</source>
+        <translation>Løftet hvis</translation>
+    </message>
+    <message>
+        <source>Colour raised</source>
+        <translation>Farve løftet</translation>
+    </message>
+    <message>
+        <source>Colour hanging</source>
+        <translation>Farve hængende</translation>
+    </message>
+    <message>
+        <source>Cell grid</source>
+        <translation>Cellegitter</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Rækker</translation>
+    </message>
+    <message>
+        <source>Variable of a cell with [#]</source>
+        <translation>Variabel for en celle med [#]</translation>
+    </message>
+    <message>
+        <source>On press</source>
+        <translation>Ved tryk</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Første indeks</translation>
+    </message>
+    <message>
+        <source>Shows the numbers</source>
+        <translation>Viser numrene</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabel</translation>
+    </message>
+    <message>
+        <source>Index of the selected row</source>
+        <translation>Indeks for den valgte række</translation>
+    </message>
+    <message>
+        <source>Bar chart</source>
+        <translation>Søjlediagram</translation>
+    </message>
+    <message>
+        <source>Text list of the bars</source>
+        <translation>Søjlernes tekstliste</translation>
+    </message>
+    <message>
+        <source>XY chart</source>
+        <translation>XY-diagram</translation>
+    </message>
+    <message>
+        <source>Array of x</source>
+        <translation>Array for x</translation>
+    </message>
+    <message>
+        <source>Array of y</source>
+        <translation>Array for y</translation>
+    </message>
+    <message>
+        <source>Operating point x</source>
+        <translation>Arbejdspunkt x</translation>
+    </message>
+    <message>
+        <source>Operating point y</source>
+        <translation>Arbejdspunkt y</translation>
+    </message>
+    <message>
+        <source>X from</source>
+        <translation>X fra</translation>
+    </message>
+    <message>
+        <source>X to</source>
+        <translation>X til</translation>
+    </message>
+    <message>
+        <source>Y from</source>
+        <translation>Y fra</translation>
+    </message>
+    <message>
+        <source>Y to</source>
+        <translation>Y til</translation>
+    </message>
+    <message>
+        <source>Title of x</source>
+        <translation>Titel for x</translation>
+    </message>
+    <message>
+        <source>Title of y</source>
+        <translation>Titel for y</translation>
+    </message>
+    <message>
+        <source>Trend chart</source>
+        <translation>Trenddiagram</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurver</translation>
+    </message>
+    <message>
+        <source>Time span in seconds</source>
+        <translation>Tidsrum i sekunder</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Fra</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Til</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Forklaring</translation>
+    </message>
+    <message>
+        <source>Alarm list</source>
+        <translation>Alarmliste</translation>
+    </message>
+    <message>
+        <source>Only these classes</source>
+        <translation>Kun disse klasser</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>Sorteret efter</translation>
+    </message>
+    <message>
+        <source>Acknowledge buttons</source>
+        <translation>Kvitteringsknapper</translation>
+    </message>
+    <message>
+        <source>Alarm banner</source>
+        <translation>Alarmbanner</translation>
+    </message>
+    <message>
+        <source>Language selector</source>
+        <translation>Sprogvælger</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Navne</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Fane</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Sider</translation>
+    </message>
+    <message>
+        <source>Index of the page</source>
+        <translation>Sidens indeks</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Former</translation>
+    </message>
+    <message>
+        <source>Text and pictures</source>
+        <translation>Tekst og billeder</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Symboler</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Betjening</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Visning</translation>
+    </message>
+    <message>
+        <source>Arrays and charts</source>
+        <translation>Arrays og diagrammer</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Containers</source>
+        <translation>Beholdere</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometri</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Udseende</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Opførsel</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bevægelse</translation>
+    </message>
+</context>
+<context>
+    <name>HmiCheck</name>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>mente du %1?</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable, so it can not be written.</source>
+        <translation>%1 er ikke en variabel, så den kan ikke skrives.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a BOOL is needed here.</source>
+        <translation>%1 er %2; her kræves en BOOL.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a number is needed here.</source>
+        <translation>%1 er %2; her kræves et tal.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a STRING is needed here.</source>
+        <translation>%1 er %2; her kræves en STRING.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; an array is needed here.</source>
+        <translation>%1 er %2; her kræves et array.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a single value is needed here.</source>
+        <translation>%1 er %2; her kræves en enkelt værdi.</translation>
+    </message>
+    <message>
+        <source>The text &quot;%1&quot; has no key, so it can not be translated.</source>
+        <translation>Teksten &quot;%1&quot; har ingen nøgle, så den kan ikke oversættes.</translation>
+    </message>
+    <message>
+        <source>The key %1 is not in the text table.</source>
+        <translation>Nøglen %1 er ikke i teksttabellen.</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {%1}; give it in &quot;Values in texts&quot;.</source>
+        <translation>Teksten kræver en værdi for {%1}; angiv den i &quot;Værdier i tekster&quot;.</translation>
+    </message>
+    <message>
+        <source>The text list %1 is empty: there is no key %1.0.</source>
+        <translation>Tekstlisten %1 er tom: der er ingen nøgle %1.0.</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;%1&quot;; it is kept as it is.</source>
+        <translation>Denne version kender ikke elementarten &quot;%1&quot;; den bevares, som den er.</translation>
+    </message>
+    <message>
+        <source>The project has no language %1.</source>
+        <translation>Projektet har intet sprog %1.</translation>
+    </message>
+    <message>
+        <source>The element lies outside the panel.</source>
+        <translation>Elementet ligger uden for panelet.</translation>
+    </message>
+    <message>
+        <source>The file %1 is not there.</source>
+        <translation>Filen %1 er der ikke.</translation>
+    </message>
+    <message>
+        <source>There is no panel %1.</source>
+        <translation>Der er intet panel %1.</translation>
+    </message>
+    <message>
+        <source>The format %1 is not known; %.1f and %d are.</source>
+        <translation>Formatet %1 er ukendt; %.1f og %d er kendte.</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition.</source>
+        <translation>Alarmen har ingen betingelse.</translation>
+    </message>
+    <message>
+        <source>There is no alarm class %1.</source>
+        <translation>Der er ingen alarmklasse %1.</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key %1.</source>
+        <translation>Intet panel og ingen alarm bruger nøglen %1.</translation>
+    </message>
+    <message>
+        <source>%1 has the placeholders {%2}, but %3 has {%4}.</source>
+        <translation>%1 har pladsholderne {%2}, men %3 har {%4}.</translation>
+    </message>
+    <message>
+        <source>The key %1 has no text in %2.</source>
+        <translation>Nøglen %1 har ingen tekst på %2.</translation>
+    </message>
+    <message>
+        <source>The font %1 is not installed here, so texts can not be measured.</source>
+        <translation>Skrifttypen %1 er ikke installeret her, så tekster kan ikke måles.</translation>
+    </message>
+    <message>
+        <source>No font has the character U+%1.</source>
+        <translation>Ingen skrifttype har tegnet U+%1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit: it needs %2 px, there are %3.</source>
+        <translation>&quot;%1&quot; kan ikke være der: den kræver %2 px, der er %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit: it needs a height of %2 px, there are %3.</source>
+        <translation>&quot;%1&quot; kan ikke være der: den kræver en højde på %2 px, der er %3.</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>fejl</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>advarsel</translation>
+    </message>
+</context>
+<context>
+    <name>PlotText</name>
+    <message>
+        <source>no longer kept</source>
+        <translation>ikke længere bevaret</translation>
+    </message>
+    <message>
+        <source>did not exist</source>
+        <translation>fandtes ikke</translation>
+    </message>
+    <message>
+        <source>scans skipped</source>
+        <translation>scan sprunget over</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>ikke optaget</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Filen kan ikke skrives: %1</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in .png, .svg or .pdf.</source>
+        <translation>Et billedes navn skal ende på .png, .svg eller .pdf.</translation>
+    </message>
+    <message>
+        <source>Time [%1]</source>
+        <translation>Tid [%1]</translation>
+    </message>
+    <message>
+        <source>Time from the trigger [%1]</source>
+        <translation>Tid fra triggeren [%1]</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>Ved A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>Ved B</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Maks</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Middel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Stigetid</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Oversving</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Indsvingning</translation>
+    </message>
+</context>
+<context>
+    <name>TraceText</name>
+    <message>
+        <source>Triggered at %1.</source>
+        <translation>Udløst ved %1.</translation>
+    </message>
+    <message>
+        <source>The trigger did not fire.</source>
+        <translation>Triggeren blev ikke udløst.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumenter</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Luk</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>Luk andre</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ændringer, der ikke er gemt</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 er ændret. Gem?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n fil er ændret: %1. Gem den?</numerusform>
+            <numerusform>%n filer er ændret: %1. Gem dem?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed outside</source>
+        <translation>Ændret udefra</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
+        <translation>%1 er ændret af et andet program, og også her. Indlæs filen fra disken og mist ændringerne herfra?</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::LiveViews</name>
+    <message>
+        <source>Panel shown</source>
+        <translation>Vist panel</translation>
+    </message>
+    <message>
+        <source>Full screen (Esc ends it)</source>
+        <translation>Fuld skærm (Esc afslutter)</translation>
+    </message>
+    <message>
+        <source>This project has no panel yet.
+New panels are drawn in the designer: Project, Panels, New…</source>
+        <translation>Projektet har endnu intet panel.
+Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Overvågning</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Tvungne værdier</translation>
+    </message>
+    <message>
+        <source>Call Path</source>
+        <translation>Kaldesti</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Stoppunkter</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemer</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Søgning</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tasks</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Recent Projects</source>
+        <translation>Seneste projekter</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Hovedlinje</translation>
+    </message>
+    <message>
+        <source>State of the controller</source>
+        <translation>Styringens tilstand</translation>
+    </message>
+    <message>
+        <source>%1 : %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>OFFLINE</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSE</translation>
+    </message>
+    <message>
+        <source>HALT</source>
+        <translation>HALT</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>FEJL</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>PAST</source>
+        <translation>FORTID</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <translation>%1 · scan %2</translation>
+    </message>
+    <message>
+        <source>%1 µs · %2 % load</source>
+        <translation>%1 µs · %2 % last</translation>
+    </message>
+    <message>
+        <source>%1 MB recorded</source>
+        <translation>%1 MB optaget</translation>
+    </message>
+    <message>
+        <source>%1 scans of %2 MB at most</source>
+        <translation>%1 scan, højst %2 MB</translation>
+    </message>
+    <message>
+        <source>Go to the line</source>
+        <translation>Gå til linjen</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>ingen problemer</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Åbn projekt</translation>
+    </message>
+    <message>
+        <source>%1 – Stepwise</source>
+        <translation>%1 – Stepwise</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Gendannelse</translation>
+    </message>
+    <message>
+        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <translation>Studiet sluttede uden at gemme. Ændringer i %1, der ikke var gemt, er bevaret. Gendan dem?</translation>
+    </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>Gå til linje</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Linje (1 til %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name</source>
+        <translation>Intet er erklæret under dette navn</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor</source>
+        <translation>Der er intet navn ved markøren</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nyt navn til %1, i hele projektet:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 hedder nu %2, %n sted</numerusform>
+            <numerusform>%1 hedder nu %2, %n steder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>Slet %1?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s); they are listed in Search and will be errors.</source>
+        <translation>
+            <numerusform>Det bruges %n andet sted; det står i Søgning og bliver en fejl.</numerusform>
+            <numerusform>Det bruges %n andre steder; de står i Søgning og bliver fejl.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Biblioteker</translation>
+    </message>
+    <message>
+        <source>The tests run…</source>
+        <translation>Testene kører…</translation>
+    </message>
+    <message>
+        <source>passed: %1</source>
+        <translation>bestået: %1</translation>
+    </message>
+    <message>
+        <source>FAILED: %1</source>
+        <translation>FEJLET: %1</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestået, %2 fejlet</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprog</translation>
+    </message>
+    <message>
+        <source>The language changes when the studio is started the next time.</source>
+        <translation>Sproget skifter, næste gang studiet startes.</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Realtid</translation>
+    </message>
+    <message>
+        <source>2 ×</source>
+        <translation>2 ×</translation>
+    </message>
+    <message>
+        <source>10 ×</source>
+        <translation>10 ×</translation>
+    </message>
+    <message>
+        <source>100 ×</source>
+        <translation>100 ×</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>Så hurtigt som muligt</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Hastighed</translation>
+    </message>
+    <message>
+        <source>Speed of the controller:</source>
+        <translation>Styringens hastighed:</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Optagelse</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan [MB]:</source>
+        <translation>Hukommelse til optagelsen af hvert scan [MB]:</translation>
+    </message>
+    <message>
+        <source>Save the Recording</source>
+        <translation>Gem optagelsen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Optagelser (*.rec)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gemt: %1</translation>
+    </message>
+    <message>
+        <source>About Stepwise</source>
+        <translation>Om Stepwise</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Et åbent PLC-studie: IEC 61131-3-programmer som maskinkode, hvert scan optaget, betjeningspaneler på mange sprog.&lt;/p&gt;&lt;p&gt;Licens: GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Velkommen</translation>
+    </message>
+    <message>
+        <source>This is a PID controller working on a simulated process. Nothing can break: the plant is only numbers. Let us look around; it takes a minute.</source>
+        <translation>Dette er en PID-regulator på en simuleret proces. Intet kan gå i stykker: anlægget er kun tal. Lad os se os omkring; det tager et minut.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Projektet</translation>
+    </message>
+    <message>
+        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
+        <translation>Programmer, blokke, tasks, paneler, traces og tests, lavet af tekstfilerne i mappen.</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>Programmet</translation>
+    </message>
+    <message>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
+        <translation>Struktureret tekst med farver efter betydning. Fejl understreges, mens du skriver; Alt+Enter retter, hvad der kan rettes; Ctrl+Mellemrum fuldfører.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Kør</translation>
+    </message>
+    <message>
+        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <translation>F5 oversætter til maskinkode og kører den. Værdierne står derefter ved hver linje.</translation>
+    </message>
+    <message>
+        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
+        <translation>Ethvert udtryk, når som helst. Forbered en værdi, og skriv eller tving den med ét klik.</translation>
+    </message>
+    <message>
+        <source>The trace</source>
+        <translation>Tracen</translation>
+    </message>
+    <message>
+        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <translation>Intet skulle vælges på forhånd: hvert scan er optaget, og ethvert udtryk kan bagefter blive til et diagram.</translation>
+    </message>
+    <message>
+        <source>The panel</source>
+        <translation>Panelet</translation>
+    </message>
+    <message>
+        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
+        <translation>Det, operatøren ser, på maskinens sprog. Det virker her, som det vil på maskinen.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards, too</source>
+        <translation>Tiden går også baglæns</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
+        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. “Fortsæt herfra” går videre derfra.</translation>
+    </message>
+    <message>
+        <source>That is it</source>
+        <translation>Det var det</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
+        <translation>Ctrl+Shift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewProjectDialog</name>
+    <message>
+        <source>Empty</source>
+        <translation>Tomt</translation>
+    </message>
+    <message>
+        <source>One program in a task of 10 ms</source>
+        <translation>Ét program i en task på 10 ms</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Start, stop, a simulated motor and a test</source>
+        <translation>Start, stop, en simuleret motor og en test</translation>
+    </message>
+    <message>
+        <source>PID loop</source>
+        <translation>PID-sløjfe</translation>
+    </message>
+    <message>
+        <source>A temperature loop with its plant</source>
+        <translation>En temperatursløjfe med sit anlæg</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Sekvens</translation>
+    </message>
+    <message>
+        <source>Fill, mix, empty as a sequential function chart</source>
+        <translation>Fyld, bland, tøm som sekventielt funktionsdiagram</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Nyt projekt</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Skabelon</translation>
+    </message>
+    <message>
+        <source>My machine</source>
+        <translation>Min maskine</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Vælg en mappe</translation>
+    </message>
+    <message>
+        <source>Folder of the project</source>
+        <translation>Projektets mappe</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>In folder</source>
+        <translation>I mappen</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Opret</translation>
+    </message>
+    <message>
+        <source>The project needs a name</source>
+        <translation>Projektet skal have et navn</translation>
+    </message>
+    <message>
+        <source>%1 exists already and is not empty</source>
+        <translation>%1 findes allerede og er ikke tom</translation>
+    </message>
+    <message>
+        <source>Will be made in %1</source>
+        <translation>Oprettes i %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewUnitDialog</name>
+    <message>
+        <source>Program</source>
+        <translation>Program</translation>
+    </message>
+    <message>
+        <source>Function block</source>
+        <translation>Funktionsblok</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Funktion</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Enumeration</source>
+        <translation>Enumeration</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Interface</translation>
+    </message>
+    <message>
+        <source>Global variables</source>
+        <translation>Globale variabler</translation>
+    </message>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Sekventielt funktionsdiagram</translation>
+    </message>
+    <message>
+        <source>Simulation of the plant</source>
+        <translation>Simulering af anlægget</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Ny</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>en fil for sig selv</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Opret</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Giv den et navn</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <translation>Et navn består af bogstaver, cifre og _, begynder med et bogstav og er ikke et nøgleord</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProblemsView</name>
+    <message>
+        <source>Message</source>
+        <translation>Meddelelse</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kode</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemer</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>Vis fejl</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>Vis advarsler</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>Vis bemærkninger</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the problem list</source>
+        <translation>Filter til problemlisten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the project tree</source>
+        <translation>Filter til projekttræet</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programmer</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Blokke</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>Funktioner</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typer</translation>
+    </message>
+    <message>
+        <source>Globals</source>
+        <translation>Globale</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tasks</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulering</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneler</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Traces</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Biblioteker</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Ny…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åbn</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Omdøb…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Slet…</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Biblioteker…</translation>
+    </message>
+    <message>
+        <source>Run Tests</source>
+        <translation>Kør tests</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message>
+        <source>Find in all files</source>
+        <translation>Søg i alle filer</translation>
+    </message>
+    <message>
+        <source>Text to find in all files</source>
+        <translation>Tekst at søge i alle filer</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Erstat med</translation>
+    </message>
+    <message>
+        <source>Replacement in all files</source>
+        <translation>Erstatning i alle filer</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Regulært udtryk</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Store/små bogstaver</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Find</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Erstat alle</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Brug</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Search results</source>
+        <translation>Søgeresultater</translation>
+    </message>
+    <message>
+        <source>Not a pattern: %1</source>
+        <translation>Ikke et mønster: %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 i %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n sted</numerusform>
+            <numerusform>%n steder</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n fil</numerusform>
+            <numerusform>%n filer</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>%n sted erstattet</numerusform>
+            <numerusform>%n steder erstattet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>erklæret</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>læst, skrevet</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>skrevet</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>læst</translation>
+    </message>
+    <message>
+        <source>%1: %2 read, %3 written</source>
+        <translation>%1: læst %2, skrevet %3</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Indstillinger</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Generelt</translation>
+    </message>
+    <message>
+        <source>Editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Kørsel</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Genveje</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Som systemet</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Language of the studio</source>
+        <translation>Studiets sprog</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Indrykning</translation>
+    </message>
+    <message>
+        <source>Write keywords in capitals while typing</source>
+        <translation>Skriv nøgleord med store bogstaver under indtastning</translation>
+    </message>
+    <message>
+        <source>Close blocks with Enter (IF … END_IF)</source>
+        <translation>Luk blokke med Enter (IF … END_IF)</translation>
+    </message>
+    <message>
+        <source>Show online values in the text</source>
+        <translation>Vis onlineværdier i teksten</translation>
+    </message>
+    <message>
+        <source>Format when saving</source>
+        <translation>Formatér ved lagring</translation>
+    </message>
+    <message>
+        <source>Saving changes the running controller (online change)</source>
+        <translation>At gemme ændrer den kørende styring (online-change)</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan</source>
+        <translation>Hukommelse til optagelsen af hvert scan</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Handling</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Genvej</translation>
+    </message>
+    <message>
+        <source>Another action has the same shortcut</source>
+        <translation>En anden handling har samme genvej</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StartPage</name>
+    <message>
+        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
+        <translation>Skriv, kør og overvåg PLC-programmer. Hvert scan optages; tiden går også baglæns.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Seneste projekter</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Eksempler</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Nyt projekt…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Åbn projekt…</translation>
+    </message>
+    <message>
+        <source>Take the Tour</source>
+        <translation>Tag rundturen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Seneste</translation>
+    </message>
+    <message>
+        <source>Examples: open one and press Run</source>
+        <translation>Eksempler: åbn et, og tryk Kør</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Tilbage</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Afslut rundturen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 af %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Færdig</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::BreakpointView</name>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Betingelse</translation>
+    </message>
+    <message>
+        <source>Hit count</source>
+        <translation>Antal træf</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instans</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Stoppunkter</translation>
+    </message>
+    <message>
+        <source>Remove selected</source>
+        <translation>Fjern valgte</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Fjern alle</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::CallPathView</name>
+    <message>
+        <source>Unit</source>
+        <translation>Enhed</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instans</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Kaldesti</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Values of the frame</source>
+        <translation>Kaldets værdier</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ChartView</name>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Sekventielt funktionsdiagram</translation>
+    </message>
+    <message>
+        <source>Insert a step behind (Ins)</source>
+        <translation>Indsæt et trin bagefter (Ins)</translation>
+    </message>
+    <message>
+        <source>Insert a branch beside</source>
+        <translation>Indsæt en gren ved siden af</translation>
+    </message>
+    <message>
+        <source>Insert a simultaneous branch</source>
+        <translation>Indsæt en samtidig gren</translation>
+    </message>
+    <message>
+        <source>Add an action</source>
+        <translation>Tilføj en handling</translation>
+    </message>
+    <message>
+        <source>Edit name or condition (F2)</source>
+        <translation>Redigér navn eller betingelse (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Slet (Del)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alt</translation>
+    </message>
+    <message>
+        <source>Export as SVG or PNG…</source>
+        <translation>Eksportér som SVG eller PNG…</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>Eksportér diagrammet</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 can not be written</source>
+        <translation>%1 kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Enheden %1 er ikke længere i teksten</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart</source>
+        <translation>%1 er ikke et diagram</translation>
+    </message>
+    <message>
+        <source>Mend the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Vælg det trin, grenen går ud fra</translation>
+    </message>
+    <message>
+        <source>Select the transition behind which the steps run at the same time</source>
+        <translation>Vælg den transition, efter hvilken trinene kører samtidig</translation>
+    </message>
+    <message>
+        <source>Select the step that gets the action</source>
+        <translation>Vælg det trin, der får handlingen</translation>
+    </message>
+    <message>
+        <source>This condition is written in IL; edit it in the text</source>
+        <translation>Betingelsen er skrevet i IL; redigér den i teksten</translation>
+    </message>
+    <message>
+        <source>Insert a Step Behind</source>
+        <translation>Indsæt et trin bagefter</translation>
+    </message>
+    <message>
+        <source>Insert a Branch Beside</source>
+        <translation>Indsæt en gren ved siden af</translation>
+    </message>
+    <message>
+        <source>Insert a Simultaneous Branch</source>
+        <translation>Indsæt en samtidig gren</translation>
+    </message>
+    <message>
+        <source>Add an Action</source>
+        <translation>Tilføj en handling</translation>
+    </message>
+    <message>
+        <source>Make It the Initial Step</source>
+        <translation>Gør til starttrin</translation>
+    </message>
+    <message>
+        <source>Force the Step On</source>
+        <translation>Tving trinet til</translation>
+    </message>
+    <message>
+        <source>Release the Step</source>
+        <translation>Frigiv trinet</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå stoppunkt til/fra</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Redigér</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Flyt til venstre</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Flyt til højre</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::DeclarationTable</name>
+    <message>
+        <source>Section</source>
+        <translation>Sektion</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>Startværdi</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>Erklæringer</translation>
+    </message>
+    <message>
+        <source>Add a variable</source>
+        <translation>Tilføj en variabel</translation>
+    </message>
+    <message>
+        <source>Remove the selected variables</source>
+        <translation>Fjern de valgte variabler</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>PLC time</source>
+        <translation>PLC-tid</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Hændelse</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Hændelser</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Ryd</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Find</translation>
+    </message>
+    <message>
+        <source>Text to find</source>
+        <translation>Tekst at finde</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Erstat med</translation>
+    </message>
+    <message>
+        <source>Replacement</source>
+        <translation>Erstatning</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Store/små bogstaver</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Hele ord</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Regulært udtryk</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+Enter)</source>
+        <translation>Forrige (Shift+Enter)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Næste (Enter)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Luk (Esc)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstat</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Erstat alle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n erstattet</numerusform>
+            <numerusform>%n erstattet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not a pattern</source>
+        <translation>ikke et mønster</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n fundet</numerusform>
+            <numerusform>%n fundet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>ikke fundet</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ForceView</name>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Forced value</source>
+        <translation>Tvungen værdi</translation>
+    </message>
+    <message>
+        <source>Forced variables</source>
+        <translation>Tvungne variabler</translation>
+    </message>
+    <message>
+        <source>Release selected</source>
+        <translation>Frigiv valgte</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Frigiv alle</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message>
+        <source>Built in %1 ms</source>
+        <translation>Bygget på %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n fejl: programmet blev ikke bygget</numerusform>
+            <numerusform>%n fejl: programmet blev ikke bygget</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Online change: %1 kept, %2 new, %3 lost</source>
+        <translation>Online-change: %1 bevaret, %2 nye, %3 tabt</translation>
+    </message>
+    <message>
+        <source>The change waits for the end of the scan</source>
+        <translation>Ændringen venter på scannets afslutning</translation>
+    </message>
+    <message>
+        <source>The program has errors; the controller goes on with the old one</source>
+        <translation>Programmet har fejl; styringen fortsætter med det gamle</translation>
+    </message>
+    <message>
+        <source>did not exist in this scan</source>
+        <translation>fandtes ikke i dette scan</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::StEditor</name>
+    <message>
+        <source>Structured Text editor</source>
+        <translation>Editor til struktureret tekst</translation>
+    </message>
+    <message>
+        <source>Declare %1</source>
+        <translation>Erklær %1</translation>
+    </message>
+    <message>
+        <source>There is no fix for this line</source>
+        <translation>Der er ingen rettelse til denne linje</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gå til definition</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Find alle anvendelser</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Omdøb…</translation>
+    </message>
+    <message>
+        <source>Add to Watch</source>
+        <translation>Føj til overvågning</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå stoppunkt til/fra</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TaskMonitor</name>
+    <message>
+        <source>Histogram of execution times</source>
+        <translation>Histogram over udførelsestider</translation>
+    </message>
+    <message>
+        <source>Execution times appear here while the controller runs</source>
+        <translation>Udførelsestider vises her, mens styringen kører</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Task</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Kørsler</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Seneste</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Middel</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Maks</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Jitter</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Overløb</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tasks</translation>
+    </message>
+    <message>
+        <source>Reset the statistics</source>
+        <translation>Nulstil statistikken</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WatchView</name>
+    <message>
+        <source>Expression</source>
+        <translation>Udtryk</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Prepared</source>
+        <translation>Forberedt</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Watch list</source>
+        <translation>Overvågningsliste</translation>
+    </message>
+    <message>
+        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
+        <translation>Tilføj et udtryk: Main.x, a[i] * 2, fb.Q AND NOT done</translation>
+    </message>
+    <message>
+        <source>New watch expression</source>
+        <translation>Nyt overvågningsudtryk</translation>
+    </message>
+    <message>
+        <source>Write prepared values</source>
+        <translation>Skriv forberedte værdier</translation>
+    </message>
+    <message>
+        <source>Force prepared values</source>
+        <translation>Tving forberedte værdier</translation>
+    </message>
+    <message>
+        <source>Release the selected forces</source>
+        <translation>Frigiv de valgte tvungne værdier</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>Decimal</translation>
+    </message>
+    <message>
+        <source>Hexadecimal</source>
+        <translation>Hexadecimal</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binær</translation>
+    </message>
+    <message>
+        <source>Number format</source>
+        <translation>Talformat</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Force to %1</source>
+        <translation>Tving til %1</translation>
+    </message>
+    <message>
+        <source>Release force</source>
+        <translation>Frigiv tvungen værdi</translation>
+    </message>
+    <message>
+        <source>Show in trace</source>
+        <translation>Vis i trace</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Fjern alle</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::AlarmEditor</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Prioritet</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Betingelse</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Add an alarm</source>
+        <translation>Tilføj en alarm</translation>
+    </message>
+    <message>
+        <source>Add a class</source>
+        <translation>Tilføj en klasse</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Værdier</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klasser</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Add alarm</source>
+        <translation>Tilføj alarm</translation>
+    </message>
+    <message>
+        <source>Add class</source>
+        <translation>Tilføj klasse</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayDialog</name>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Duplikér som array</translation>
+    </message>
+    <message>
+        <source>Number of elements</source>
+        <translation>Antal elementer</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Kolonner</translation>
+    </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Afstand vandret</translation>
+    </message>
+    <message>
+        <source>Gap down</source>
+        <translation>Afstand lodret</translation>
+    </message>
+    <message>
+        <source>Index step</source>
+        <translation>Indekstrin</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignCanvas</name>
+    <message>
+        <source>Move</source>
+        <translation>Flyt</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Ændr størrelse</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>Flyt punkt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkter</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Indsæt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignContext</name>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Omdøb %1</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Outline</name>
+    <message>
+        <source>Lock</source>
+        <translation>Lås</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>Omarrangér</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Palette</name>
+    <message>
+        <source>Search elements</source>
+        <translation>Søg elementer</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelDesigner</name>
+    <message>
+        <source>Finding</source>
+        <translation>Fund</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprog</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Klip</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiér</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Sæt ind</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplikér</translation>
+    </message>
+    <message>
+        <source>Duplicate as array…</source>
+        <translation>Duplikér som array…</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Markér alt</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>Justér til venstre</translation>
+    </message>
+    <message>
+        <source>Align centres</source>
+        <translation>Justér centre</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>Justér til højre</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>Justér foroven</translation>
+    </message>
+    <message>
+        <source>Align middles</source>
+        <translation>Justér midter</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>Justér forneden</translation>
+    </message>
+    <message>
+        <source>Equal gaps across</source>
+        <translation>Lige afstande vandret</translation>
+    </message>
+    <message>
+        <source>Equal gaps down</source>
+        <translation>Lige afstande lodret</translation>
+    </message>
+    <message>
+        <source>Same width</source>
+        <translation>Samme bredde</translation>
+    </message>
+    <message>
+        <source>Same height</source>
+        <translation>Samme højde</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Samme størrelse</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>Forrest</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>Et lag frem</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>Et lag tilbage</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>Bagest</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppér</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Opløs gruppe</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Lås</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>Vis gitteret</translation>
+    </message>
+    <message>
+        <source>Snap (Alt: not now)</source>
+        <translation>Fastgør (Alt: ikke nu)</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Live-visning</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Zoom ind</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Zoom ud</translation>
+    </message>
+    <message>
+        <source>Zoom 100 %</source>
+        <translation>Zoom 100 %</translation>
+    </message>
+    <message>
+        <source>Zoom to fit</source>
+        <translation>Zoom til vinduet</translation>
+    </message>
+    <message>
+        <source>Language shown</source>
+        <translation>Vist sprog</translation>
+    </message>
+    <message>
+        <source>Theme of the panel</source>
+        <translation>Panelets tema</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Høj kontrast</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Duplikér som array</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message>
+        <source>Search properties</source>
+        <translation>Søg egenskaber</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Nulstil</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n element</numerusform>
+            <numerusform>%n elementer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecordsDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Tilføj</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Op</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ned</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message>
+        <source>Only incomplete</source>
+        <translation>Kun ufuldstændige</translation>
+    </message>
+    <message>
+        <source>Search texts</source>
+        <translation>Søg tekster</translation>
+    </message>
+    <message>
+        <source>Add a key</source>
+        <translation>Tilføj en nøgle</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Nøgle</translation>
+    </message>
+    <message>
+        <source>Remove the selected keys</source>
+        <translation>Fjern de valgte nøgler</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>Tilføj et sprog</translation>
+    </message>
+    <message>
+        <source>Language tag, for example de or zh-CN</source>
+        <translation>Sprogmærke, for eksempel de eller zh-CN</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>Importér CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv *.txt)</source>
+        <translation>Teksttabeller (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Eksportér CSV</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv)</source>
+        <translation>Teksttabeller (*.csv)</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Tilføj nøgle</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Fjern nøgler</translation>
+    </message>
+    <message>
+        <source>Add language</source>
+        <translation>Tilføj sprog</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n tekst</numerusform>
+            <numerusform>%n tekster</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not used.</source>
+        <translation>%1 bruges ikke.</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 bruges af %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextModel</name>
+    <message>
+        <source>Key</source>
+        <translation>Nøgle</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Rename key</source>
+        <translation>Omdøb nøgle</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::Canvas</name>
+    <message>
+        <source>Overview</source>
+        <translation>Oversigt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColorPopup</name>
+    <message>
+        <source>Colours</source>
+        <translation>Farver</translation>
+    </message>
+    <message>
+        <source>More colours…</source>
+        <translation>Flere farver…</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Ingen farve</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::CommandPalette</name>
+    <message>
+        <source>Command palette</source>
+        <translation>Kommandopalet</translation>
+    </message>
+    <message>
+        <source>Type to find a command</source>
+        <translation>Skriv for at finde en kommando</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Kommando</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Kommandoer</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>menu and command</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Klik vælger, Ctrl+klik viser eller skjuler.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PropertyGrid</name>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Vælg en variabel</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Vælg en fil</translation>
+    </message>
+    <message>
+        <source>Edit in a window</source>
+        <translation>Redigér i et vindue</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nej</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Egenskab</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Egenskaber</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>forskellige</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Nulstil</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::VariablePicker</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Search variables</source>
+        <translation>Søg variabler</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variabler</translation>
+    </message>
+    <message>
+        <source>Found variables</source>
+        <translation>Fundne variabler</translation>
+    </message>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Vælg en variabel</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::ChannelPanel</name>
+    <message>
+        <source>Variable or expression</source>
+        <translation>Variabel eller udtryk</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Tilføj en kanal</translation>
+    </message>
+    <message>
+        <source>Add as a channel</source>
+        <translation>Tilføj som kanal</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Værdi</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanaler</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Vis kanal</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Skjul kanal</translation>
+    </message>
+    <message>
+        <source>Chart %1</source>
+        <translation>Diagram %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>fejl</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Udtryk</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhed</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linje</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Hold</translation>
+    </message>
+    <message>
+        <source>Digital</source>
+        <translation>Digital</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farve</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Linjebredde</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Forskydning</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>Nyt diagram</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Akse</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Akse %1</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Ny akse</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Share of height</source>
+        <translation>Andel af højden</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Skalering</translation>
+    </message>
+    <message>
+        <source>Fit to view</source>
+        <translation>Tilpas til visning</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fast</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maksimum</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>Til højre</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Every n-th scan</source>
+        <translation>Hvert n-te scan</translation>
+    </message>
+    <message>
+        <source>Record while</source>
+        <translation>Optag mens</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Flanke</translation>
+    </message>
+    <message>
+        <source>Rising</source>
+        <translation>Stigende</translation>
+    </message>
+    <message>
+        <source>Falling</source>
+        <translation>Faldende</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Begge</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Tilstand</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Fra</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Enkelt</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Gentaget</translation>
+    </message>
+    <message>
+        <source>Shown before</source>
+        <translation>Vist før</translation>
+    </message>
+    <message>
+        <source>Shown after</source>
+        <translation>Vist efter</translation>
+    </message>
+    <message>
+        <source>Change channel</source>
+        <translation>Ændr kanal</translation>
+    </message>
+    <message>
+        <source>Change chart</source>
+        <translation>Ændr diagram</translation>
+    </message>
+    <message>
+        <source>Change trace</source>
+        <translation>Ændr trace</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Fjern kanal</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>Fjern diagram</translation>
+    </message>
+    <message>
+        <source>Move channel</source>
+        <translation>Flyt kanal</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Resumed from here
+%1</source>
+        <translation>Fortsat herfra
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeSlider</name>
+    <message>
+        <source>Time slider</source>
+        <translation>Tidsskyder</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variabel</translation>
+    </message>
+    <message>
+        <source>Variable whose changes to step to</source>
+        <translation>Variabel, hvis ændringer der springes til</translation>
+    </message>
+    <message>
+        <source>The arrows beside step to its previous and next change</source>
+        <translation>Pilene ved siden af går til forrige og næste ændring</translation>
+    </message>
+    <message>
+        <source>One scan back (Left)</source>
+        <translation>Ét scan tilbage (Venstre)</translation>
+    </message>
+    <message>
+        <source>One scan forth (Right)</source>
+        <translation>Ét scan frem (Højre)</translation>
+    </message>
+    <message>
+        <source>Previous change of the variable (Ctrl+Left)</source>
+        <translation>Variablens forrige ændring (Ctrl+Venstre)</translation>
+    </message>
+    <message>
+        <source>Next change of the variable (Ctrl+Right)</source>
+        <translation>Variablens næste ændring (Ctrl+Højre)</translation>
+    </message>
+    <message>
+        <source>Resume the controller from this scan</source>
+        <translation>Fortsæt styringen fra dette scan</translation>
+    </message>
+    <message>
+        <source>Back to the newest scan (End)</source>
+        <translation>Tilbage til nyeste scan (End)</translation>
+    </message>
+    <message>
+        <source>Older scans are no longer kept.</source>
+        <translation>Ældre scan er ikke længere bevaret.</translation>
+    </message>
+    <message>
+        <source>%1 does not change before this scan.</source>
+        <translation>%1 ændrer sig ikke før dette scan.</translation>
+    </message>
+    <message>
+        <source>%1 does not change after this scan.</source>
+        <translation>%1 ændrer sig ikke efter dette scan.</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Ingen optagelse</translation>
+    </message>
+    <message>
+        <source>no longer kept</source>
+        <translation>ikke længere bevaret</translation>
+    </message>
+    <message>
+        <source>scan %1  %2</source>
+        <translation>scan %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Målinger</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Vis kanal</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Skjul kanal</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Følg</translation>
+    </message>
+    <message>
+        <source>Follow the newest scan (End)</source>
+        <translation>Følg det nyeste scan (End)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Tilpas</translation>
+    </message>
+    <message>
+        <source>Show everything recorded (Home)</source>
+        <translation>Vis alt optaget (Home)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Tilpas værdier</translation>
+    </message>
+    <message>
+        <source>Let the value axes fit again</source>
+        <translation>Lad værdiakserne tilpasse sig igen</translation>
+    </message>
+    <message>
+        <source>Zoom back</source>
+        <translation>Zoom tilbage</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Backspace)</source>
+        <translation>Tilbage til forrige visning (Backspace)</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom: flat for time, upright for values</source>
+        <translation>Træk en ramme for at zoome: flad for tid, høj for værdier</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Panorér</translation>
+    </message>
+    <message>
+        <source>Drag to pan (middle button always does)</source>
+        <translation>Træk for at panorere (midterste knap gør det altid)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Markører</translation>
+    </message>
+    <message>
+        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
+        <translation>To markører (Ctrl+klik sætter A, Shift+klik sætter B)</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mål</translation>
+    </message>
+    <message>
+        <source>Table of values and statistics between the cursors</source>
+        <translation>Tabel med værdier og statistik mellem markørerne</translation>
+    </message>
+    <message>
+        <source>Measuring table</source>
+        <translation>Måletabel</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Arm the trigger set in the properties of the trace</source>
+        <translation>Aktivér triggeren fra tracens egenskaber</translation>
+    </message>
+    <message>
+        <source>Previous trigger</source>
+        <translation>Forrige trigger</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired before</source>
+        <translation>Hvor triggeren ville være udløst før</translation>
+    </message>
+    <message>
+        <source>Next trigger</source>
+        <translation>Næste trigger</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired next</source>
+        <translation>Hvor triggeren ville være udløst næste gang</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>Tilføj diagram</translation>
+    </message>
+    <message>
+        <source>Another chart over the same time</source>
+        <translation>Endnu et diagram over samme tid</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Sammenlign</translation>
+    </message>
+    <message>
+        <source>Load an older recording beneath the present one</source>
+        <translation>Læg en ældre optagelse under den nuværende</translation>
+    </message>
+    <message>
+        <source>Recording to draw beneath</source>
+        <translation>Optagelse, der tegnes nedenunder</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec);;All files (*)</source>
+        <translation>Optagelser (*.rec);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Trace set-up</source>
+        <translation>Traceopsætning</translation>
+    </message>
+    <message>
+        <source>Open set-up…</source>
+        <translation>Åbn opsætning…</translation>
+    </message>
+    <message>
+        <source>Open trace set-up</source>
+        <translation>Åbn traceopsætning</translation>
+    </message>
+    <message>
+        <source>Trace set-ups (*.trace.json)</source>
+        <translation>Traceopsætninger (*.trace.json)</translation>
+    </message>
+    <message>
+        <source>Save trace set-up</source>
+        <translation>Gem traceopsætning</translation>
+    </message>
+    <message>
+        <source>Save set-up</source>
+        <translation>Gem opsætning</translation>
+    </message>
+    <message>
+        <source>Save set-up as…</source>
+        <translation>Gem opsætning som…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Åbn optagelse…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Åbn optagelse</translation>
+    </message>
+    <message>
+        <source>Back to the running PLC</source>
+        <translation>Tilbage til den kørende PLC</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>Gem optagelse…</translation>
+    </message>
+    <message>
+        <source>Save recording</source>
+        <translation>Gem optagelse</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Optagelser (*.rec)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksportér</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Kopiér som billede</translation>
+    </message>
+    <message>
+        <source>Save samples in view as CSV…</source>
+        <translation>Gem viste målinger som CSV…</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Gem som %1…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Gem som %1</translation>
+    </message>
+    <message>
+        <source>Add channel</source>
+        <translation>Tilføj kanal</translation>
+    </message>
+    <message>
+        <source>Arm trigger</source>
+        <translation>Aktivér trigger</translation>
+    </message>
+    <message>
+        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
+        <translation>Triggeren har endnu intet udtryk: indtast et i tracens egenskaber.</translation>
+    </message>
+    <message>
+        <source>Trigger armed</source>
+        <translation>Trigger aktiveret</translation>
+    </message>
+    <message>
+        <source>Triggered, collecting</source>
+        <translation>Udløst, samler</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Udløst</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>(%n udløsning)</numerusform>
+            <numerusform>(%n udløsninger)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Kører ikke</translation>
+    </message>
+    <message>
+        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
+        <translation>%L1 scan bevaret  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Egenskaber</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Fjern kanal</translation>
+    </message>
+    <message>
+        <source>Add channel…</source>
+        <translation>Tilføj kanal…</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,4146 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Diagnostics</name>
+    <message>
+        <source>The character {0} has no meaning here</source>
+        <translation>Das Zeichen {0} hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>This comment is not closed</source>
+        <translation>Dieser Kommentar ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>This string is not closed on its line</source>
+        <translation>Diese Zeichenkette ist auf ihrer Zeile nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The file is not UTF-8 here; save it as UTF-8</source>
+        <translation>Die Datei ist hier kein UTF-8; als UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid {1} literal</source>
+        <translation>{0} ist kein gültiges {1}-Literal</translation>
+    </message>
+    <message>
+        <source>Expected {0} before {1}</source>
+        <translation>{0} wird vor {1} erwartet</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here</source>
+        <translation>Hier fehlt ein Semikolon</translation>
+    </message>
+    <message>
+        <source>{0} is missing for this {1}</source>
+        <translation>{0} fehlt zu diesem {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not expected here</source>
+        <translation>{0} wird hier nicht erwartet</translation>
+    </message>
+    <message>
+        <source>This compares and drops the result; use := to assign</source>
+        <translation>Das vergleicht und verwirft das Ergebnis; zum Zuweisen := benutzen</translation>
+    </message>
+    <message>
+        <source>An assignment is not a condition; use = to compare</source>
+        <translation>Eine Zuweisung ist keine Bedingung; zum Vergleichen = benutzen</translation>
+    </message>
+    <message>
+        <source>A colon is missing between the name and its type</source>
+        <translation>Zwischen Name und Typ fehlt ein Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>Decimal numbers are written with a point: {0}</source>
+        <translation>Dezimalzahlen schreibt man mit Punkt: {0}</translation>
+    </message>
+    <message>
+        <source>An open bound is written ARRAY[*] and is allowed for VAR_IN_OUT</source>
+        <translation>Eine offene Grenze schreibt man ARRAY[*]; sie ist bei VAR_IN_OUT erlaubt</translation>
+    </message>
+    <message>
+        <source>This is nested too deeply to be compiled</source>
+        <translation>Das ist zu tief geschachtelt, um übersetzt zu werden</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is not known and has no effect</source>
+        <translation>Das Pragma {0} ist unbekannt und ohne Wirkung</translation>
+    </message>
+    <message>
+        <source>{0} is missing; the program unit ends here</source>
+        <translation>{0} fehlt; die Programmeinheit endet hier</translation>
+    </message>
+    <message>
+        <source>A semicolon is missing here; it is read as if it stood there</source>
+        <translation>Hier fehlt ein Semikolon; es wird gelesen, als stünde es da</translation>
+    </message>
+    <message>
+        <source>{0} is not declared</source>
+        <translation>{0} ist nicht deklariert</translation>
+    </message>
+    <message>
+        <source>{0} has no member {1}</source>
+        <translation>{0} hat kein Element {1}</translation>
+    </message>
+    <message>
+        <source>{0} can not be converted to {1}</source>
+        <translation>{0} kann nicht in {1} umgewandelt werden</translation>
+    </message>
+    <message>
+        <source>{0} may not fit into {1}</source>
+        <translation>{0} passt vielleicht nicht in {1}</translation>
+    </message>
+    <message>
+        <source>{0} can not be assigned to</source>
+        <translation>{0} kann nichts zugewiesen werden</translation>
+    </message>
+    <message>
+        <source>{0} can not be used with {1}</source>
+        <translation>{0} kann nicht mit {1} benutzt werden</translation>
+    </message>
+    <message>
+        <source>{0} can not combine {1} and {2}</source>
+        <translation>{0} kann {1} und {2} nicht verknüpfen</translation>
+    </message>
+    <message>
+        <source>{0} can not be called</source>
+        <translation>{0} kann nicht aufgerufen werden</translation>
+    </message>
+    <message>
+        <source>{0} has no parameter {1}</source>
+        <translation>{0} hat keinen Parameter {1}</translation>
+    </message>
+    <message>
+        <source>The argument for {1} of {0} is missing</source>
+        <translation>Das Argument für {1} von {0} fehlt</translation>
+    </message>
+    <message>
+        <source>{0} takes {1} argument(s)</source>
+        <translation>{0} hat {1} Argument(e)</translation>
+    </message>
+    <message>
+        <source>{0} is given twice</source>
+        <translation>{0} ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>{0} is an IN_OUT parameter and needs a variable of type {1}</source>
+        <translation>{0} ist ein IN_OUT-Parameter und braucht eine Variable vom Typ {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not an array or string</source>
+        <translation>{0} ist weder Array noch Zeichenkette</translation>
+    </message>
+    <message>
+        <source>This array has {0} dimension(s), not {1}</source>
+        <translation>Dieses Array hat {0} Dimension(en), nicht {1}</translation>
+    </message>
+    <message>
+        <source>The index {0} lies outside {1}..{2}</source>
+        <translation>Der Index {0} liegt außerhalb von {1}..{2}</translation>
+    </message>
+    <message>
+        <source>This divides by zero</source>
+        <translation>Hier wird durch null geteilt</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} passt nicht in {1}</translation>
+    </message>
+    <message>
+        <source>A constant is needed here</source>
+        <translation>Hier wird eine Konstante gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is not a pointer or reference</source>
+        <translation>{0} ist weder Zeiger noch Referenz</translation>
+    </message>
+    <message>
+        <source>{0} has the bits 0 to {1}</source>
+        <translation>{0} hat die Bits 0 bis {1}</translation>
+    </message>
+    <message>
+        <source>A condition is BOOL, not {0}</source>
+        <translation>Eine Bedingung ist BOOL, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} gives no value</source>
+        <translation>{0} liefert keinen Wert</translation>
+    </message>
+    <message>
+        <source>{0} exists in {1}; write the namespace before it</source>
+        <translation>{0} gibt es in {1}; den Namensraum davor schreiben</translation>
+    </message>
+    <message>
+        <source>{0} is abstract and can have no instance</source>
+        <translation>{0} ist abstrakt und kann keine Instanz haben</translation>
+    </message>
+    <message>
+        <source>{0} is {1} and can not be used here</source>
+        <translation>{0} ist {1} und kann hier nicht benutzt werden</translation>
+    </message>
+    <message>
+        <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
+        <translation>Das Zeichen {0} ist nicht in STRING (Latin-1); WSTRING benutzen</translation>
+    </message>
+    <message>
+        <source>The text has {0} characters and will be cut to {1}</source>
+        <translation>Der Text hat {0} Zeichen und wird auf {1} gekürzt</translation>
+    </message>
+    <message>
+        <source>This integer division drops the fraction before it becomes {0}</source>
+        <translation>Diese Ganzzahldivision verliert den Bruchteil, bevor sie {0} wird</translation>
+    </message>
+    <message>
+        <source>{0} is computed in {1} and wraps before it becomes {2}</source>
+        <translation>{0} wird in {1} gerechnet und läuft über, bevor es {2} wird</translation>
+    </message>
+    <message>
+        <source>{0} and {1} are compared as {2}</source>
+        <translation>{0} und {1} werden als {2} verglichen</translation>
+    </message>
+    <message>
+        <source>{0} is stored in the enumeration {1} unchecked</source>
+        <translation>{0} wird ungeprüft in der Aufzählung {1} gespeichert</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not used</source>
+        <translation>Das Ergebnis von {0} wird nicht benutzt</translation>
+    </message>
+    <message>
+        <source>The address {0} lies outside the {1} area</source>
+        <translation>Die Adresse {0} liegt außerhalb des Bereichs {1}</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in a watch or binding, which must have no side effects</source>
+        <translation>{0} ist in einer Überwachung oder Anbindung nicht erlaubt; sie darf keine Nebenwirkung haben</translation>
+    </message>
+    <message>
+        <source>{0} is an {1}; write {2}</source>
+        <translation>{0} ist ein {1}; {2} schreiben</translation>
+    </message>
+    <message>
+        <source>A reference needs a variable that has an address</source>
+        <translation>Eine Referenz braucht eine Variable mit Adresse</translation>
+    </message>
+    <message>
+        <source>{0} is declared twice</source>
+        <translation>{0} ist doppelt deklariert</translation>
+    </message>
+    <message>
+        <source>There is no type {0}</source>
+        <translation>Es gibt keinen Typ {0}</translation>
+    </message>
+    <message>
+        <source>{0} contains itself</source>
+        <translation>{0} enthält sich selbst</translation>
+    </message>
+    <message>
+        <source>{0} calls itself: {1}</source>
+        <translation>{0} ruft sich selbst auf: {1}</translation>
+    </message>
+    <message>
+        <source>{0} is never used</source>
+        <translation>{0} wird nie benutzt</translation>
+    </message>
+    <message>
+        <source>{0} is read but never written</source>
+        <translation>{0} wird gelesen, aber nie geschrieben</translation>
+    </message>
+    <message>
+        <source>This is never executed</source>
+        <translation>Das wird nie ausgeführt</translation>
+    </message>
+    <message>
+        <source>The result of {0} is not set on every path</source>
+        <translation>Das Ergebnis von {0} wird nicht auf jedem Weg gesetzt</translation>
+    </message>
+    <message>
+        <source>CASE has no branch for {0} and no ELSE</source>
+        <translation>CASE hat keinen Zweig für {0} und kein ELSE</translation>
+    </message>
+    <message>
+        <source>{0} has a branch already</source>
+        <translation>{0} hat schon einen Zweig</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}</source>
+        <translation>{0} und {1} teilen sich die Adresse {2}</translation>
+    </message>
+    <message>
+        <source>The task {0} is declared twice</source>
+        <translation>Die Task {0} ist doppelt deklariert</translation>
+    </message>
+    <message>
+        <source>There is no task {0}</source>
+        <translation>Es gibt keine Task {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not implement {1} of {2}</source>
+        <translation>{0} implementiert {1} von {2} nicht</translation>
+    </message>
+    <message>
+        <source>{0} has other parameters than the method it overrides</source>
+        <translation>{0} hat andere Parameter als die Methode, die es überschreibt</translation>
+    </message>
+    <message>
+        <source>{0} is final</source>
+        <translation>{0} ist final</translation>
+    </message>
+    <message>
+        <source>{0} can not be extended by {1}</source>
+        <translation>{0} kann nicht durch {1} erweitert werden</translation>
+    </message>
+    <message>
+        <source>{0} is not allowed in {1}</source>
+        <translation>{0} ist in {1} nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>There is no label {0}</source>
+        <translation>Es gibt keine Marke {0}</translation>
+    </message>
+    <message>
+        <source>{0} stands outside a loop</source>
+        <translation>{0} steht außerhalb einer Schleife</translation>
+    </message>
+    <message>
+        <source>The loop variable {0} is changed inside its loop</source>
+        <translation>Die Schleifenvariable {0} wird in ihrer Schleife geändert</translation>
+    </message>
+    <message>
+        <source>There is no global variable {0} of type {1}</source>
+        <translation>Es gibt keine globale Variable {0} vom Typ {1}</translation>
+    </message>
+    <message>
+        <source>The variables need {0} bytes; {1} are possible</source>
+        <translation>Die Variablen brauchen {0} Bytes; {1} sind möglich</translation>
+    </message>
+    <message>
+        <source>There is no PROGRAM to run</source>
+        <translation>Es gibt kein PROGRAM zum Ausführen</translation>
+    </message>
+    <message>
+        <source>There are several programs and no CONFIGURATION; name one Main or write a CONFIGURATION</source>
+        <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines Main nennen oder eine CONFIGURATION schreiben</translation>
+    </message>
+    <message>
+        <source>There is no namespace {0}</source>
+        <translation>Es gibt keinen Namensraum {0}</translation>
+    </message>
+    <message>
+        <source>The bounds {0}..{1} are not valid</source>
+        <translation>Die Grenzen {0}..{1} sind ungültig</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable of this configuration</source>
+        <translation>{0} ist keine Variable dieser Konfiguration</translation>
+    </message>
+    <message>
+        <source>{0} has an incomplete address and no VAR_CONFIG gives one</source>
+        <translation>{0} hat eine unvollständige Adresse, und kein VAR_CONFIG gibt eine an</translation>
+    </message>
+    <message>
+        <source>{0} starts anew in every call, because a function keeps nothing</source>
+        <translation>{0} beginnt bei jedem Aufruf neu, weil eine Funktion nichts behält</translation>
+    </message>
+    <message>
+        <source>{0} initial values for {1} elements</source>
+        <translation>{0} Anfangswerte für {1} Elemente</translation>
+    </message>
+    <message>
+        <source>{0} may call itself; the depth is limited while it runs</source>
+        <translation>{0} ruft sich vielleicht selbst auf; die Tiefe ist im Lauf begrenzt</translation>
+    </message>
+    <message>
+        <source>The chart has no INITIAL_STEP</source>
+        <translation>Der Ablauf hat keinen INITIAL_STEP</translation>
+    </message>
+    <message>
+        <source>The chart has two initial steps: {0} and {1}</source>
+        <translation>Der Ablauf hat zwei Initialschritte: {0} und {1}</translation>
+    </message>
+    <message>
+        <source>There is no step {0}</source>
+        <translation>Es gibt keinen Schritt {0}</translation>
+    </message>
+    <message>
+        <source>No transition leads to step {0}</source>
+        <translation>Zu Schritt {0} führt keine Transition</translation>
+    </message>
+    <message>
+        <source>Step {0} can become active twice at a time: the branches from here do not join</source>
+        <translation>Schritt {0} kann zugleich zweimal aktiv werden: Die Zweige von hier vereinigen sich nicht</translation>
+    </message>
+    <message>
+        <source>The steps before this transition can not be active together</source>
+        <translation>Die Schritte vor dieser Transition können nicht zusammen aktiv sein</translation>
+    </message>
+    <message>
+        <source>This transition is always true; the step before it lasts one scan</source>
+        <translation>Diese Transition ist immer wahr; der Schritt davor dauert einen Zyklus</translation>
+    </message>
+    <message>
+        <source>The qualifier {0} needs a time</source>
+        <translation>Das Bestimmungszeichen {0} braucht eine Zeit</translation>
+    </message>
+    <message>
+        <source>{0} is not an action qualifier</source>
+        <translation>{0} ist kein Bestimmungszeichen einer Aktion</translation>
+    </message>
+    <message>
+        <source>There is no action or BOOL variable {0}</source>
+        <translation>Es gibt keine Aktion oder BOOL-Variable {0}</translation>
+    </message>
+    <message>
+        <source>The step {0} is declared twice</source>
+        <translation>Der Schritt {0} ist doppelt deklariert</translation>
+    </message>
+    <message>
+        <source>{0} is not an instruction</source>
+        <translation>{0} ist keine Anweisung</translation>
+    </message>
+    <message>
+        <source>{0} needs a current result; load one with LD</source>
+        <translation>{0} braucht ein aktuelles Ergebnis; mit LD laden</translation>
+    </message>
+    <message>
+        <source>The parenthesis of this instruction is not closed</source>
+        <translation>Die Klammer dieser Anweisung ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The current result is {0} on one way to this label and {1} on another</source>
+        <translation>Das aktuelle Ergebnis ist auf einem Weg zu dieser Marke {0} und auf einem anderen {1}</translation>
+    </message>
+    <message>
+        <source>{0} is allowed in a TEST only</source>
+        <translation>{0} ist nur in einem TEST erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>EditHistory</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>as it is</source>
+        <translation>wie es ist</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>Andere…</translation>
+    </message>
+    <message>
+        <source>A variable that is written</source>
+        <translation>Eine Variable, die geschrieben wird</translation>
+    </message>
+    <message>
+        <source>An ST expression</source>
+        <translation>Ein ST-Ausdruck</translation>
+    </message>
+    <message>
+        <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
+        <translation>Wird dem Bediener gezeigt. Ein getippter Text bekommt seinen Schlüssel von selbst; @key nennt einen.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.svg)</source>
+        <translation>Bilder (*.png *.jpg *.svg)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unknown element</source>
+        <translation>Unbekanntes Element</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Alarm class</source>
+        <translation>Alarmklasse</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Linienbreite</translation>
+    </message>
+    <message>
+        <source>Line style</source>
+        <translation>Linienart</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Fill level</source>
+        <translation>Füllstand</translation>
+    </message>
+    <message>
+        <source>Full at</source>
+        <translation>Voll bei</translation>
+    </message>
+    <message>
+        <source>Level colour</source>
+        <translation>Farbe des Füllstands</translation>
+    </message>
+    <message>
+        <source>Font size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Bold</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Textfarbe</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Limit low-low</source>
+        <translation>Grenze unten 2</translation>
+    </message>
+    <message>
+        <source>Limit low</source>
+        <translation>Grenze unten</translation>
+    </message>
+    <message>
+        <source>Limit high</source>
+        <translation>Grenze oben</translation>
+    </message>
+    <message>
+        <source>Limit high-high</source>
+        <translation>Grenze oben 2</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Auswahlmöglichkeiten</translation>
+    </message>
+    <message>
+        <source>Text list</source>
+        <translation>Textliste</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorität</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Values in texts</source>
+        <translation>Werte in Texten</translation>
+    </message>
+    <message>
+        <source>On delay in seconds</source>
+        <translation>Einschaltverzögerung in Sekunden</translation>
+    </message>
+    <message>
+        <source>Off delay in seconds</source>
+        <translation>Ausschaltverzögerung in Sekunden</translation>
+    </message>
+    <message>
+        <source>Must be acknowledged</source>
+        <translation>Muss quittiert werden</translation>
+    </message>
+    <message>
+        <source>Suppressed if</source>
+        <translation>Unterdrückt wenn</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppieren</translation>
+    </message>
+    <message>
+        <source>Tab page</source>
+        <translation>Registerseite</translation>
+    </message>
+    <message>
+        <source>Place and size</source>
+        <translation>Lage und Größe</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>Visible if</source>
+        <translation>Sichtbar wenn</translation>
+    </message>
+    <message>
+        <source>Enabled if</source>
+        <translation>Freigegeben wenn</translation>
+    </message>
+    <message>
+        <source>Appearance by condition</source>
+        <translation>Aussehen nach Bedingung</translation>
+    </message>
+    <message>
+        <source>Move right by</source>
+        <translation>Nach rechts um</translation>
+    </message>
+    <message>
+        <source>Move down by</source>
+        <translation>Nach unten um</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Drehen um</translation>
+    </message>
+    <message>
+        <source>Fixed language</source>
+        <translation>Feste Sprache</translation>
+    </message>
+    <message>
+        <source>If</source>
+        <translation>Wenn</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>Blinkt</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>On if</source>
+        <translation>Ein wenn</translation>
+    </message>
+    <message>
+        <source>Blinks if</source>
+        <translation>Blinkt wenn</translation>
+    </message>
+    <message>
+        <source>Variable with [#] as index</source>
+        <translation>Variable mit [#] als Index</translation>
+    </message>
+    <message>
+        <source>Editable</source>
+        <translation>Änderbar</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>Linienzug</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Rounded rectangle</source>
+        <translation>Abgerundetes Rechteck</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Start angle</source>
+        <translation>Anfangswinkel</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>Bogenweite</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Pipe</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Flow (sign gives the direction)</source>
+        <translation>Durchfluss (Vorzeichen gibt die Richtung)</translation>
+    </message>
+    <message>
+        <source>Flow colour</source>
+        <translation>Farbe des Durchflusses</translation>
+    </message>
+    <message>
+        <source>Wraps</source>
+        <translation>Bricht um</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Symbol</source>
+        <translation>Symbol</translation>
+    </message>
+    <message>
+        <source>Running if</source>
+        <translation>Läuft wenn</translation>
+    </message>
+    <message>
+        <source>Warning if</source>
+        <translation>Warnung wenn</translation>
+    </message>
+    <message>
+        <source>Fault if</source>
+        <translation>Störung wenn</translation>
+    </message>
+    <message>
+        <source>Colour off</source>
+        <translation>Farbe aus</translation>
+    </message>
+    <message>
+        <source>Colour running</source>
+        <translation>Farbe in Betrieb</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Button</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value to write</source>
+        <translation>Zu schreibender Wert</translation>
+    </message>
+    <message>
+        <source>Go to panel</source>
+        <translation>Gehe zu Panel</translation>
+    </message>
+    <message>
+        <source>Language tag</source>
+        <translation>Sprachkürzel</translation>
+    </message>
+    <message>
+        <source>Question to confirm</source>
+        <translation>Rückfrage</translation>
+    </message>
+    <message>
+        <source>Lit if</source>
+        <translation>Leuchtet wenn</translation>
+    </message>
+    <message>
+        <source>Colour lit</source>
+        <translation>Farbe leuchtend</translation>
+    </message>
+    <message>
+        <source>Icon</source>
+        <translation>Bildzeichen</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Schalter</translation>
+    </message>
+    <message>
+        <source>Text on</source>
+        <translation>Text ein</translation>
+    </message>
+    <message>
+        <source>Text off</source>
+        <translation>Text aus</translation>
+    </message>
+    <message>
+        <source>Colour on</source>
+        <translation>Farbe ein</translation>
+    </message>
+    <message>
+        <source>Rotary selector</source>
+        <translation>Wahlschalter</translation>
+    </message>
+    <message>
+        <source>Check box</source>
+        <translation>Kontrollkästchen</translation>
+    </message>
+    <message>
+        <source>Radio group</source>
+        <translation>Optionsgruppe</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Combo box</source>
+        <translation>Auswahlfeld</translation>
+    </message>
+    <message>
+        <source>Slider</source>
+        <translation>Schieber</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schrittweite</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Shows the value</source>
+        <translation>Zeigt den Wert</translation>
+    </message>
+    <message>
+        <source>Turning knob</source>
+        <translation>Drehknopf</translation>
+    </message>
+    <message>
+        <source>Numeric entry</source>
+        <translation>Zahleneingabe</translation>
+    </message>
+    <message>
+        <source>Lowest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Highest value</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>Title of the keypad</source>
+        <translation>Titel des Ziffernblocks</translation>
+    </message>
+    <message>
+        <source>Text entry</source>
+        <translation>Texteingabe</translation>
+    </message>
+    <message>
+        <source>Longest text</source>
+        <translation>Längster Text</translation>
+    </message>
+    <message>
+        <source>Masked entry</source>
+        <translation>Maskeneingabe</translation>
+    </message>
+    <message>
+        <source>Mask (# digit, A letter, * any)</source>
+        <translation>Maske (# Ziffer, A Buchstabe, * beliebig)</translation>
+    </message>
+    <message>
+        <source>Hides the value</source>
+        <translation>Verbirgt den Wert</translation>
+    </message>
+    <message>
+        <source>Numeric display</source>
+        <translation>Zahlenanzeige</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Value (empty: the controller&apos;s clock)</source>
+        <translation>Wert (leer: Uhr der Steuerung)</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Zeigt</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Leuchte</translation>
+    </message>
+    <message>
+        <source>Blinks when on</source>
+        <translation>Blinkt wenn ein</translation>
+    </message>
+    <message>
+        <source>Multi-state indicator</source>
+        <translation>Mehrzustandsanzeige</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Balken</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>Tank level</source>
+        <translation>Tankfüllstand</translation>
+    </message>
+    <message>
+        <source>Gauge</source>
+        <translation>Zeigerinstrument</translation>
+    </message>
+    <message>
+        <source>Span of the scale</source>
+        <translation>Winkel der Skala</translation>
+    </message>
+    <message>
+        <source>Divisions</source>
+        <translation>Teilungen</translation>
+    </message>
+    <message>
+        <source>7-segment display</source>
+        <translation>7-Segment-Anzeige</translation>
+    </message>
+    <message>
+        <source>Digits</source>
+        <translation>Ziffern</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>Leading zeros</source>
+        <translation>Führende Nullen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Light tower</source>
+        <translation>Signalsäule</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Leuchten</translation>
+    </message>
+    <message>
+        <source>Siren if</source>
+        <translation>Sirene wenn</translation>
+    </message>
+    <message>
+        <source>Float switch</source>
+        <translation>Schwimmerschalter</translation>
+    </message>
+    <message>
+        <source>Raised if</source>
+        <translation>Angehoben wenn</translation>
+    </message>
+    <message>
+        <source>Colour raised</source>
+        <translation>Farbe angehoben</translation>
+    </message>
+    <message>
+        <source>Colour hanging</source>
+        <translation>Farbe hängend</translation>
+    </message>
+    <message>
+        <source>Cell grid</source>
+        <translation>Zellenraster</translation>
+    </message>
+    <message>
+        <source>Array</source>
+        <translation>Array</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Variable of a cell with [#]</source>
+        <translation>Variable einer Zelle mit [#]</translation>
+    </message>
+    <message>
+        <source>On press</source>
+        <translation>Beim Drücken</translation>
+    </message>
+    <message>
+        <source>First index</source>
+        <translation>Erster Index</translation>
+    </message>
+    <message>
+        <source>Shows the numbers</source>
+        <translation>Zeigt die Nummern</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Index of the selected row</source>
+        <translation>Index der gewählten Zeile</translation>
+    </message>
+    <message>
+        <source>Bar chart</source>
+        <translation>Balkendiagramm</translation>
+    </message>
+    <message>
+        <source>Text list of the bars</source>
+        <translation>Textliste der Balken</translation>
+    </message>
+    <message>
+        <source>XY chart</source>
+        <translation>XY-Diagramm</translation>
+    </message>
+    <message>
+        <source>Array of x</source>
+        <translation>Array für x</translation>
+    </message>
+    <message>
+        <source>Array of y</source>
+        <translation>Array für y</translation>
+    </message>
+    <message>
+        <source>Operating point x</source>
+        <translation>Arbeitspunkt x</translation>
+    </message>
+    <message>
+        <source>Operating point y</source>
+        <translation>Arbeitspunkt y</translation>
+    </message>
+    <message>
+        <source>X from</source>
+        <translation>X von</translation>
+    </message>
+    <message>
+        <source>X to</source>
+        <translation>X bis</translation>
+    </message>
+    <message>
+        <source>Y from</source>
+        <translation>Y von</translation>
+    </message>
+    <message>
+        <source>Y to</source>
+        <translation>Y bis</translation>
+    </message>
+    <message>
+        <source>Title of x</source>
+        <translation>Titel von x</translation>
+    </message>
+    <message>
+        <source>Title of y</source>
+        <translation>Titel von y</translation>
+    </message>
+    <message>
+        <source>Trend chart</source>
+        <translation>Trenddiagramm</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Time span in seconds</source>
+        <translation>Zeitspanne in Sekunden</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Alarm list</source>
+        <translation>Alarmliste</translation>
+    </message>
+    <message>
+        <source>Only these classes</source>
+        <translation>Nur diese Klassen</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>Sortiert nach</translation>
+    </message>
+    <message>
+        <source>Acknowledge buttons</source>
+        <translation>Quittiertasten</translation>
+    </message>
+    <message>
+        <source>Alarm banner</source>
+        <translation>Alarmzeile</translation>
+    </message>
+    <message>
+        <source>Language selector</source>
+        <translation>Sprachwahl</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Index of the page</source>
+        <translation>Index der Seite</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Text and pictures</source>
+        <translation>Text und Bilder</translation>
+    </message>
+    <message>
+        <source>Symbols</source>
+        <translation>Symbole</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Bedienung</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Arrays and charts</source>
+        <translation>Arrays und Diagramme</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Containers</source>
+        <translation>Behälter</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Behaviour</source>
+        <translation>Verhalten</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>HmiCheck</name>
+    <message>
+        <source>did you mean %1?</source>
+        <translation>ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>%1 is not a variable, so it can not be written.</source>
+        <translation>%1 ist keine Variable und kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a BOOL is needed here.</source>
+        <translation>%1 ist %2; hier wird BOOL gebraucht.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a number is needed here.</source>
+        <translation>%1 ist %2; hier wird eine Zahl gebraucht.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a STRING is needed here.</source>
+        <translation>%1 ist %2; hier wird STRING gebraucht.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; an array is needed here.</source>
+        <translation>%1 ist %2; hier wird ein Array gebraucht.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; a single value is needed here.</source>
+        <translation>%1 ist %2; hier wird ein einzelner Wert gebraucht.</translation>
+    </message>
+    <message>
+        <source>The text &quot;%1&quot; has no key, so it can not be translated.</source>
+        <translation>Der Text &quot;%1&quot; hat keinen Schlüssel und kann nicht übersetzt werden.</translation>
+    </message>
+    <message>
+        <source>The key %1 is not in the text table.</source>
+        <translation>Der Schlüssel %1 steht nicht in der Texttabelle.</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {%1}; give it in &quot;Values in texts&quot;.</source>
+        <translation>Der Text braucht einen Wert für {%1}; in „Werte in Texten“ angeben.</translation>
+    </message>
+    <message>
+        <source>The text list %1 is empty: there is no key %1.0.</source>
+        <translation>Die Textliste %1 ist leer: Es gibt keinen Schlüssel %1.0.</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;%1&quot;; it is kept as it is.</source>
+        <translation>Diese Version kennt die Elementart &quot;%1&quot; nicht; sie bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>The project has no language %1.</source>
+        <translation>Das Projekt hat keine Sprache %1.</translation>
+    </message>
+    <message>
+        <source>The element lies outside the panel.</source>
+        <translation>Das Element liegt außerhalb des Panels.</translation>
+    </message>
+    <message>
+        <source>The file %1 is not there.</source>
+        <translation>Die Datei %1 ist nicht da.</translation>
+    </message>
+    <message>
+        <source>There is no panel %1.</source>
+        <translation>Es gibt kein Panel %1.</translation>
+    </message>
+    <message>
+        <source>The format %1 is not known; %.1f and %d are.</source>
+        <translation>Das Format %1 ist unbekannt; %.1f und %d sind bekannt.</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition.</source>
+        <translation>Der Alarm hat keine Bedingung.</translation>
+    </message>
+    <message>
+        <source>There is no alarm class %1.</source>
+        <translation>Es gibt keine Alarmklasse %1.</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key %1.</source>
+        <translation>Kein Panel und kein Alarm benutzt den Schlüssel %1.</translation>
+    </message>
+    <message>
+        <source>%1 has the placeholders {%2}, but %3 has {%4}.</source>
+        <translation>%1 hat die Platzhalter {%2}, aber %3 hat {%4}.</translation>
+    </message>
+    <message>
+        <source>The key %1 has no text in %2.</source>
+        <translation>Der Schlüssel %1 hat keinen Text in %2.</translation>
+    </message>
+    <message>
+        <source>The font %1 is not installed here, so texts can not be measured.</source>
+        <translation>Die Schrift %1 ist hier nicht installiert; Texte können nicht gemessen werden.</translation>
+    </message>
+    <message>
+        <source>No font has the character U+%1.</source>
+        <translation>Keine Schrift hat das Zeichen U+%1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit: it needs %2 px, there are %3.</source>
+        <translation>&quot;%1&quot; passt nicht: Es braucht %2 px, da sind %3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not fit: it needs a height of %2 px, there are %3.</source>
+        <translation>&quot;%1&quot; passt nicht: Es braucht eine Höhe von %2 px, da sind %3.</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+</context>
+<context>
+    <name>PlotText</name>
+    <message>
+        <source>no longer kept</source>
+        <translation>nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>did not exist</source>
+        <translation>gab es nicht</translation>
+    </message>
+    <message>
+        <source>scans skipped</source>
+        <translation>Zyklen übersprungen</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in .png, .svg or .pdf.</source>
+        <translation>Der Name eines Bildes muss auf .png, .svg oder .pdf enden.</translation>
+    </message>
+    <message>
+        <source>Time [%1]</source>
+        <translation>Zeit [%1]</translation>
+    </message>
+    <message>
+        <source>Time from the trigger [%1]</source>
+        <translation>Zeit ab Trigger [%1]</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>At A</source>
+        <translation>Bei A</translation>
+    </message>
+    <message>
+        <source>At B</source>
+        <translation>Bei B</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektiv</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Anstiegszeit</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Einschwingzeit</translation>
+    </message>
+</context>
+<context>
+    <name>TraceText</name>
+    <message>
+        <source>Triggered at %1.</source>
+        <translation>Ausgelöst bei %1.</translation>
+    </message>
+    <message>
+        <source>The trigger did not fire.</source>
+        <translation>Der Trigger hat nicht ausgelöst.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>Andere schließen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 wurde geändert. Speichern?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n Datei wurde geändert: %1. Speichern?</numerusform>
+            <numerusform>%n Dateien wurden geändert: %1. Speichern?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed outside</source>
+        <translation>Außerhalb geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
+        <translation>%1 wurde von einem anderen Programm geändert, und hier auch. Die Datei neu laden und die Änderungen von hier verlieren?</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::LiveViews</name>
+    <message>
+        <source>Panel shown</source>
+        <translation>Gezeigtes Panel</translation>
+    </message>
+    <message>
+        <source>Full screen (Esc ends it)</source>
+        <translation>Vollbild (Esc beendet es)</translation>
+    </message>
+    <message>
+        <source>This project has no panel yet.
+New panels are drawn in the designer: Project, Panels, New…</source>
+        <translation>Dieses Projekt hat noch kein Panel.
+Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Überwachung</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Erzwungene Werte</translation>
+    </message>
+    <message>
+        <source>Call Path</source>
+        <translation>Aufrufpfad</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Haltepunkte</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tasks</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Recent Projects</source>
+        <translation>Letzte Projekte</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Main</source>
+        <translation>Hauptleiste</translation>
+    </message>
+    <message>
+        <source>State of the controller</source>
+        <translation>Zustand der Steuerung</translation>
+    </message>
+    <message>
+        <source>%1 : %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>OFFLINE</source>
+        <translation>OFFLINE</translation>
+    </message>
+    <message>
+        <source>RUN</source>
+        <translation>RUN</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSE</translation>
+    </message>
+    <message>
+        <source>HALT</source>
+        <translation>HALT</translation>
+    </message>
+    <message>
+        <source>FAULT</source>
+        <translation>FEHLER</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>PAST</source>
+        <translation>VERGANGEN</translation>
+    </message>
+    <message>
+        <source>%1 · scan %2</source>
+        <translation>%1 · Zyklus %2</translation>
+    </message>
+    <message>
+        <source>%1 µs · %2 % load</source>
+        <translation>%1 µs · %2 % Last</translation>
+    </message>
+    <message>
+        <source>%1 MB recorded</source>
+        <translation>%1 MB aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 scans of %2 MB at most</source>
+        <translation>%1 Zyklen, höchstens %2 MB</translation>
+    </message>
+    <message>
+        <source>Go to the line</source>
+        <translation>Zur Zeile gehen</translation>
+    </message>
+    <message>
+        <source>no problems</source>
+        <translation>keine Probleme</translation>
+    </message>
+    <message>
+        <source>Open Project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>%1 – Stepwise</source>
+        <translation>%1 – Stepwise</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Wiederherstellung</translation>
+    </message>
+    <message>
+        <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
+        <translation>Das Studio endete ohne zu speichern. Ungespeicherte Änderungen von %1 sind erhalten. Wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>Gehe zu Zeile</translation>
+    </message>
+    <message>
+        <source>Line (1 to %1)</source>
+        <translation>Zeile (1 bis %1)</translation>
+    </message>
+    <message>
+        <source>Nothing is declared under this name</source>
+        <translation>Unter diesem Namen ist nichts deklariert</translation>
+    </message>
+    <message>
+        <source>There is no name at the cursor</source>
+        <translation>An der Schreibmarke steht kein Name</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 heißt jetzt %2, an %n Stelle</numerusform>
+            <numerusform>%1 heißt jetzt %2, an %n Stellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>%1 löschen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s); they are listed in Search and will be errors.</source>
+        <translation>
+            <numerusform>Es wird an %n anderen Stelle benutzt; sie steht in der Suche und wird ein Fehler.</numerusform>
+            <numerusform>Es wird an %n anderen Stellen benutzt; sie stehen in der Suche und werden Fehler.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotheken</translation>
+    </message>
+    <message>
+        <source>The tests run…</source>
+        <translation>Die Tests laufen…</translation>
+    </message>
+    <message>
+        <source>passed: %1</source>
+        <translation>bestanden: %1</translation>
+    </message>
+    <message>
+        <source>FAILED: %1</source>
+        <translation>FEHLGESCHLAGEN: %1</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The language changes when the studio is started the next time.</source>
+        <translation>Die Sprache wechselt beim nächsten Start des Studios.</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>2 ×</source>
+        <translation>2 ×</translation>
+    </message>
+    <message>
+        <source>10 ×</source>
+        <translation>10 ×</translation>
+    </message>
+    <message>
+        <source>100 ×</source>
+        <translation>100 ×</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>So schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed of the controller:</source>
+        <translation>Geschwindigkeit der Steuerung:</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan [MB]:</source>
+        <translation>Speicher für die Aufzeichnung aller Zyklen [MB]:</translation>
+    </message>
+    <message>
+        <source>Save the Recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Aufzeichnungen (*.rec)</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>About Stepwise</source>
+        <translation>Über Stepwise</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Ein offenes SPS-Studio: IEC-61131-3-Programme als Maschinencode, jeder Zyklus aufgezeichnet, Bedienpanels in vielen Sprachen.&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>This is a PID controller working on a simulated process. Nothing can break: the plant is only numbers. Let us look around; it takes a minute.</source>
+        <translation>Das ist ein PID-Regler an einem simulierten Prozess. Es kann nichts kaputtgehen: Die Anlage besteht nur aus Zahlen. Sehen wir uns um; es dauert eine Minute.</translation>
+    </message>
+    <message>
+        <source>The project</source>
+        <translation>Das Projekt</translation>
+    </message>
+    <message>
+        <source>Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder.</source>
+        <translation>Programme, Bausteine, Tasks, Panels, Traces und Tests, aus den Textdateien im Ordner.</translation>
+    </message>
+    <message>
+        <source>The program</source>
+        <translation>Das Programm</translation>
+    </message>
+    <message>
+        <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
+        <translation>Strukturierter Text mit Farben nach Bedeutung. Fehler werden beim Tippen unterstrichen; Alt+Enter behebt, was geht; Strg+Leertaste ergänzt.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
+        <translation>F5 übersetzt in Maschinencode und startet ihn. Die Werte stehen dann neben jeder Zeile.</translation>
+    </message>
+    <message>
+        <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
+        <translation>Jeder Ausdruck, jederzeit. Einen Wert vorbereiten und mit einem Klick schreiben oder erzwingen.</translation>
+    </message>
+    <message>
+        <source>The trace</source>
+        <translation>Der Trace</translation>
+    </message>
+    <message>
+        <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
+        <translation>Nichts musste vorher gewählt werden: Jeder Zyklus ist aufgezeichnet, und jeder Ausdruck wird auch nachträglich zum Diagramm.</translation>
+    </message>
+    <message>
+        <source>The panel</source>
+        <translation>Das Panel</translation>
+    </message>
+    <message>
+        <source>What the operator sees, in the languages of the machine. It works here as it will on the machine.</source>
+        <translation>Was der Bediener sieht, in den Sprachen der Maschine. Es arbeitet hier wie später an der Maschine.</translation>
+    </message>
+    <message>
+        <source>Time runs backwards, too</source>
+        <translation>Die Zeit läuft auch rückwärts</translation>
+    </message>
+    <message>
+        <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
+        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel zeigen die Vergangenheit. „Ab hier fortsetzen“ geht von dort weiter.</translation>
+    </message>
+    <message>
+        <source>That is it</source>
+        <translation>Das war es</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
+        <translation>Strg+Umschalt+P findet jeden Befehl. Die Startseite hat weitere Maschinen zum Ausprobieren.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewProjectDialog</name>
+    <message>
+        <source>Empty</source>
+        <translation>Leer</translation>
+    </message>
+    <message>
+        <source>One program in a task of 10 ms</source>
+        <translation>Ein Programm in einer Task von 10 ms</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Start, stop, a simulated motor and a test</source>
+        <translation>Start, Stopp, ein simulierter Motor und ein Test</translation>
+    </message>
+    <message>
+        <source>PID loop</source>
+        <translation>PID-Regelkreis</translation>
+    </message>
+    <message>
+        <source>A temperature loop with its plant</source>
+        <translation>Ein Temperaturregelkreis mit seiner Strecke</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Ablauf</translation>
+    </message>
+    <message>
+        <source>Fill, mix, empty as a sequential function chart</source>
+        <translation>Füllen, mischen, leeren als Ablaufsprache</translation>
+    </message>
+    <message>
+        <source>New Project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>My machine</source>
+        <translation>Meine Maschine</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Folder of the project</source>
+        <translation>Ordner des Projekts</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>In folder</source>
+        <translation>Im Ordner</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>The project needs a name</source>
+        <translation>Das Projekt braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>%1 exists already and is not empty</source>
+        <translation>%1 gibt es schon, und es ist nicht leer</translation>
+    </message>
+    <message>
+        <source>Will be made in %1</source>
+        <translation>Wird in %1 angelegt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::NewUnitDialog</name>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Function block</source>
+        <translation>Funktionsbaustein</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Funktion</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Enumeration</source>
+        <translation>Aufzählung</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Global variables</source>
+        <translation>Globale Variablen</translation>
+    </message>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Ablaufsprache</translation>
+    </message>
+    <message>
+        <source>Simulation of the plant</source>
+        <translation>Simulation der Anlage</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>eine eigene Datei</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>Give it a name</source>
+        <translation>Geben Sie einen Namen an</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
+        <translation>Ein Name besteht aus Buchstaben, Ziffern und _, beginnt mit einem Buchstaben und ist kein Schlüsselwort</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProblemsView</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Show errors</source>
+        <translation>Fehler zeigen</translation>
+    </message>
+    <message>
+        <source>Show warnings</source>
+        <translation>Warnungen zeigen</translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation>Hinweise zeigen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the problem list</source>
+        <translation>Filter der Problemliste</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ProjectTree</name>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the project tree</source>
+        <translation>Filter des Projektbaums</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Bausteine</translation>
+    </message>
+    <message>
+        <source>Functions</source>
+        <translation>Funktionen</translation>
+    </message>
+    <message>
+        <source>Types</source>
+        <translation>Typen</translation>
+    </message>
+    <message>
+        <source>Globals</source>
+        <translation>Globale Variablen</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tasks</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Traces</source>
+        <translation>Traces</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>Libraries</source>
+        <translation>Bibliotheken</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Neu…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliotheken…</translation>
+    </message>
+    <message>
+        <source>Run Tests</source>
+        <translation>Tests ausführen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message>
+        <source>Find in all files</source>
+        <translation>In allen Dateien suchen</translation>
+    </message>
+    <message>
+        <source>Text to find in all files</source>
+        <translation>In allen Dateien gesuchter Text</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Ersetzen durch</translation>
+    </message>
+    <message>
+        <source>Replacement in all files</source>
+        <translation>Ersatztext in allen Dateien</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Regulärer Ausdruck</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Groß-/Kleinschreibung</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Alle ersetzen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwendung</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Search results</source>
+        <translation>Suchergebnisse</translation>
+    </message>
+    <message>
+        <source>Not a pattern: %1</source>
+        <translation>Kein gültiges Muster: %1</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n Stelle</numerusform>
+            <numerusform>%n Stellen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n Datei</numerusform>
+            <numerusform>%n Dateien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>%n Stelle ersetzt</numerusform>
+            <numerusform>%n Stellen ersetzt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>declared</source>
+        <translation>deklariert</translation>
+    </message>
+    <message>
+        <source>read, write</source>
+        <translation>gelesen, geschrieben</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>gelesen</translation>
+    </message>
+    <message>
+        <source>%1: %2 read, %3 written</source>
+        <translation>%1: %2-mal gelesen, %3-mal geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Editor</source>
+        <translation>Editor</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Language of the studio</source>
+        <translation>Sprache des Studios</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Einrückung</translation>
+    </message>
+    <message>
+        <source>Write keywords in capitals while typing</source>
+        <translation>Schlüsselwörter beim Tippen groß schreiben</translation>
+    </message>
+    <message>
+        <source>Close blocks with Enter (IF … END_IF)</source>
+        <translation>Blöcke mit Enter schließen (IF … END_IF)</translation>
+    </message>
+    <message>
+        <source>Show online values in the text</source>
+        <translation>Online-Werte im Text zeigen</translation>
+    </message>
+    <message>
+        <source>Format when saving</source>
+        <translation>Beim Speichern formatieren</translation>
+    </message>
+    <message>
+        <source>Saving changes the running controller (online change)</source>
+        <translation>Speichern ändert die laufende Steuerung (Online-Change)</translation>
+    </message>
+    <message>
+        <source>Memory for the recording of every scan</source>
+        <translation>Speicher für die Aufzeichnung aller Zyklen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Another action has the same shortcut</source>
+        <translation>Eine andere Aktion hat dasselbe Kürzel</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StartPage</name>
+    <message>
+        <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
+        <translation>SPS-Programme schreiben, ausführen und beobachten. Jeder Zyklus wird aufgezeichnet; die Zeit läuft auch rückwärts.</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Letzte Projekte</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Neues Projekt…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Take the Tour</source>
+        <translation>Rundgang machen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Examples: open one and press Run</source>
+        <translation>Beispiele: eines öffnen und Start drücken</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::BreakpointView</name>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Hit count</source>
+        <translation>Treffer</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instanz</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Haltepunkte</translation>
+    </message>
+    <message>
+        <source>Remove selected</source>
+        <translation>Auswahl entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::CallPathView</name>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Instance</source>
+        <translation>Instanz</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Call path</source>
+        <translation>Aufrufpfad</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Values of the frame</source>
+        <translation>Werte des Aufrufs</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ChartView</name>
+    <message>
+        <source>Sequential function chart</source>
+        <translation>Ablaufsprache</translation>
+    </message>
+    <message>
+        <source>Insert a step behind (Ins)</source>
+        <translation>Schritt dahinter einfügen (Einfg)</translation>
+    </message>
+    <message>
+        <source>Insert a branch beside</source>
+        <translation>Zweig daneben einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a simultaneous branch</source>
+        <translation>Simultanzweig einfügen</translation>
+    </message>
+    <message>
+        <source>Add an action</source>
+        <translation>Aktion hinzufügen</translation>
+    </message>
+    <message>
+        <source>Edit name or condition (F2)</source>
+        <translation>Name oder Bedingung bearbeiten (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Export as SVG or PNG…</source>
+        <translation>Als SVG oder PNG exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the chart</source>
+        <translation>Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 can not be written</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Der Text hat Fehler: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1 is not a chart</source>
+        <translation>%1 ist kein Ablauf</translation>
+    </message>
+    <message>
+        <source>Mend the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
+    </message>
+    <message>
+        <source>Select the transition behind which the steps run at the same time</source>
+        <translation>Die Transition wählen, hinter der die Schritte gleichzeitig laufen</translation>
+    </message>
+    <message>
+        <source>Select the step that gets the action</source>
+        <translation>Den Schritt wählen, der die Aktion bekommt</translation>
+    </message>
+    <message>
+        <source>This condition is written in IL; edit it in the text</source>
+        <translation>Diese Bedingung ist in AWL geschrieben; im Text bearbeiten</translation>
+    </message>
+    <message>
+        <source>Insert a Step Behind</source>
+        <translation>Schritt dahinter einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Branch Beside</source>
+        <translation>Zweig daneben einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Simultaneous Branch</source>
+        <translation>Simultanzweig einfügen</translation>
+    </message>
+    <message>
+        <source>Add an Action</source>
+        <translation>Aktion hinzufügen</translation>
+    </message>
+    <message>
+        <source>Make It the Initial Step</source>
+        <translation>Zum Initialschritt machen</translation>
+    </message>
+    <message>
+        <source>Force the Step On</source>
+        <translation>Schritt einschalten (erzwingen)</translation>
+    </message>
+    <message>
+        <source>Release the Step</source>
+        <translation>Schritt freigeben</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt umschalten</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Move Left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Move Right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::DeclarationTable</name>
+    <message>
+        <source>Section</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>Anfangswert</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Declarations</source>
+        <translation>Deklarationen</translation>
+    </message>
+    <message>
+        <source>Add a variable</source>
+        <translation>Variable hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected variables</source>
+        <translation>Gewählte Variablen entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>PLC time</source>
+        <translation>SPS-Zeit</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Text to find</source>
+        <translation>Gesuchter Text</translation>
+    </message>
+    <message>
+        <source>Replace by</source>
+        <translation>Ersetzen durch</translation>
+    </message>
+    <message>
+        <source>Replacement</source>
+        <translation>Ersatztext</translation>
+    </message>
+    <message>
+        <source>Match case</source>
+        <translation>Groß-/Kleinschreibung</translation>
+    </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Ganze Wörter</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Regulärer Ausdruck</translation>
+    </message>
+    <message>
+        <source>Previous (Shift+Enter)</source>
+        <translation>Vorheriges (Umschalt+Enter)</translation>
+    </message>
+    <message>
+        <source>Next (Enter)</source>
+        <translation>Nächstes (Enter)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace All</source>
+        <translation>Alle ersetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n ersetzt</numerusform>
+            <numerusform>%n ersetzt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not a pattern</source>
+        <translation>kein Muster</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::ForceView</name>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Forced value</source>
+        <translation>Erzwungener Wert</translation>
+    </message>
+    <message>
+        <source>Forced variables</source>
+        <translation>Erzwungene Variablen</translation>
+    </message>
+    <message>
+        <source>Release selected</source>
+        <translation>Auswahl freigeben</translation>
+    </message>
+    <message>
+        <source>Release all</source>
+        <translation>Alle freigeben</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message>
+        <source>Built in %1 ms</source>
+        <translation>Übersetzt in %1 ms</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n Fehler: Das Programm wurde nicht übersetzt</numerusform>
+            <numerusform>%n Fehler: Das Programm wurde nicht übersetzt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Online change: %1 kept, %2 new, %3 lost</source>
+        <translation>Online-Change: %1 behalten, %2 neu, %3 verloren</translation>
+    </message>
+    <message>
+        <source>The change waits for the end of the scan</source>
+        <translation>Die Änderung wartet auf das Zyklusende</translation>
+    </message>
+    <message>
+        <source>The program has errors; the controller goes on with the old one</source>
+        <translation>Das Programm hat Fehler; die Steuerung läuft mit dem alten weiter</translation>
+    </message>
+    <message>
+        <source>did not exist in this scan</source>
+        <translation>gab es in diesem Zyklus nicht</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::StEditor</name>
+    <message>
+        <source>Structured Text editor</source>
+        <translation>Editor für Strukturierten Text</translation>
+    </message>
+    <message>
+        <source>Declare %1</source>
+        <translation>%1 deklarieren</translation>
+    </message>
+    <message>
+        <source>There is no fix for this line</source>
+        <translation>Für diese Zeile gibt es keine Korrektur</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Zur Definition gehen</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Alle Verwendungen suchen</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Add to Watch</source>
+        <translation>Zur Überwachung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt umschalten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::TaskMonitor</name>
+    <message>
+        <source>Histogram of execution times</source>
+        <translation>Histogramm der Ausführungszeiten</translation>
+    </message>
+    <message>
+        <source>Execution times appear here while the controller runs</source>
+        <translation>Hier stehen Ausführungszeiten, während die Steuerung läuft</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Task</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzte</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>Jitter</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Überläufe</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tasks</translation>
+    </message>
+    <message>
+        <source>Reset the statistics</source>
+        <translation>Statistik zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::WatchView</name>
+    <message>
+        <source>Expression</source>
+        <translation>Ausdruck</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Prepared</source>
+        <translation>Vorbereitet</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Watch list</source>
+        <translation>Überwachungsliste</translation>
+    </message>
+    <message>
+        <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
+        <translation>Ausdruck hinzufügen: Main.x, a[i] * 2, fb.Q AND NOT done</translation>
+    </message>
+    <message>
+        <source>New watch expression</source>
+        <translation>Neuer überwachter Ausdruck</translation>
+    </message>
+    <message>
+        <source>Write prepared values</source>
+        <translation>Vorbereitete Werte schreiben</translation>
+    </message>
+    <message>
+        <source>Force prepared values</source>
+        <translation>Vorbereitete Werte erzwingen</translation>
+    </message>
+    <message>
+        <source>Release the selected forces</source>
+        <translation>Gewählte erzwungene Werte freigeben</translation>
+    </message>
+    <message>
+        <source>Decimal</source>
+        <translation>Dezimal</translation>
+    </message>
+    <message>
+        <source>Hexadecimal</source>
+        <translation>Hexadezimal</translation>
+    </message>
+    <message>
+        <source>Binary</source>
+        <translation>Binär</translation>
+    </message>
+    <message>
+        <source>Number format</source>
+        <translation>Zahlenformat</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Umschalten</translation>
+    </message>
+    <message>
+        <source>Force to %1</source>
+        <translation>Erzwingen: %1</translation>
+    </message>
+    <message>
+        <source>Release force</source>
+        <translation>Erzwungenen Wert freigeben</translation>
+    </message>
+    <message>
+        <source>Show in trace</source>
+        <translation>Im Trace zeigen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::AlarmEditor</name>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarm</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorität</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Add an alarm</source>
+        <translation>Alarm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a class</source>
+        <translation>Klasse hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Classes</source>
+        <translation>Klassen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Add alarm</source>
+        <translation>Alarm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add class</source>
+        <translation>Klasse hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::ArrayDialog</name>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Als Array vervielfältigen</translation>
+    </message>
+    <message>
+        <source>Number of elements</source>
+        <translation>Anzahl der Elemente</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Abstand waagrecht</translation>
+    </message>
+    <message>
+        <source>Gap down</source>
+        <translation>Abstand senkrecht</translation>
+    </message>
+    <message>
+        <source>Index step</source>
+        <translation>Indexschritt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignCanvas</name>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Größe ändern</translation>
+    </message>
+    <message>
+        <source>Move point</source>
+        <translation>Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::DesignContext</name>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Outline</name>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Reorder</source>
+        <translation>Umordnen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::Palette</name>
+    <message>
+        <source>Search elements</source>
+        <translation>Elemente suchen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PanelDesigner</name>
+    <message>
+        <source>Finding</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate as array…</source>
+        <translation>Als Array vervielfältigen…</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Align left</source>
+        <translation>Links ausrichten</translation>
+    </message>
+    <message>
+        <source>Align centres</source>
+        <translation>Mitten waagrecht ausrichten</translation>
+    </message>
+    <message>
+        <source>Align right</source>
+        <translation>Rechts ausrichten</translation>
+    </message>
+    <message>
+        <source>Align top</source>
+        <translation>Oben ausrichten</translation>
+    </message>
+    <message>
+        <source>Align middles</source>
+        <translation>Mitten senkrecht ausrichten</translation>
+    </message>
+    <message>
+        <source>Align bottom</source>
+        <translation>Unten ausrichten</translation>
+    </message>
+    <message>
+        <source>Equal gaps across</source>
+        <translation>Gleiche Abstände waagrecht</translation>
+    </message>
+    <message>
+        <source>Equal gaps down</source>
+        <translation>Gleiche Abstände senkrecht</translation>
+    </message>
+    <message>
+        <source>Same width</source>
+        <translation>Gleiche Breite</translation>
+    </message>
+    <message>
+        <source>Same height</source>
+        <translation>Gleiche Höhe</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Gleiche Größe</translation>
+    </message>
+    <message>
+        <source>Bring to front</source>
+        <translation>In den Vordergrund</translation>
+    </message>
+    <message>
+        <source>Bring forward</source>
+        <translation>Eine Ebene nach vorn</translation>
+    </message>
+    <message>
+        <source>Send backward</source>
+        <translation>Eine Ebene nach hinten</translation>
+    </message>
+    <message>
+        <source>Send to back</source>
+        <translation>In den Hintergrund</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppieren</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Gruppierung aufheben</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Show the grid</source>
+        <translation>Raster zeigen</translation>
+    </message>
+    <message>
+        <source>Snap (Alt: not now)</source>
+        <translation>Einrasten (Alt: jetzt nicht)</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Live-Vorschau</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Zoom 100 %</source>
+        <translation>Zoom 100 %</translation>
+    </message>
+    <message>
+        <source>Zoom to fit</source>
+        <translation>Zoom anpassen</translation>
+    </message>
+    <message>
+        <source>Language shown</source>
+        <translation>Gezeigte Sprache</translation>
+    </message>
+    <message>
+        <source>Theme of the panel</source>
+        <translation>Farbschema des Panels</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Duplicate as array</source>
+        <translation>Als Array vervielfältigen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message>
+        <source>Search properties</source>
+        <translation>Eigenschaften suchen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n Element</numerusform>
+            <numerusform>%n Elemente</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::RecordsDialog</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Auf</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ab</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message>
+        <source>Only incomplete</source>
+        <translation>Nur unvollständige</translation>
+    </message>
+    <message>
+        <source>Search texts</source>
+        <translation>Texte suchen</translation>
+    </message>
+    <message>
+        <source>Add a key</source>
+        <translation>Schlüssel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Remove the selected keys</source>
+        <translation>Gewählte Schlüssel entfernen</translation>
+    </message>
+    <message>
+        <source>Add a language</source>
+        <translation>Sprache hinzufügen</translation>
+    </message>
+    <message>
+        <source>Language tag, for example de or zh-CN</source>
+        <translation>Sprachkürzel, zum Beispiel de oder zh-CN</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>CSV importieren</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv *.txt)</source>
+        <translation>Texttabellen (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Text tables (*.csv)</source>
+        <translation>Texttabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Add key</source>
+        <translation>Schlüssel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove keys</source>
+        <translation>Schlüssel entfernen</translation>
+    </message>
+    <message>
+        <source>Add language</source>
+        <translation>Sprache hinzufügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n Text</numerusform>
+            <numerusform>%n Texte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is not used.</source>
+        <translation>%1 wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2</source>
+        <translation>%1 wird benutzt von %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextModel</name>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Rename key</source>
+        <translation>Schlüssel umbenennen</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::Canvas</name>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::ColorPopup</name>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>More colours…</source>
+        <translation>Weitere Farben…</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Keine Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::CommandPalette</name>
+    <message>
+        <source>Command palette</source>
+        <translation>Befehlspalette</translation>
+    </message>
+    <message>
+        <source>Type to find a command</source>
+        <translation>Tippen, um einen Befehl zu finden</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>menu and command</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PlotView</name>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>%1
+Click selects, Ctrl+click shows or hides.</source>
+        <translation>%1
+Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::PropertyGrid</name>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Variable wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Edit in a window</source>
+        <translation>In einem Fenster bearbeiten</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>various</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::kit::VariablePicker</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>Search variables</source>
+        <translation>Variablen suchen</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variablen</translation>
+    </message>
+    <message>
+        <source>Found variables</source>
+        <translation>Gefundene Variablen</translation>
+    </message>
+    <message>
+        <source>Choose a variable</source>
+        <translation>Variable wählen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::ChannelPanel</name>
+    <message>
+        <source>Variable or expression</source>
+        <translation>Variable oder Ausdruck</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Kanal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add as a channel</source>
+        <translation>Als Kanal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Kanal zeigen</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Kanal verbergen</translation>
+    </message>
+    <message>
+        <source>Chart %1</source>
+        <translation>Diagramm %1</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Ausdruck</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Digital</source>
+        <translation>Digital</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Linienbreite</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>Neues Diagramm</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>New axis</source>
+        <translation>Neue Achse</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Share of height</source>
+        <translation>Anteil der Höhe</translation>
+    </message>
+    <message>
+        <source>Scaling</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Fit to view</source>
+        <translation>An Ansicht anpassen</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Every n-th scan</source>
+        <translation>Jeder n-te Zyklus</translation>
+    </message>
+    <message>
+        <source>Record while</source>
+        <translation>Aufzeichnen solange</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Flanke</translation>
+    </message>
+    <message>
+        <source>Rising</source>
+        <translation>Steigend</translation>
+    </message>
+    <message>
+        <source>Falling</source>
+        <translation>Fallend</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Repeated</source>
+        <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>Shown before</source>
+        <translation>Gezeigt davor</translation>
+    </message>
+    <message>
+        <source>Shown after</source>
+        <translation>Gezeigt danach</translation>
+    </message>
+    <message>
+        <source>Change channel</source>
+        <translation>Kanal ändern</translation>
+    </message>
+    <message>
+        <source>Change chart</source>
+        <translation>Diagramm ändern</translation>
+    </message>
+    <message>
+        <source>Change trace</source>
+        <translation>Trace ändern</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Kanal entfernen</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>Diagramm entfernen</translation>
+    </message>
+    <message>
+        <source>Move channel</source>
+        <translation>Kanal verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeBar</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Resumed from here
+%1</source>
+        <translation>Ab hier fortgesetzt
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TimeSlider</name>
+    <message>
+        <source>Time slider</source>
+        <translation>Zeitschieber</translation>
+    </message>
+    <message>
+        <source>Variable</source>
+        <translation>Variable</translation>
+    </message>
+    <message>
+        <source>Variable whose changes to step to</source>
+        <translation>Variable, zu deren Änderungen gesprungen wird</translation>
+    </message>
+    <message>
+        <source>The arrows beside step to its previous and next change</source>
+        <translation>Die Pfeile daneben gehen zur vorigen und nächsten Änderung</translation>
+    </message>
+    <message>
+        <source>One scan back (Left)</source>
+        <translation>Einen Zyklus zurück (Links)</translation>
+    </message>
+    <message>
+        <source>One scan forth (Right)</source>
+        <translation>Einen Zyklus vor (Rechts)</translation>
+    </message>
+    <message>
+        <source>Previous change of the variable (Ctrl+Left)</source>
+        <translation>Vorige Änderung der Variablen (Strg+Links)</translation>
+    </message>
+    <message>
+        <source>Next change of the variable (Ctrl+Right)</source>
+        <translation>Nächste Änderung der Variablen (Strg+Rechts)</translation>
+    </message>
+    <message>
+        <source>Resume the controller from this scan</source>
+        <translation>Steuerung ab diesem Zyklus fortsetzen</translation>
+    </message>
+    <message>
+        <source>Back to the newest scan (End)</source>
+        <translation>Zurück zum neuesten Zyklus (Ende)</translation>
+    </message>
+    <message>
+        <source>Older scans are no longer kept.</source>
+        <translation>Ältere Zyklen sind nicht mehr vorhanden.</translation>
+    </message>
+    <message>
+        <source>%1 does not change before this scan.</source>
+        <translation>%1 ändert sich vor diesem Zyklus nicht.</translation>
+    </message>
+    <message>
+        <source>%1 does not change after this scan.</source>
+        <translation>%1 ändert sich nach diesem Zyklus nicht.</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>no longer kept</source>
+        <translation>nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>scan %1  %2</source>
+        <translation>Zyklus %1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message>
+        <source>Trace</source>
+        <translation>Trace</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Show channel</source>
+        <translation>Kanal zeigen</translation>
+    </message>
+    <message>
+        <source>Hide channel</source>
+        <translation>Kanal verbergen</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Follow the newest scan (End)</source>
+        <translation>Dem neuesten Zyklus folgen (Ende)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Show everything recorded (Home)</source>
+        <translation>Alles Aufgezeichnete zeigen (Pos1)</translation>
+    </message>
+    <message>
+        <source>Fit values</source>
+        <translation>Werte anpassen</translation>
+    </message>
+    <message>
+        <source>Let the value axes fit again</source>
+        <translation>Die Werteachsen wieder anpassen</translation>
+    </message>
+    <message>
+        <source>Zoom back</source>
+        <translation>Zoom zurück</translation>
+    </message>
+    <message>
+        <source>Back to the view before (Backspace)</source>
+        <translation>Zurück zur vorigen Ansicht (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom: flat for time, upright for values</source>
+        <translation>Rahmen zum Zoomen ziehen: flach für Zeit, hoch für Werte</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Drag to pan (middle button always does)</source>
+        <translation>Ziehen verschiebt (mittlere Taste immer)</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Two cursors (Ctrl+click sets A, Shift+click sets B)</source>
+        <translation>Zwei Cursor (Strg+Klick setzt A, Umschalt+Klick setzt B)</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Table of values and statistics between the cursors</source>
+        <translation>Tabelle der Werte und Statistik zwischen den Cursorn</translation>
+    </message>
+    <message>
+        <source>Measuring table</source>
+        <translation>Messtabelle</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Arm the trigger set in the properties of the trace</source>
+        <translation>Den in den Eigenschaften des Trace gesetzten Trigger scharf schalten</translation>
+    </message>
+    <message>
+        <source>Previous trigger</source>
+        <translation>Voriger Trigger</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired before</source>
+        <translation>Wo der Trigger vorher ausgelöst hätte</translation>
+    </message>
+    <message>
+        <source>Next trigger</source>
+        <translation>Nächster Trigger</translation>
+    </message>
+    <message>
+        <source>Where the trigger would have fired next</source>
+        <translation>Wo der Trigger als Nächstes ausgelöst hätte</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>Diagramm hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another chart over the same time</source>
+        <translation>Ein weiteres Diagramm über derselben Zeit</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Load an older recording beneath the present one</source>
+        <translation>Eine ältere Aufzeichnung unter die jetzige legen</translation>
+    </message>
+    <message>
+        <source>Recording to draw beneath</source>
+        <translation>Aufzeichnung, die darunter gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec);;All files (*)</source>
+        <translation>Aufzeichnungen (*.rec);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Trace set-up</source>
+        <translation>Trace-Einstellung</translation>
+    </message>
+    <message>
+        <source>Open set-up…</source>
+        <translation>Einstellung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open trace set-up</source>
+        <translation>Trace-Einstellung öffnen</translation>
+    </message>
+    <message>
+        <source>Trace set-ups (*.trace.json)</source>
+        <translation>Trace-Einstellungen (*.trace.json)</translation>
+    </message>
+    <message>
+        <source>Save trace set-up</source>
+        <translation>Trace-Einstellung speichern</translation>
+    </message>
+    <message>
+        <source>Save set-up</source>
+        <translation>Einstellung speichern</translation>
+    </message>
+    <message>
+        <source>Save set-up as…</source>
+        <translation>Einstellung speichern unter…</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Back to the running PLC</source>
+        <translation>Zurück zur laufenden SPS</translation>
+    </message>
+    <message>
+        <source>Save recording…</source>
+        <translation>Aufzeichnung speichern…</translation>
+    </message>
+    <message>
+        <source>Save recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Aufzeichnungen (*.rec)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save samples in view as CSV…</source>
+        <translation>Sichtbare Werte als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save as %1…</source>
+        <translation>Als %1 speichern…</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Als %1 speichern</translation>
+    </message>
+    <message>
+        <source>Add channel</source>
+        <translation>Kanal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Arm trigger</source>
+        <translation>Trigger scharf schalten</translation>
+    </message>
+    <message>
+        <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
+        <translation>Der Trigger hat noch keinen Ausdruck: in den Eigenschaften des Trace eingeben.</translation>
+    </message>
+    <message>
+        <source>Trigger armed</source>
+        <translation>Trigger scharf</translation>
+    </message>
+    <message>
+        <source>Triggered, collecting</source>
+        <translation>Ausgelöst, sammelt</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Ausgelöst</translation>
+    </message>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>(%n Auslösung)</numerusform>
+            <numerusform>(%n Auslösungen)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not running</source>
+        <translation>Läuft nicht</translation>
+    </message>
+    <message>
+        <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
+        <translation>%L1 Zyklen erhalten  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Remove channel</source>
+        <translation>Kanal entfernen</translation>
+    </message>
+    <message>
+        <source>Add channel…</source>
+        <translation>Kanal hinzufügen…</translation>
+    </message>
+</context>
+</TS>

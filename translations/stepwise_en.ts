@@ -1,0 +1,112 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>plc::app::EditorTabs</name>
+    <message numerus="yes">
+        <source>%n file(s) were changed: %1. Save them?</source>
+        <translation>
+            <numerusform>%n file was changed: %1. Save it?</numerusform>
+            <numerusform>%n files were changed: %1. Save them?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MainWindow</name>
+    <message numerus="yes">
+        <source>%1 is now %2 in %n place(s)</source>
+        <translation>
+            <numerusform>%1 is now %2 in %n place</numerusform>
+            <numerusform>%1 is now %2 in %n places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s); they are listed in Search and will be errors.</source>
+        <translation>
+            <numerusform>It is used in %n other place; it is listed in Search and will be an error.</numerusform>
+            <numerusform>It is used in %n other places; they are listed in Search and will be errors.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::SearchView</name>
+    <message numerus="yes">
+        <source>%n place(s)</source>
+        <translation>
+            <numerusform>%n place</numerusform>
+            <numerusform>%n places</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s)</source>
+        <translation>
+            <numerusform>%n file</numerusform>
+            <numerusform>%n files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) replaced</source>
+        <translation>
+            <numerusform>%n place replaced</numerusform>
+            <numerusform>%n places replaced</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::FindBar</name>
+    <message numerus="yes">
+        <source>%n replaced</source>
+        <translation>
+            <numerusform>%n replaced</numerusform>
+            <numerusform>%n replaced</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunControl</name>
+    <message numerus="yes">
+        <source>%n error(s): the program was not built</source>
+        <translation>
+            <numerusform>%n error: the program was not built</numerusform>
+            <numerusform>%n errors: the program was not built</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::PropertySheet</name>
+    <message numerus="yes">
+        <source>%n elements</source>
+        <translation>
+            <numerusform>%n element</numerusform>
+            <numerusform>%n elements</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::hmi::TextEditor</name>
+    <message numerus="yes">
+        <source>%n text(s)</source>
+        <translation>
+            <numerusform>%n text</numerusform>
+            <numerusform>%n texts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::trace::TraceView</name>
+    <message numerus="yes">
+        <source>(%n shot(s))</source>
+        <translation>
+            <numerusform>(%n shot)</numerusform>
+            <numerusform>(%n shots)</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
