@@ -79,7 +79,13 @@ Interpreter::Flow Interpreter::block(const syntax::Block& statements) {
 }
 
 Interpreter::Flow Interpreter::statement(const Stmt& at) {
-    if (const std::string name = m_program.actionOf(at); !name.empty()) return action(at, name);
+    if (const std::string name = m_program.actionOf(at); !name.empty()) {
+        const Flow flow = action(at, name);
+        const std::string result = m_program.assertionResult(at);
+        if (flow != Flow::Next || result.empty()) return flow;
+        const auto value = m_session.controller().read(m_test.instance + "." + result);
+        return value && value->isTrue() ? Flow::Next : failAssertion(at, {});
+    }
     switch (at.kind) {
     case StmtKind::Empty:
     case StmtKind::Label: return Flow::Next;
@@ -272,13 +278,16 @@ std::string Interpreter::explain(const Expr& expression) {
 Interpreter::Flow Interpreter::assertion(const Stmt& at) {
     const auto isTrue = condition(at.value, at);
     if (!isTrue) return Flow::Stop;
-    if (*isTrue) return Flow::Next;
+    return *isTrue ? Flow::Next : failAssertion(at, explain(*at.value));
+}
+
+Interpreter::Flow Interpreter::failAssertion(const Stmt& at, std::string detail) {
     std::string message(textOf(at.value));
     if (at.to) {
         const auto said = evaluate(at.to, at);
         if (said && std::holds_alternative<std::string>(said->data)) message = latin1ToUtf8(std::get<std::string>(said->data)) + " (" + message + ")";
     }
-    return fail(at, "ASSERT failed: " + message, explain(*at.value));
+    return fail(at, "ASSERT failed: " + message, std::move(detail));
 }
 
 Interpreter::Flow Interpreter::compare(const Stmt& at) {

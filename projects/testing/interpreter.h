@@ -23,6 +23,7 @@ private:
     Flow action(const syntax::Stmt& statement, const std::string& name);
     Flow runScans(const syntax::Stmt& statement);
     Flow assertion(const syntax::Stmt& statement);
+    Flow failAssertion(const syntax::Stmt& at, std::string detail);
     Flow assign(const syntax::Stmt& statement, bool isForce);
     Flow releaseForce(const syntax::Stmt& statement);
     Flow compare(const syntax::Stmt& statement);

@@ -107,7 +107,9 @@ void TestProgram::planTest(const syntax::TestDecl& test, size_t file) {
         copy(section->range, file, text);
         text += "\n";
     }
+    text += "VAR assert__ : ARRAY[0..999] OF BOOL; END_VAR\n"; // results of assertions that need code
     text += "END_FUNCTION_BLOCK\n";
+    m_assertions = 0;
     planStatements(test.body, text, planned.block, file);
     text += "VAR_GLOBAL {attribute 'hide'} " + planned.instance + " : " + planned.block + "; END_VAR\n";
     m_tests.push_back(planned);
@@ -115,25 +117,36 @@ void TestProgram::planTest(const syntax::TestDecl& test, size_t file) {
 
 void TestProgram::planStatements(const syntax::Block& block, std::string& text, const std::string& blockName, size_t file) {
     for (const Stmt* statement : block) {
-        if (statement->kind == StmtKind::Empty || isCarriedOutHere(*statement)) continue;
-        if (holdsTestStatement(*statement)) {
+        const bool asserts = statement->kind == StmtKind::Assert && needsCode(statement->value) && m_assertions < 1000;
+        if (statement->kind == StmtKind::Empty || (isCarriedOutHere(*statement) && !asserts)) continue;
+        if (!asserts && holdsTestStatement(*statement)) {
             forEachBlock(*statement, [&](const syntax::Block& inner) { planStatements(inner, text, blockName, file); });
             continue;
         }
         const std::string action = "run__" + std::to_string(m_actions.size() + 1);
         const size_t end = text.rfind("END_FUNCTION_BLOCK\n"); // actions stand before the end of their block
         std::string made = "ACTION " + action + ":\n";
+        const std::string result = "assert__[" + std::to_string(m_assertions) + "]";
+        if (asserts) made += result + " := ";
+        const SourceRange copied = asserts ? statement->value->range : statement->range;
         const auto begin = static_cast<uint32_t>(end + made.size());
-        made += std::string(m_sources[FileId(file)].slice(statement->range)) + ";\nEND_ACTION\n";
+        made += std::string(m_sources[FileId(file)].slice(copied)) + ";\nEND_ACTION\n";
         text.insert(end, made);
-        m_pieces.push_back({begin, statement->range.length(), statement->range.begin, file});
+        m_pieces.push_back({begin, copied.length(), copied.begin, file});
         m_actions.emplace_back(statement, blockName + "." + action);
+        if (asserts) m_assertionResults.emplace_back(statement, result), ++m_assertions;
     }
 }
 
 std::string TestProgram::actionOf(const Stmt& statement) const {
     for (const auto& [each, action] : m_actions)
         if (each == &statement) return action;
+    return {};
+}
+
+std::string TestProgram::assertionResult(const Stmt& statement) const {
+    for (const auto& [each, result] : m_assertionResults)
+        if (each == &statement) return result;
     return {};
 }
 

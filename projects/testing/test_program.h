@@ -39,6 +39,8 @@ public:
     [[nodiscard]] const diagnostics::Sink& problems() const { return m_problems; }
     /// "" when the statement is carried out here, else the action that runs it.
     [[nodiscard]] std::string actionOf(const syntax::Stmt& statement) const;
+    /// Where the action of an ASSERT that calls the program's own functions leaves its result, relative to the test's block.
+    [[nodiscard]] std::string assertionResult(const syntax::Stmt& statement) const;
     /// Leads a range of the made file back to the test file; others are returned as they are.
     [[nodiscard]] SourceRange originalOf(SourceRange made, bool& isTestFile) const;
 
@@ -53,6 +55,8 @@ private:
     driver::BuildInput m_input;
     std::vector<PlannedTest> m_tests;
     std::vector<std::pair<const syntax::Stmt*, std::string>> m_actions;
+    std::vector<std::pair<const syntax::Stmt*, std::string>> m_assertionResults;
+    int m_assertions = 0; // of the test that is planned now
     std::vector<CopiedPiece> m_pieces;
     size_t m_madeFile = 0; // index into input().files
 };

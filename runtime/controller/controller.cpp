@@ -168,8 +168,11 @@ void Controller::State_::makeOutputsSafe() {
 }
 
 bool Controller::runFunction(uint32_t function, uint32_t instance) {
+    // Optimised code has entries for what tasks call only; the quick code has one for each function without parameters.
+    const auto has = [&](const image::Code* code) { return code && function != 0 && function < code->entries.size() && code->entries[function]; };
     const image::Code* code = m->currentCode();
-    if (!code || function == 0 || function >= code->entries.size() || !code->entries[function]) return false;
+    if (!has(code)) code = m->program->quick.get();
+    if (!has(code)) return false;
     m->isRealTime = false;
     m->task = nullptr;
     m->prepareContext(m->image.get());
