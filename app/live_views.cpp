@@ -4,6 +4,7 @@
 #include "editor/kit/icons.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QLabel>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -69,6 +70,10 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
         return out;
     };
     m_slider->setCompletionSource(complete);
+    m_complete = complete;
+    connect(&workspace, &editor::Workspace::analysed, this, [this](const std::shared_ptr<const analysis::CodeModel>& model) {
+        if (m_design && !model->checked().analysis->hasErrors) m_design->setChecked(model->checked());
+    });
 }
 
 LiveViews::~LiveViews() {
@@ -84,7 +89,9 @@ void LiveViews::projectOpened() {
 }
 
 void LiveViews::projectClosed() {
+    emit designsMustClose();
     delete m_player;
+    m_design.reset();
     m_panels = {};
     m_panelChoice->clear();
     m_emptyPanel->show();
@@ -108,12 +115,18 @@ void LiveViews::saveTrace() {
 }
 
 void LiveViews::reloadPanels() {
+    emit designsMustClose();
     delete m_player;
+    m_design.reset();
     m_panelChoice->clear();
     if (!m_workspace.isOpen()) return;
     m_panels = hmi::loadPanelProject(m_workspace.project());
     for (const Error& problem : m_panels.problems) emit message(QString::fromStdString(problem.text()), true);
     for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
+    m_design = std::make_unique<hmi::DesignContext>(m_panels);
+    m_design->setCompletions(m_complete);
+    m_design->setSession(m_control.session());
+    if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors) m_design->setChecked(m_workspace.model()->checked());
     m_emptyPanel->setVisible(m_panels.panels.empty());
     if (m_panels.panels.empty()) return;
     m_player = new hmi::PanelPlayer(m_panels, m_control.session(), m_panelArea);
@@ -136,6 +149,7 @@ void LiveViews::sessionChanged() {
     m_recording.reset();
     session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
     if (m_player) m_player->setSession(session);
+    if (m_design) m_design->setSession(session);
     if (!session) return;
     m_recording = std::make_unique<trace::SessionRecording>(*session);
     m_program = session->program();
@@ -150,6 +164,16 @@ void LiveViews::viewedChanged() {
     m_slider->setPosition(viewed);
     m_trace->showPosition(viewed);
     if (m_player) m_player->setPosition(viewed);
+}
+
+Result<void> LiveViews::addPanel(const QString& name) {
+    if (!m_workspace.isOpen()) return Error{"Open a project first", ""};
+    if (m_panels.find(name)) return Error{"There is a panel of that name already", name.toStdString()};
+    QDir().mkpath(m_workspace.folder() + "/hmi");
+    if (auto saved = hmi::savePanel(m_panels, {name, {}}); !saved) return saved;
+    if (auto read = m_workspace.rereadProject(); !read) return read;
+    reloadPanels();
+    return {};
 }
 
 Result<void> LiveViews::saveRecording(const QString& path) {

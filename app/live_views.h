@@ -5,6 +5,7 @@
 #include "editor/trace/session_recording.h"
 #include "editor/trace/time_slider.h"
 #include "editor/trace/trace_view.h"
+#include "hmi/designer/design_context.h"
 #include "hmi/player/panel_player.h"
 
 #include <QObject>
@@ -32,11 +33,16 @@ public:
     void saveTrace();
     void showPanel(const QString& name);
     void reloadPanels();
+    /// What designers, text and alarm editors share; null without a project.
+    [[nodiscard]] hmi::DesignContext* design() { return m_design.get(); }
+    /// A new, empty panel on disk.
+    Result<void> addPanel(const QString& name);
     Result<void> saveRecording(const QString& path);
 
 signals:
     void message(const QString& text, bool isError);
     void panelsChanged();
+    void designsMustClose(); // the panels are read anew: open designers, text and alarm editors close first
 
 private:
     void projectOpened();
@@ -52,7 +58,9 @@ private:
     QComboBox* m_panelChoice;
     QWidget* m_emptyPanel;
     hmi::PanelProject m_panels;
+    std::unique_ptr<hmi::DesignContext> m_design;
     QPointer<hmi::PanelPlayer> m_player;
+    kit::CompletionSource m_complete;
     std::unique_ptr<trace::SessionRecording> m_recording;
     std::shared_ptr<const image::CompiledProgram> m_program;
 };

@@ -231,7 +231,18 @@ void MainWindow::connectParts() {
     });
     connect(m_tree, &ProjectTree::panelRequested, this, [this](const QString& name) {
         m_live->showPanel(name);
-        showDock("panel");
+        openDesigner(name);
+    });
+    connect(m_tree, &ProjectTree::textsRequested, this, &MainWindow::openTexts);
+    connect(m_tree, &ProjectTree::alarmsRequested, this, &MainWindow::openAlarms);
+    connect(m_live, &LiveViews::designsMustClose, this, [this] {
+        for (int i = m_tabs->count() - 1; i >= 0; --i) {
+            QWidget* page = m_tabs->widget(i);
+            const QString key = page->property("pageKey").toString();
+            if (!key.startsWith("panel:") && key != "texts" && key != "alarms") continue;
+            m_tabs->removeTab(i);
+            delete page;
+        }
     });
     connect(m_live, &LiveViews::message, this, &MainWindow::say);
     connect(m_watch, &editor::WatchView::traceRequested, this, [this](const QString& expression) {

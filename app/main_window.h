@@ -95,6 +95,11 @@ public:
     void setSpeed();
     void setHistoryBudget();
     void saveRecording();
+    void newPanel();
+    void openDesigner(const QString& panel);
+    void openTexts();
+    void openAlarms();
+    void saveDocument(); // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();
 

@@ -12,6 +12,9 @@
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/icons.h"
+#include "hmi/designer/alarm_editor.h"
+#include "hmi/designer/panel_designer.h"
+#include "hmi/designer/text_editor.h"
 #include "projects/testing/test_run.h"
 
 #include <QCheckBox>
@@ -213,6 +216,9 @@ void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
     size_t places = 0;
     for (const analysis::FileEdits& each : *edits) places += each.edits.size();
     m_tabs->applyEdits(*edits, model->sources());
+    const sema::Symbol& symbolNow = model->symbol(*symbol);
+    const QString path = QString::fromStdString(symbolNow.path);
+    if (m_live->design() && path.endsWith(old, Qt::CaseInsensitive) && m_live->design()->renameVariable(path, path.left(path.size() - old.size()) + name)) (void)m_live->design()->save();
     emit renamed(QString::fromStdString(model->symbol(*symbol).path), old, name);
     say(tr("%1 is now %2 in %n place(s)", nullptr, static_cast<int>(places)).arg(old, name));
 }
@@ -320,6 +326,49 @@ void MainWindow::setHistoryBudget() {
     if (!ok) return;
     m_settings.setHistoryMegabytes(megabytes);
     if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(megabytes) << 20);
+}
+
+// ------------------------------------------------------------------ panels, texts, alarms
+
+void MainWindow::newPanel() {
+    if (!m_workspace->isOpen()) return;
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("New Panel"), tr("Name of the panel:"), QLineEdit::Normal, tr("overview"), &ok).trimmed();
+    if (!ok || name.isEmpty()) return;
+    if (name.contains('/') || name.contains('\\')) return say(tr("A panel's name is a file name: no / and no \\"), true);
+    if (auto added = m_live->addPanel(name); !added) return say(QString::fromStdString(added.error().text()), true);
+    openDesigner(name);
+}
+
+void MainWindow::openDesigner(const QString& panel) {
+    if (!m_live->design() || !m_live->panels().find(panel)) return;
+    const QString key = "panel:" + panel;
+    if (QWidget* open = m_tabs->pageByKey(key)) return m_tabs->setCurrentWidget(open);
+    auto* designer = new hmi::PanelDesigner(*m_live->design(), panel, m_tabs);
+    m_tabs->addPage(designer, panel, kit::icon(kit::Icon::Panel), key);
+    connect(designer, &hmi::PanelDesigner::modifiedChanged, this, [this, designer, panel](bool modified) { m_tabs->setTabText(m_tabs->indexOf(designer), panel + (modified ? " ●" : "")); });
+}
+
+void MainWindow::openTexts() {
+    if (!m_live->design()) return;
+    if (QWidget* open = m_tabs->pageByKey("texts")) return m_tabs->setCurrentWidget(open);
+    m_tabs->addPage(new hmi::TextEditor(*m_live->design(), m_tabs), tr("Texts"), kit::icon(kit::Icon::Texts), "texts");
+}
+
+void MainWindow::openAlarms() {
+    if (!m_live->design()) return;
+    if (QWidget* open = m_tabs->pageByKey("alarms")) return m_tabs->setCurrentWidget(open);
+    m_tabs->addPage(new hmi::AlarmEditor(*m_live->design(), m_tabs), tr("Alarms"), kit::icon(kit::Icon::Alarm), "alarms");
+}
+
+void MainWindow::saveDocument() {
+    if (auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->currentWidget())) {
+        if (auto saved = designer->save(); !saved) return say(QString::fromStdString(saved.error().text()), true);
+        if (m_live->player()) m_live->player()->projectChanged();
+    }
+    if (m_live->design())
+        if (auto saved = m_live->design()->save(); !saved) return say(QString::fromStdString(saved.error().text()), true);
+    m_tabs->saveCurrent();
 }
 
 void MainWindow::saveRecording() {

@@ -180,6 +180,14 @@ Result<void> Workspace::renameFile(const QString& from, const QString& to) {
     return {};
 }
 
+Result<void> Workspace::rereadProject() {
+    auto project = projects::openProject({toStd(folder())});
+    if (!project) return project.error();
+    m_project = std::move(*project);
+    emit filesChanged();
+    return {};
+}
+
 Result<void> Workspace::saveProjectFile(const projects::Project& project) {
     if (auto saved = projects::saveProjectFile(project); !saved) return saved;
     m_project->json = project.json;

@@ -47,6 +47,8 @@ public:
     Result<void> addFile(const QString& file, const std::string& text);
     Result<void> removeFile(const QString& file);
     Result<void> renameFile(const QString& from, const QString& to);
+    /// Panels, traces and settings as they stand on disk now; the texts stay as edited.
+    Result<void> rereadProject();
     Result<void> saveProjectFile(const projects::Project& project);
 
     [[nodiscard]] std::shared_ptr<const analysis::CodeModel> model() const { return m_model; }
