@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/panel_findings.h"
 
 #include <iostream>
 
@@ -10,7 +11,18 @@ int check(const Arguments& arguments) {
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const driver::Checked checked = driver::check(project->buildInput());
-    const bool wrong = printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson());
+    // Panels, texts and alarms belong to the project (D9).
+    std::vector<hmi::Finding> findings;
+    if (hasPanels(*project)) {
+        needApplication();
+        findings = hmi::checkPanels(hmi::loadPanelProject(*project), checked);
+    }
+    std::vector<std::string> objects;
+    if (arguments.wantsJson())
+        for (const hmi::Finding& finding : findings) objects.push_back(renderJson(finding));
+    bool wrong = printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(), objects);
+    if (!arguments.wantsJson()) printFindings(findings, std::cerr);
+    for (const hmi::Finding& finding : findings) wrong |= finding.isError;
     if (!arguments.wantsJson() && !wrong) std::cout << project->name << ": no errors\n";
     return wrong ? kProgramWrong : kGood;
 }

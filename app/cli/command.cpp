@@ -1,9 +1,12 @@
 #include "app/cli/command.h"
 
+#include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
 #include "runtime/controller/controller.h"
 #include "runtime/compiler/jit/jit.h"
+
+#include <QApplication>
 
 #include <algorithm>
 #include <csignal>
@@ -38,7 +41,7 @@ std::string overview() {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {checkCommand(), runCommand(),    formatCommand(), testCommand(),
-                                             traceCommand(), replayCommand(), docCommand()};
+                                             traceCommand(), replayCommand(), panelCommand(),  docCommand()};
     return all;
 }
 
@@ -91,7 +94,7 @@ Result<projects::Project> openNamedProject(const Arguments& arguments) {
     return project;
 }
 
-bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos) {
+bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos, const std::vector<std::string>& moreJson) {
     const bool colours = wantsColours(STDERR_FILENO);
     std::string out;
     size_t shown = 0;
@@ -101,9 +104,20 @@ bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfo
                       : diagnostics::renderText(*checked.sources, diagnostic, colours);
         ++shown;
     }
+    for (const std::string& object : moreJson) out += (shown++ ? ",\n " : "[") + object;
     if (asJson) std::cout << (shown ? out + "]" : "[]") << "\n";
     else std::cerr << out;
     return checked.analysis->hasErrors;
+}
+
+void needApplication() {
+    if (QCoreApplication::instance()) return;
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    static int count = 1;
+    static char name[] = "stepwise";
+    static char* words[] = {name, nullptr};
+    static QApplication application(count, words);
+    kit::Theme::current();
 }
 
 bool wantsColours(int fileDescriptor) { return ::isatty(fileDescriptor) && !std::getenv("NO_COLOR"); }

@@ -33,10 +33,12 @@ int runCommandLine(const std::vector<std::string>& words);
 int wrongUse(const Error& error);
 /// Opens PATH… with the libraries of --library added.
 [[nodiscard]] Result<projects::Project> openNamedProject(const Arguments& arguments);
-/// Prints diagnostics to stderr (text) or stdout (json list); true when there are errors.
-bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos);
+/// Prints diagnostics to stderr (text) or stdout (json list, with the objects of `moreJson` behind); true when there are errors.
+bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos, const std::vector<std::string>& moreJson = {});
 /// Colours only on a terminal and without NO_COLOR.
 [[nodiscard]] bool wantsColours(int fileDescriptor);
+/// Charts and panels need an application object, but no display.
+void needApplication();
 /// Set by Ctrl+C (once; a second one ends the program).
 [[nodiscard]] bool isInterrupted();
 void catchInterrupt();

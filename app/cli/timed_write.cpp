@@ -1,6 +1,6 @@
 #include "app/cli/timed_write.h"
 
-#include "app/cli/arguments.h"
+#include "app/cli/command.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
 
@@ -40,6 +40,36 @@ Result<void> apply(const driver::Checked& checked, controller::Controller& contr
     const auto value = valueFor(checked, controller, write);
     if (!value) return value.error();
     return write.isForce ? controller.force(write.path, *value) : controller.write(write.path, *value);
+}
+
+Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session, std::chrono::nanoseconds length,
+                        std::string_view lengthOption) {
+    controller::Controller& controller = session.controller();
+    if (const auto text = arguments.value(lengthOption)) {
+        const auto time = parseDuration(*text);
+        if (!time) return time.error();
+        length = *time;
+    }
+    std::vector<TimedWrite> writes;
+    for (const bool isForce : {true, false})
+        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
+            const auto write = parseWrite(word, isForce);
+            if (!write) return write.error();
+            if (!write->isRelease)
+                if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
+            writes.push_back(*write);
+        }
+    std::stable_sort(writes.begin(), writes.end(), [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    controller.start();
+    ProgressLine progress;
+    size_t next = 0;
+    for (uint64_t done = 0; !isInterrupted() && controller.state() == controller::State::Running && controller.nextDue() < length; ++done) {
+        for (; next < writes.size() && writes[next].at <= controller.nextDue(); ++next)
+            if (auto written = apply(built.checked, controller, writes[next]); !written) return written;
+        controller.scan();
+        if ((done & 0xfff) == 0) progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
+    }
+    return {};
 }
 
 } // namespace plc::cli

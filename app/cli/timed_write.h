@@ -1,5 +1,7 @@
 // A write or force of the command line: PATH=VALUE or PATH=VALUE@TIME. Values and functions, any thread.
 #pragma once
+#include "app/cli/arguments.h"
+#include "projects/session/session.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/controller/controller.h"
 
@@ -21,5 +23,10 @@ struct TimedWrite {
 /// The value as the variable's type reads it.
 [[nodiscard]] Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write);
 Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write);
+
+/// Runs the project as `run` does, in virtual time, with the writes and forces of --set and --force at their times, until the time
+/// that the option `lengthOption` says, else `length`.
+Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session, std::chrono::nanoseconds length,
+                        std::string_view lengthOption);
 
 } // namespace plc::cli

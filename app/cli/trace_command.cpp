@@ -114,48 +114,6 @@ Result<trace::TraceOutput> outputOf(const Arguments& arguments, trace::TraceSetu
     return out;
 }
 
-/// Runs the project as `run` does: virtual time, writes and forces at their times.
-Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session) {
-    controller::Controller& controller = session.controller();
-    nanoseconds length = std::chrono::seconds(10);
-    if (const auto text = arguments.value("--for")) {
-        const auto time = parseDuration(*text);
-        if (!time) return time.error();
-        length = *time;
-    }
-    std::vector<TimedWrite> writes;
-    for (const bool isForce : {true, false})
-        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
-            const auto write = parseWrite(word, isForce);
-            if (!write) return write.error();
-            if (!write->isRelease)
-                if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
-            writes.push_back(*write);
-        }
-    std::stable_sort(writes.begin(), writes.end(), [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
-    controller.start();
-    ProgressLine progress;
-    size_t next = 0;
-    for (uint64_t done = 0; !isInterrupted() && controller.state() == controller::State::Running && controller.nextDue() < length; ++done) {
-        for (; next < writes.size() && writes[next].at <= controller.nextDue(); ++next)
-            if (auto written = apply(built.checked, controller, writes[next]); !written) return written;
-        controller.scan();
-        if ((done & 0xfff) == 0) progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
-    }
-    return {};
-}
-
-/// Charts need an application object, but no display.
-void needApplication() {
-    if (QCoreApplication::instance()) return;
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-    static int count = 1;
-    static char name[] = "stepwise";
-    static char* words[] = {name, nullptr};
-    static QApplication application(count, words);
-    kit::Theme::current();
-}
-
 int finish(const trace::Recording& recording, const trace::TraceOutput& output) {
     const auto text = trace::renderTrace(recording, output);
     if (!text) return wrongUse(text.error());
@@ -192,7 +150,7 @@ int run(const Arguments& arguments) {
     settings.historyBudget = size_t(2) << 30;
     catchInterrupt();
     session::Session session(built, settings);
-    if (auto ran = runProject(arguments, built, session); !ran) return wrongUse(ran.error());
+    if (auto ran = runProject(arguments, built, session, std::chrono::seconds(10), "--for"); !ran) return wrongUse(ran.error());
     const bool faulted = session.controller().state() == controller::State::Fault;
     if (faulted && session.controller().fault()) std::cerr << "stepwise: " << session.controller().fault()->message << "\n";
     needApplication();

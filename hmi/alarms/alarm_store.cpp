@@ -52,14 +52,17 @@ Value valueFromJson(const Json& json) {
     return {};
 }
 
-AlarmStore::~AlarmStore() {
+AlarmStore::~AlarmStore() { close(); }
+
+void AlarmStore::close() {
     if (m_connection.isEmpty()) return;
     m_database.close();
     m_database = {};
-    QSqlDatabase::removeDatabase(m_connection);
+    QSqlDatabase::removeDatabase(std::exchange(m_connection, {}));
 }
 
 Result<void> AlarmStore::open(const QString& path) {
+    close();
     m_connection = QUuid::createUuid().toString();
     m_database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_connection);
     m_database.setDatabaseName(path);

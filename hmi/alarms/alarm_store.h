@@ -35,6 +35,7 @@ public:
 
     /// ":memory:" keeps it in memory.
     Result<void> open(const QString& path);
+    void close();
     bool isOpen() const { return m_database.isOpen(); }
     /// One transaction.
     Result<void> append(std::span<const AlarmRecord> records);

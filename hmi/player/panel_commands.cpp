@@ -4,8 +4,10 @@
 #include "runtime/base/text.h"
 
 #include <QApplication>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QRegularExpression>
+#include <QStandardPaths>
 
 namespace plc::hmi {
 
@@ -126,6 +128,13 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
 int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen) {
     PanelPlayer player(project, &session);
     if (!panel.isEmpty()) player.showPanel(panel);
+    if (project.hasAlarms) {
+        // Beside what else the program keeps of a project that is not part of it.
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/alarms");
+        QDir().mkpath(folder);
+        const QByteArray name = QCryptographicHash::hash(project.folder.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
+        (void)player.keepAlarmsIn(folder + u'/' + QString::fromLatin1(name) + QStringLiteral(".sqlite"));
+    }
     player.setWindowTitle(project.texts.text(player.scene().panel().text("title"), player.language()));
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
     if (fullScreen) player.showFullScreen();

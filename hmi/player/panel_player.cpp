@@ -10,6 +10,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
     : QWidget(parent), m_project(project), m_session(nullptr), m_view(new PanelView(this)), m_status(new PlayerStatus(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_alarms.setFile(project.alarms);
+    if (project.hasAlarms) (void)m_alarms.openStore(QStringLiteral(":memory:"));
     connectScene();
     scene().setFolder(project.folder);
     scene().setTexts(&project.texts);

@@ -34,6 +34,8 @@ public:
     /// The time slider: a recorded position, or none for the present.
     void setPosition(std::optional<history::Position> position);
     void setFullScreen(bool full);
+    /// Keeps the alarm history in this file from now on; without it, in memory.
+    Result<void> keepAlarmsIn(const QString& path) { return m_alarms.openStore(path); }
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }

@@ -230,7 +230,12 @@ void ComboBoxView::collectTexts(const QString& forTag, std::vector<TextBox>& out
 QStringList LanguageSelectorView::tags() const { return scene().texts().settings().languages; }
 
 QString LanguageSelectorView::nameOf(const QString& one) const {
-    if (text("names") == QStringLiteral("tag") || (m_short && text("style") != QStringLiteral("menu"))) return one.section(u'-', 0, 0).toUpper();
+    if (text("names") == QStringLiteral("tag") || (m_short && text("style") != QStringLiteral("menu"))) {
+        // The region tells languages apart that share their first part.
+        int alike = 0;
+        for (const QString& other : tags()) alike += other.section(u'-', 0, 0).compare(one.section(u'-', 0, 0), Qt::CaseInsensitive) == 0;
+        return (alike > 1 ? one : one.section(u'-', 0, 0)).toUpper();
+    }
     return nativeName(one);
 }
 

@@ -1,0 +1,130 @@
+#include "app/cli/command.h"
+#include "app/cli/panel_findings.h"
+#include "app/cli/timed_write.h"
+
+#include "editor/kit/theme.h"
+
+#include <QApplication>
+
+#include <iostream>
+
+namespace plc::cli {
+
+namespace {
+
+int check(const Arguments& arguments, const projects::Project& project) {
+    needApplication();
+    const driver::Checked checked = driver::check(project.buildInput());
+    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    QStringList languages;
+    for (const std::string& language : arguments.values("--language"))
+        if (language != "all") languages += QString::fromStdString(language);
+    if (arguments.has("--pseudo")) languages += hmi::kPseudoTag;
+    const std::vector<hmi::Finding> findings = hmi::checkPanels(panels, checked, languages);
+    if (arguments.wantsJson()) {
+        std::string out;
+        for (const hmi::Finding& one : findings) out += (out.empty() ? "[" : ",\n ") + renderJson(one);
+        std::cout << (out.empty() ? "[]" : out + "]") << "\n";
+    } else {
+        printFindings(findings, std::cout);
+        if (findings.empty()) std::cout << project.name << ": panels, texts and alarms are good\n";
+    }
+    for (const hmi::Finding& one : findings)
+        if (one.isError) return kProgramWrong;
+    return kGood;
+}
+
+int pictures(const Arguments& arguments, const projects::Project& project, const std::string& folder) {
+    driver::Built built = driver::build(project.buildInput());
+    printDiagnostics(built.checked, false, false);
+    if (built.checked.analysis->hasErrors) return kProgramWrong;
+    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
+    hmi::PictureOptions options;
+    options.folder = QString::fromStdString(folder);
+    for (const std::string& language : arguments.values("--language"))
+        if (language != "all") options.languages += QString::fromStdString(language);
+    for (const std::string& panel : arguments.values("--panel")) options.panels += QString::fromStdString(panel);
+    options.theme = QString::fromStdString(arguments.value("--theme").value_or(""));
+    if (!options.theme.isEmpty() && options.theme != "light" && options.theme != "dark" && options.theme != "contrast")
+        return wrongUse({"--theme is light, dark or contrast", options.theme.toStdString()});
+    if (const auto text = arguments.value("--scale")) {
+        options.scale = std::atof(text->c_str());
+        if (!(options.scale >= 0.25 && options.scale <= 8)) return wrongUse({"--scale needs a number from 0.25 to 8", *text});
+    }
+    catchInterrupt();
+    session::Settings settings;
+    settings.historyBudget = size_t(1) << 30;
+    session::Session session(std::move(built), settings);
+    if (auto ran = runProject(arguments, session.built(), session, std::chrono::nanoseconds(0), "--at"); !ran) return wrongUse(ran.error());
+    needApplication();
+    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
+    const auto paths = hmi::renderPanels(panels, &session, options);
+    if (!paths) return wrongUse(paths.error());
+    for (const QString& path : *paths) std::cout << path.toStdString() << "\n";
+    return panels.problems.empty() ? kGood : kProgramWrong;
+}
+
+int play(const Arguments& arguments, const projects::Project& project) {
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        return wrongUse({"There is no display to play the panel on; --pictures needs none", ""});
+    driver::Built built = driver::build(project.buildInput());
+    printDiagnostics(built.checked, false, false);
+    if (built.checked.analysis->hasErrors) return kProgramWrong;
+    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
+    if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
+    static int count = 1;
+    static char name[] = "stepwise";
+    static char* words[] = {name, nullptr};
+    QApplication application(count, words);
+    kit::Theme::install(application, kit::ThemeChoice::System);
+    session::Session session(std::move(built));
+    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
+    if (panels.panels.empty()) return wrongUse({"The project has no panel", project.name});
+    return hmi::playPanels(panels, session, QString::fromStdString(arguments.value("--panel").value_or("")), arguments.has("--full-screen"));
+}
+
+int format(const projects::Project& project) {
+    const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
+    if (!panels.problems.empty()) return kProgramWrong;
+    const auto done = hmi::formatPanels(panels);
+    return done ? kGood : wrongUse(done.error());
+}
+
+int run(const Arguments& arguments) {
+    if (arguments.paths().size() != 1) return wrongUse({"panel needs one project folder (stepwise panel --help)", ""});
+    const auto project = openNamedProject(arguments);
+    if (!project) return wrongUse(project.error());
+    if (!hasPanels(*project)) return wrongUse({"The project has no panel", project->name});
+    if (arguments.has("--format-files")) return format(*project);
+    if (const auto folder = arguments.value("--pictures")) return pictures(arguments, *project, *folder);
+    if (arguments.has("--play")) return play(arguments, *project);
+    return check(arguments, *project);
+}
+
+} // namespace
+
+Command panelCommand() {
+    return {{"panel", "PROJECT [OPTIONS]", "Checks the operator panels, makes pictures of them in every language, or plays them.",
+             {{"--check", "", "what is wrong with panels, texts and alarms (this is what happens without options)"},
+              {"--pseudo", "", "measure the texts of the pseudo-language too: longer and accented"},
+              {"--format", "text|json", "how findings are printed"},
+              {"--pictures", "DIR", "a PNG of every panel in every language"},
+              {"--language", "TAG", "only this language, or all (repeatable)"},
+              {"--panel", "NAME", "only this panel (repeatable)"},
+              {"--at", "10s", "the pictures are of this moment of a run"},
+              {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
+              {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
+              {"--theme", "light|dark|contrast", "another theme than the panel's own"},
+              {"--scale", "1", "pixels of the picture per pixel of the panel"},
+              {"--play", "", "run the controller and show the panel in a window"},
+              {"--full-screen", "", "play on the whole screen"},
+              {"--format-files", "", "write panels, texts and alarms in the canonical order"},
+              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+             "stepwise panel projects/examples/alarm_texts --pictures out --language all --at 10s --set Panel.Start=TRUE"},
+            run};
+}
+
+} // namespace plc::cli
