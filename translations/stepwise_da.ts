@@ -1557,6 +1557,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
+        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <translation>Et panels navn er et filnavn: uden / og uden \</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Panelets navn:</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Nyt panel</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>oversigt</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>

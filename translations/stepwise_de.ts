@@ -1557,6 +1557,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
 <context>
     <name>plc::app::MainWindow</name>
     <message>
+        <source>A panel&apos;s name is a file name: no / and no \</source>
+        <translation>Der Name eines Panels ist ein Dateiname: ohne / und ohne \</translation>
+    </message>
+    <message>
+        <source>Name of the panel:</source>
+        <translation>Name des Panels:</translation>
+    </message>
+    <message>
+        <source>New Panel</source>
+        <translation>Neues Panel</translation>
+    </message>
+    <message>
+        <source>overview</source>
+        <translation>uebersicht</translation>
+    </message>
+    <message>
         <source>Project</source>
         <translation>Projekt</translation>
     </message>
