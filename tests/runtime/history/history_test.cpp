@@ -236,7 +236,7 @@ protected:
     void step(int changes) {
         auto* data = reinterpret_cast<int32_t*>(source.data() + 112);
         if (source.random() % 3 == 0) data[3] = static_cast<int32_t>(source.random() % 100);
-        if (source.random() % 40 == 0 && source.all.back().program == a) data[150] = static_cast<int32_t>(source.random() % 100);
+        if (source.random() % 40 == 0 && (source.all.empty() || source.all.back().program == a)) data[150] = static_cast<int32_t>(source.random() % 100);
         source.scan(changes, 1'000'000);
         data[3] %= 100; // random bytes fell on it
     }
