@@ -238,7 +238,10 @@ UnitView ElementView::unit(std::string_view property, const QString& forTag) con
 
 QString ElementView::formatted(double raw, std::string_view format, const UnitView& unit, const QString& forTag) const {
     const QString number = formatValue(Value::ofReal(unit.shown(raw)), m_element.text(format), localeOf(forTag.isEmpty() ? tag() : forTag));
-    return unit.unit.isEmpty() ? number : number + QChar(0x00A0) + unit.unit;
+    if (unit.unit.isEmpty()) return number;
+    const QString words = number + QChar(0x00A0) + unit.unit;
+    // A figure with its unit reads from left to right in every script.
+    return isRightToLeft(forTag.isEmpty() ? tag() : forTag) ? QChar(0x2066) + words + QChar(0x2069) : words;
 }
 
 void ElementView::write(const QString& target, const Value& value, const QString& confirm) {

@@ -184,7 +184,7 @@ struct Checker {
                 font.setFamilies(settings().fontFamilies(tag));
                 const QFontMetrics metrics(font);
                 for (const uint c : row.texts.value(i).toUcs4()) {
-                    if (c < 0x20 || c == 0xAD || (c >= 0x200B && c <= 0x200F) || metrics.inFontUcs4(c)) continue;
+                    if (c < 0x20 || c == 0xAD || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || metrics.inFontUcs4(c)) continue;
                     add(FindingKind::MissingGlyph, true, kTextFile, {}, row.key, HmiCheck::tr("No font has the character U+%1.").arg(c, 4, 16, QLatin1Char('0')), tag, row.line);
                     break;
                 }

@@ -103,21 +103,24 @@ TextAlign textAlign(const QString& name) {
 
 QSizeF neededSize(const TextBox& box) {
     const QFontMetricsF metrics(box.font);
+    // Fonts of some scripts have lines much higher than their letters: one line needs what its ink needs.
+    const double ink = box.text.isEmpty() ? 0 : metrics.tightBoundingRect(box.text).height();
     if (!box.wraps) {
-        QSizeF size(0, 0);
-        for (const QString& line : box.text.split(u'\n')) {
-            size.setWidth(std::max(size.width(), metrics.horizontalAdvance(line)));
-            size.setHeight(size.height() + metrics.height());
-        }
+        const QStringList lines = box.text.split(u'\n');
+        QSizeF size(0, ink);
+        for (const QString& line : lines) size.setWidth(std::max(size.width(), metrics.horizontalAdvance(line)));
+        if (lines.size() > 1) size.setHeight(static_cast<double>(lines.size()) * metrics.lineSpacing());
         return size;
     }
-    return metrics.boundingRect(QRectF(0, 0, box.rect.width(), 1e6), Qt::TextWordWrap | Qt::AlignLeft, box.text).size();
+    QSizeF size = metrics.boundingRect(QRectF(0, 0, box.rect.width(), 1e6), Qt::TextWordWrap | Qt::AlignLeft, box.text).size();
+    if (size.height() < metrics.lineSpacing() * 1.5) size.setHeight(ink);
+    return size;
 }
 
 bool fits(const TextBox& box) {
     if (box.text.isEmpty()) return true;
     const QSizeF needed = neededSize(box);
-    return needed.width() <= box.rect.width() + 0.5 && needed.height() <= box.rect.height() + std::max(1.0, box.font.pixelSize() * 0.25);
+    return needed.width() <= box.rect.width() + 0.5 && needed.height() <= box.rect.height() + 1;
 }
 
 void drawText(QPainter& painter, const TextBox& box) {

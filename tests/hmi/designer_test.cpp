@@ -344,25 +344,5 @@ TEST(Alarms, TheEditorAddsChangesAndUndoes) {
     EXPECT_EQ(studio.project.alarms.write(), before);
 }
 
-TEST(Designer, Picture) {
-    if (!qEnvironmentVariableIsSet("STEPWISE_PICTURES")) GTEST_SKIP() << "STEPWISE_PICTURES names no folder";
-    Studio studio(R"({"id":"g","kind":"group","rect":[16,16,300,180],"frame":true,"title":"@start"},
-        {"id":"s","kind":"symbol","rect":[32,60,96,96],"state":"Main.running","label":"M1"},{"id":"b","kind":"button","rect":[180,64,120,52],"text":"@start","target":"Main.start","icon":"play"},
-        {"id":"b2","kind":"button","rect":[180,130,120,52],"text":"Notausschalterverriegelung","target":"Main.stop"},
-        {"id":"t","kind":"tankLevel","rect":[360,24,130,170],"value":"Main.level","low":10,"high":80},{"id":"r","kind":"trend","rect":[16,210,400,180],"series":[{"value":"Main.level"}]},
-        {"id":"l","kind":"languages","rect":[430,340,200,44]},{"id":"x","kind":"gauge","rect":[440,200,130,130],"value":"Main.leve"})");
-    studio.designer->checkNow();
-    studio.designer->selection().set({QStringLiteral("t")});
-    QTest::qWait(20);
-    studio.designer->grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/designer.png"));
-    TextEditor editor(*studio.context);
-    editor.resize(900, 400);
-    editor.grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/texts.png"));
-    AlarmEditor alarms(*studio.context);
-    alarms.select(QStringLiteral("over"));
-    alarms.resize(1000, 500);
-    alarms.grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/alarms.png"));
-}
-
 } // namespace
 } // namespace plc::hmi
