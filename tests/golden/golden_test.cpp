@@ -3,6 +3,7 @@
 #include "tests/golden/broken_test.h"
 #include "tests/golden/corpus_test.h"
 #include "tests/golden/golden_script.h"
+#include "tests/golden/random_test.h"
 
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/jit/jit.h"
@@ -215,6 +216,7 @@ int main(int argc, char** argv) {
     registerGoldens();
     registerAgreement();
     registerBroken();
+    registerRandom();
     registerCorpus();
     return RUN_ALL_TESTS();
 }
