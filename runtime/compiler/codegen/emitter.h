@@ -264,6 +264,7 @@ private:
 
     // statements.cpp, loops.cpp
     void body(const std::vector<tree::Stmt*>& statements);
+    void breakBlock();
     void statement(const tree::Stmt& stmt);
     void assign(const tree::Stmt& stmt);
     void bind(const tree::Stmt& stmt);

@@ -6,9 +6,26 @@ using tree::Stmt;
 using tree::StmtKind;
 using types::TypeKind;
 
+namespace {
+constexpr uint32_t kStraight = 40, kStraightInLoop = 200; // statements in a row
+}
+
 void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
-    for (const Stmt* stmt : statements)
-        if (stmt) statement(*stmt);
+    uint32_t inARow = 0;
+    for (const Stmt* stmt : statements) {
+        if (!stmt) continue;
+        statement(*stmt);
+        if (!m.isQuick() && ++inARow % (m_loops.empty() ? kStraight : kStraightInLoop) == 0) breakBlock();
+    }
+}
+
+/// Schedulers and the vectoriser take a time that grows with the square of a block: converted ladder diagrams are thousands of
+/// assignments in a row. A branch that LLVM can not see through cuts them.
+void FunctionEmitter::breakBlock() {
+    if (b.GetInsertBlock()->getTerminator()) return;
+    llvm::LoadInst* depth = loadContext(m.i32, offsetof(image::RuntimeContext, depth));
+    depth->setVolatile(true);
+    guard(b.CreateICmpEQ(depth, int32(0xffffffffu)), image::FaultCode::StackOverflow);
 }
 
 void FunctionEmitter::statement(const Stmt& stmt) {
