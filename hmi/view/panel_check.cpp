@@ -79,11 +79,11 @@ struct Checker {
         });
     }
 
-    void checkBindings(const QString& file, const ElementId& id, const Properties& properties) {
+    void checkBindings(const QString& file, const ElementId& id, const Properties& properties, bool hasIndex = false) {
         if (!input.checkBinding) return;
         forEachBinding(properties, [&](const Found& binding) {
             QString expression = binding.text;
-            if (expression.contains(u'#')) { // tables and cell grids: tried with their first index
+            if (hasIndex && expression.contains(u'#')) { // tried with the first index; elsewhere it belongs to a literal
                 const QString first = QString::number(properties.integer("first"));
                 expression.replace(QStringLiteral("#r"), first).replace(QStringLiteral("#c"), first).replace(u'#', first);
             }
@@ -103,7 +103,7 @@ struct Checker {
             add(FindingKind::UnknownLanguage, true, file, id, QStringLiteral("language"), HmiCheck::tr("The project has no language %1.").arg(fixed));
         forEachText(element, [&](const Found& text) { checkText(file, id, text, names, !fixed.isEmpty()); });
         checkLists(file, id, element);
-        checkBindings(file, id, element);
+        checkBindings(file, id, element, element.kind() == ElementKind::ArrayTable || element.kind() == ElementKind::CellGrid);
         if (const QRectF rect = element.rect(); !QRectF(QPointF(), panel.size()).intersects(rect)) add(FindingKind::Outside, false, file, id, QStringLiteral("rect"), HmiCheck::tr("The element lies outside the panel."));
         for (const PropertyDescriptor& property : element.descriptor().properties) {
             const QString value = element.text(property.key);
