@@ -264,10 +264,6 @@
         <translation>{0} har allerede en gren</translation>
     </message>
     <message>
-        <source>{0} and {1} share the address {2}</source>
-        <translation>{0} og {1} deler adressen {2}</translation>
-    </message>
-    <message>
         <source>The task {0} is declared twice</source>
         <translation>Tasken {0} er erklæret to gange</translation>
     </message>
@@ -414,6 +410,34 @@
     <message>
         <source>{0} is allowed in a TEST only</source>
         <translation>{0} er kun tilladt i en TEST</translation>
+    </message>
+    <message>
+        <source>{0} is not a value of {1}, which is strict; use one of its names</source>
+        <translation>{0} er ikke en værdi af {1}, som er streng; brug et af dens navne</translation>
+    </message>
+    <message>
+        <source>{0} is strict and takes part in no calculation; convert the value with {1}</source>
+        <translation>{0} er streng og indgår ikke i beregninger; omsæt værdien med {1}</translation>
+    </message>
+    <message>
+        <source>{0} can not compare {1} as a whole; compare its parts one by one</source>
+        <translation>{0} kan ikke sammenligne {1} som helhed; sammenlign delene enkeltvis</translation>
+    </message>
+    <message>
+        <source>CASE chooses by whole numbers, enumerations or characters, not by {0}; use IF and ELSIF</source>
+        <translation>CASE vælger efter heltal, opremsninger eller tegn, ikke efter {0}; brug IF og ELSIF</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}; {3} is free</source>
+        <translation>{0} og {1} deler adressen {2}; {3} er ledig</translation>
+    </message>
+    <message>
+        <source>{0} belongs to the chart and must be {1}</source>
+        <translation>{0} hører til forløbsdiagrammet og skal være {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no effect without {1}; declare both</source>
+        <translation>{0} har ingen virkning uden {1}; erklær begge</translation>
     </message>
 </context>
 <context>
@@ -1905,6 +1929,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Ctrl+Shift+P finder alle kommandoer. Startsiden har flere maskiner at lege med.</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
     </message>
 </context>
 <context>

@@ -264,10 +264,6 @@
         <translation>{0} hat schon einen Zweig</translation>
     </message>
     <message>
-        <source>{0} and {1} share the address {2}</source>
-        <translation>{0} und {1} teilen sich die Adresse {2}</translation>
-    </message>
-    <message>
         <source>The task {0} is declared twice</source>
         <translation>Die Task {0} ist doppelt deklariert</translation>
     </message>
@@ -414,6 +410,34 @@
     <message>
         <source>{0} is allowed in a TEST only</source>
         <translation>{0} ist nur in einem TEST erlaubt</translation>
+    </message>
+    <message>
+        <source>{0} is not a value of {1}, which is strict; use one of its names</source>
+        <translation>{0} ist kein Wert von {1}, das strikt ist; einen seiner Namen verwenden</translation>
+    </message>
+    <message>
+        <source>{0} is strict and takes part in no calculation; convert the value with {1}</source>
+        <translation>{0} ist strikt und nimmt an keiner Rechnung teil; den Wert mit {1} umwandeln</translation>
+    </message>
+    <message>
+        <source>{0} can not compare {1} as a whole; compare its parts one by one</source>
+        <translation>{0} kann {1} nicht als Ganzes vergleichen; die Teile einzeln vergleichen</translation>
+    </message>
+    <message>
+        <source>CASE chooses by whole numbers, enumerations or characters, not by {0}; use IF and ELSIF</source>
+        <translation>CASE wählt nach ganzen Zahlen, Aufzählungen oder Zeichen, nicht nach {0}; IF und ELSIF verwenden</translation>
+    </message>
+    <message>
+        <source>{0} and {1} share the address {2}; {3} is free</source>
+        <translation>{0} und {1} teilen sich die Adresse {2}; frei ist {3}</translation>
+    </message>
+    <message>
+        <source>{0} belongs to the chart and must be {1}</source>
+        <translation>{0} gehört zur Schrittkette und muss {1} sein</translation>
+    </message>
+    <message>
+        <source>{0} has no effect without {1}; declare both</source>
+        <translation>{0} wirkt nicht ohne {1}; beide deklarieren</translation>
     </message>
 </context>
 <context>
@@ -1905,6 +1929,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Ctrl+Shift+P finds every command. The start page has more machines to play with.</source>
         <translation>Strg+Umschalt+P findet jeden Befehl. Die Startseite hat weitere Maschinen zum Ausprobieren.</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
     </message>
 </context>
 <context>

@@ -74,6 +74,7 @@ int formatFiles(const Arguments& arguments) {
         if (!indent || *indent < 1 || *indent > 16) return wrongUse({"--indent needs a number from 1 to 16", *text});
         options.indentWidth = static_cast<int>(*indent);
     }
+    options.alignDeclarations = arguments.has("--align");
     const bool onlyCheck = arguments.has("--check"), json = arguments.wantsJson();
     size_t changed = 0;
     std::string list;
@@ -102,6 +103,7 @@ Command formatCommand() {
     return {{"fmt", "PATH… [OPTIONS]", "Formats ST files in place.",
              {{"--check", "", "change nothing; show the difference and exit 1 when there is one"},
               {"--indent", "4", "blanks per level"},
+              {"--align", "", "also the colons of neighbouring declarations"},
               {"--format", "text|json", "text (default), or an object with the changed files"}},
              "stepwise fmt --check projects/examples/motor"},
             formatFiles};

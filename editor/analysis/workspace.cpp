@@ -85,8 +85,10 @@ driver::BuildInput Workspace::buildInput() const {
     driver::BuildInput input;
     if (!m_project) return input;
     input.libraries = m_project->libraries;
+    input.companions = m_project->companions;
     for (const auto& [file, content] : m_files)
-        if (!isTestFile(file)) input.files.push_back({toStd(file), content.text});
+        if (isTestFile(file)) input.companions.push_back(content.text);
+        else input.files.push_back({toStd(file), content.text});
     return input;
 }
 
@@ -292,6 +294,7 @@ void Workspace::checkNow() {
 
 void Workspace::startCheck() {
     if (!m_project) return;
+    if (!m_project->folder.empty()) m_project->companions = projects::readCompanions(m_project->folder); // a panel may have been saved since
     {
         const std::lock_guard lock(m_mutex);
         m_job = {buildInput(), ++m_revision};

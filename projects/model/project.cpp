@@ -2,6 +2,10 @@
 
 namespace plc::projects {
 
-driver::BuildInput Project::buildInput() const { return {sources, libraries, false}; }
+driver::BuildInput Project::buildInput() const {
+    driver::BuildInput input{sources, libraries, false, companions};
+    for (const driver::SourceFile& test : tests) input.companions.push_back(test.text);
+    return input;
+}
 
 } // namespace plc::projects

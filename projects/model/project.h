@@ -22,6 +22,7 @@ struct Project {
     std::vector<driver::SourceFile> sources; // src/*.st by name; path relative to the folder ("src/main.st")
     std::vector<driver::SourceFile> tests;   // tests/*.st
     std::vector<std::string> panels, traces; // file names
+    std::vector<std::string> companions;     // texts of panels, alarms, texts and traces: a variable they name is used
     [[nodiscard]] driver::BuildInput buildInput() const;
 };
 

@@ -112,6 +112,23 @@ Result<void> readSources(const fs::path& folder, const char* part, std::vector<d
     return {};
 }
 
+} // namespace
+
+std::vector<std::string> readCompanions(const std::string& folder) {
+    std::vector<std::string> out;
+    const auto add = [&](const fs::path& path) {
+        if (auto text = readFile(path.string())) out.push_back(std::move(*text));
+    };
+    const fs::path root(folder);
+    for (const std::string& name : filesIn(root / "hmi", ".json")) add(root / "hmi" / name);
+    for (const std::string& name : filesIn(root / "hmi", ".csv")) add(root / "hmi" / name);
+    for (const std::string& name : filesIn(root / "traces", ".trace.json")) add(root / "traces" / name);
+    if (std::error_code ignored; fs::exists(root / "project.json", ignored)) add(root / "project.json");
+    return out;
+}
+
+namespace {
+
 Result<Project> openFolder(const fs::path& folder) {
     Project project;
     project.folder = fs::absolute(folder).lexically_normal().string();
@@ -167,6 +184,7 @@ Result<Project> openFolder(const fs::path& folder) {
     if (auto done = readSources(folder, "tests", project.tests); !done) return done.error();
     project.panels = filesIn(folder / "hmi", ".panel.json");
     project.traces = filesIn(folder / "traces", ".trace.json");
+    project.companions = readCompanions(project.folder);
     return project;
 }
 

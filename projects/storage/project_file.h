@@ -8,6 +8,8 @@ namespace plc::projects {
 
 /// `paths`: one folder with project.json, or any number of ST files (libraries then come from the command line).
 [[nodiscard]] Result<Project> openProject(const std::vector<std::string>& paths);
+/// The texts of panels, alarms, operator texts and traces as they are on disk now (Project::companions).
+[[nodiscard]] std::vector<std::string> readCompanions(const std::string& folder);
 [[nodiscard]] Result<std::string> readFile(const std::string& path);
 /// All or nothing: the old file or the new one, never a mixture, whatever happens in between. A file with equal content is not written.
 Result<void> writeFileAtomically(const std::string& path, std::string_view content);

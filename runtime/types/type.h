@@ -79,6 +79,7 @@ struct Type {
     std::vector<Field> fields;           // Struct, Union, Block (base's fields first)
     std::vector<Enumerator> enumerators; // Enum
     bool qualifiedOnly = false;          // Enum: values need the type's name
+    bool isStrict = false;               // Enum: no numbers, no calculation
     TypeId base;                         // EXTENDS of Struct, Block, Interface
     std::vector<TypeId> interfaces;      // IMPLEMENTS of Block; EXTENDS of Interface
     uint32_t blockNumber = 0;            // Block with methods: the word at offset 0 of each instance holds it (≥ 1); 0 = none

@@ -24,6 +24,22 @@ bool isWanted(std::string_view library, const std::vector<std::string>& wanted) 
     return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return equalsIgnoringCase(name, library); });
 }
 
+bool isNameByte(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || static_cast<unsigned char>(c) >= 0x80; }
+
+/// Every name in a text, folded; ".name" when it stands behind a dot.
+void gatherNames(std::string_view text, std::unordered_set<std::string>& out) {
+    for (size_t at = 0; at < text.size();) {
+        if (!isNameByte(text[at])) {
+            ++at;
+            continue;
+        }
+        const size_t begin = at;
+        while (at < text.size() && isNameByte(text[at])) ++at;
+        const bool isMember = begin > 0 && text[begin - 1] == '.';
+        out.insert((isMember ? "." : "") + foldCase(text.substr(begin, at - begin)));
+    }
+}
+
 uint64_t mix(uint64_t hash, std::string_view bytes) {
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
     return (hash ^ bytes.size()) * 1099511628211ull;
@@ -92,6 +108,7 @@ Checked check(const BuildInput& input) {
     checked.sources = sources;
     sema::Options options;
     options.strict = input.strict;
+    for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
     checked.analysis = sema::analyze(*sources, std::move(files), sink.take(), options);
     return checked;
 }

@@ -63,6 +63,7 @@ public:
     std::string run() {
         split();
         layOut();
+        alignDeclarations();
         alignComments();
         std::string out;
         out.reserve(m_text.size() + m_text.size() / 8);
@@ -233,6 +234,39 @@ private:
         if (newline != std::string_view::npos) text = text.substr(newline + 1);
         for (char c : text) columns += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
         return columns;
+    }
+
+    /// The colons of neighbouring declarations stand in one column: `name, other : TYPE`, one declaration a line.
+    void alignDeclarations() {
+        if (!m_options.alignDeclarations) return;
+        constexpr int kFarthest = 60;
+        for (size_t i = 0; i < m_lines.size();) {
+            if (colonOf(i) == std::string::npos) {
+                ++i;
+                continue;
+            }
+            size_t end = i;
+            int column = 0;
+            for (; end < m_lines.size() && colonOf(end) != std::string::npos && (end == i || m_lines[end].blanksBefore == 0); ++end) {
+                const int at = width(std::string_view(m_code[end]).substr(0, colonOf(end)));
+                if (at <= kFarthest) column = std::max(column, at);
+            }
+            for (size_t k = i; k < end; ++k) {
+                const size_t colon = colonOf(k);
+                const int missing = column - width(std::string_view(m_code[k]).substr(0, colon));
+                if (missing > 0) m_code[k].insert(colon, static_cast<size_t>(missing), ' ');
+            }
+            i = end;
+        }
+    }
+    /// Where the colon of a line with one declaration stands in its text; npos: another line.
+    size_t colonOf(size_t line) const {
+        const SourceLine& source = m_lines[line];
+        if (source.frozen || !m_structure.beginsDeclaration(m_items[source.first].begin)) return std::string::npos;
+        const size_t colon = m_code[line].find(" :");
+        const std::string_view before = std::string_view(m_code[line]).substr(0, colon);
+        if (colon == std::string::npos || before.find_first_of("('{\"/") != std::string_view::npos || m_code[line].substr(colon + 2).starts_with("=")) return std::string::npos;
+        return colon + 1;
     }
 
     /// Comments behind neighbouring lines of the same depth stand in one column.

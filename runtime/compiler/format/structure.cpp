@@ -177,6 +177,7 @@ void Structure::section(const VarSection& section) {
 
 void Structure::variable(const VarDecl& decl) {
     begins(decl.range.begin);
+    m_declarations.insert(decl.range.begin);
     type(decl.type);
 }
 

@@ -13,6 +13,7 @@ public:
 
     [[nodiscard]] int depthAt(uint32_t offset) const;
     [[nodiscard]] bool beginsHere(uint32_t offset) const { return m_begins.contains(offset); }
+    [[nodiscard]] bool beginsDeclaration(uint32_t offset) const { return m_declarations.contains(offset); }
     [[nodiscard]] bool isLabelColon(uint32_t offset) const { return m_labelColons.contains(offset); }
     [[nodiscard]] bool isSoftKeyword(uint32_t offset) const { return m_softKeywords.contains(offset); }
     [[nodiscard]] bool isFrozen(uint32_t begin, uint32_t end) const;
@@ -44,7 +45,7 @@ private:
     const std::vector<lex::Token>& m_tokens;
     std::string_view m_text;
     std::vector<uint32_t> m_regionBegins, m_regionEnds;
-    std::unordered_set<uint32_t> m_begins, m_labelColons, m_softKeywords;
+    std::unordered_set<uint32_t> m_begins, m_declarations, m_labelColons, m_softKeywords;
     std::vector<std::pair<uint32_t, uint32_t>> m_frozen;
 };
 

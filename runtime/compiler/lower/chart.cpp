@@ -26,7 +26,44 @@ public:
     }
     bool has(std::string_view name) const { return !m_names.empty() && m_names.contains(foldCase(name)); }
 
+    /// Their types, and which need another beside them.
+    ///   ok:    SFCTip, SFCTipMode : BOOL;    wrong: SFCInit : INT;  (P4012)   SFCTip : BOOL; without SFCTipMode  (P4013)
+    void check(const syntax::Pou& pou, diagnostics::Sink& sink) {
+        struct Row {
+            std::string_view name;
+            bool isText;
+            std::string_view partner;
+        };
+        static constexpr Row kFlags[] = {{"SFCInit", false, ""},           {"SFCReset", false, ""},    {"SFCError", false, ""},
+                                         {"SFCEnableLimit", false, "SFCError"}, {"SFCErrorStep", true, ""}, {"SFCErrorPOU", true, "SFCError"},
+                                         {"SFCQuitError", false, "SFCError"},   {"SFCPause", false, ""},    {"SFCTrans", false, ""},
+                                         {"SFCCurrentStep", true, ""},     {"SFCTip", false, "SFCTipMode"}, {"SFCTipMode", false, "SFCTip"}};
+        if (m_names.empty()) return;
+        for (const syntax::VarSection* section : pou.sections)
+            for (const syntax::VarDecl* decl : section->declarations)
+                for (const Name& name : decl->names)
+                    for (const Row& row : kFlags) {
+                        if (!equalsIgnoringCase(name.text, row.name)) continue;
+                        const syntax::TypeSpec* spec = decl->type;
+                        const bool named = spec && spec->kind == syntax::TypeSpecKind::Named && spec->path.size() == 1;
+                        const bool isBool = named && equalsIgnoringCase(spec->path[0].text, "BOOL");
+                        const bool isText = spec && (spec->kind == syntax::TypeSpecKind::String || (named && (equalsIgnoringCase(spec->path[0].text, "STRING") || equalsIgnoringCase(spec->path[0].text, "WSTRING"))));
+                        const bool isOther = spec && (isBool || isText || spec->kind != syntax::TypeSpecKind::Named || isElementary(spec->path));
+                        if (isOther && !(row.isText ? isText : isBool)) {
+                            auto& diagnostic = sink.emit(spec->range, diagnostics::Kind::ChartFlagType, {std::string(row.name), row.isText ? "STRING" : "BOOL"});
+                            m_names.erase(foldCase(name.text));
+                            diagnostic.fixes.push_back({row.isText ? "Write STRING" : "Write BOOL", {{spec->range, row.isText ? "STRING" : "BOOL"}}});
+                        } else if (!row.partner.empty() && !has(row.partner)) {
+                            sink.emit(name.range, diagnostics::Kind::ChartFlagAlone, {std::string(row.name), std::string(row.partner)});
+                        }
+                    }
+    }
+
 private:
+    static bool isElementary(const syntax::Path& path) {
+        static const std::set<std::string> kWords = {"byte", "word", "dword", "lword", "sint", "int", "dint", "lint", "usint", "uint", "udint", "ulint", "real", "lreal", "time", "ltime", "date", "tod", "dt", "char", "wchar"};
+        return path.size() == 1 && kWords.contains(foldCase(path[0].text));
+    }
     std::set<std::string> m_names;
 };
 
@@ -80,6 +117,7 @@ public:
 
     Block run() {
         declareSteps();
+        if (m_number == "0") m_flags.check(m_unit.pou, m_sink);
         if (m_steps.empty()) return {};
         started();
         collectControls();
@@ -329,6 +367,10 @@ private:
     }
 
     /// What ends runs once more before what begins, so that the last word has who is active. Variables follow their control.
+    static Block associated(Block block) {
+        for (Stmt* stmt : block) stmt->isAssociation = true;
+        return block;
+    }
     Block actionCalls() {
         Block out;
         const auto calls = [&](const char* when) {
@@ -336,7 +378,7 @@ private:
                 if (control.isAction) append(out, m_builder.statements("IF " + control.variable + "." + when + " THEN " + spelled(control.name.text) + "(); END_IF", control.name.range));
         };
         for (const Control& control : m_controls)
-            if (!control.isAction) append(out, m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range));
+            if (!control.isAction) append(out, associated(m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range)));
         calls("last");
         calls("entry");
         calls("Q");
@@ -352,7 +394,7 @@ private:
         for (const Control& control : m_controls) {
             text += control.variable + ".reset();";
             for (const Control::Timed& t : control.timed) text += t.variable + ".reset();";
-            if (!control.isAction) text += spelled(control.name.text) + " := FALSE;";
+            if (!control.isAction) append(out, associated(m_builder.statements(spelled(control.name.text) + " := FALSE;", control.name.range)));
         }
         if (m_flags.has("SFCError")) text += "SFCError := FALSE;";
         if (m_flags.has("SFCErrorStep")) text += "SFCErrorStep := '';";

@@ -204,6 +204,7 @@ struct Stmt {
     bool hasElse = false;    // Case
     Block elseBody;          // Case
     IlInstruction* il = nullptr;
+    bool isAssociation = false; // lowering: a BOOL variable follows the control block of a chart's action
     Stmt* origin = nullptr;  // lowering: the statement of the source it stands for
 };
 

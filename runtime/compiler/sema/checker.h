@@ -110,6 +110,8 @@ public:
     [[nodiscard]] TypeId smallestType(const Operand& flexible) const;
     [[nodiscard]] bool fits(const types::Value& value, TypeId type) const;
     void mismatch(SourceRange range, TypeId from, TypeId to);
+    void strictMismatch(SourceRange range, std::string what, TypeId to);
+    bool isStrict(const Operand& operand); // reports a calculation with a strict enumeration
     Operand convertedText(Operand operand, TypeId to);
 
     // calls.cpp
@@ -169,6 +171,7 @@ public:
     // statements.cpp
     void statements(const syntax::Block& block, std::vector<tree::Stmt*>& out);
     void statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
+    bool isAssociable(const syntax::Stmt& stmt);
     void assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     void assignTo(const Denoted& target, Operand value, SourceRange range, std::vector<tree::Stmt*>& out, bool isHidden = false);
     void assignReference(const Denoted& target, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out);
@@ -176,6 +179,7 @@ public:
     void bindReference(tree::Place* target, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out);
     Denoted target(const syntax::Expr& e, TypeId* type = nullptr);
     void ifStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
+    void refuseSelector(const syntax::Stmt& stmt, TypeId type);
     void caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     void forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     void whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);

@@ -80,6 +80,25 @@ void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
     }
 }
 
+/// A number or another enumeration's value for a strict enumeration; a name of another enumeration may be meant as one of its own.
+void Checker::strictMismatch(SourceRange range, std::string what, TypeId to) {
+    auto& diagnostic = emit(range, Kind::StrictEnum, {std::move(what), nameOf(to)});
+    if (!range.file.isValid() || types[to].enumerators.empty() || types[to].enumerators.size() > 5) return;
+    for (const types::Enumerator& enumerator : types[to].enumerators) {
+        const std::string name = nameOf(to) + "." + enumerator.name;
+        diagnostic.fixes.push_back({"Write " + name, {{range, name}}});
+    }
+}
+
+bool Checker::isStrict(const Operand& operand) {
+    if (!isKind(operand.type(), TypeKind::Enum) || !types[operand.type()].isStrict) return false;
+    const std::string function = "TO_" + std::string(types::spelling(types.storageKind(operand.type())));
+    const SourceRange range = operand.expr->range;
+    auto& diagnostic = emit(range, Kind::StrictCalculation, {nameOf(operand.type()), function});
+    if (range.file.isValid()) diagnostic.fixes.push_back({"Convert with " + function, {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+    return true;
+}
+
 Operand Checker::convertNode(Operand operand, TypeId to) {
     if (operand.isUnknown() || operand.type() == to) {
         operand.isFlexible = false;
@@ -178,7 +197,11 @@ Operand Checker::converted(Operand operand, TypeId to) {
         if (target.kind == TypeKind::Enum && !isReal) {
             const auto& enumerators = target.enumerators;
             const bool known = std::any_of(enumerators.begin(), enumerators.end(), [&](const types::Enumerator& e) { return e.value == value.integer(); });
-            if (!known || !operand.isFlexible) emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
+            if (target.isStrict && !known) {
+                strictMismatch(range, textOf(range), to);
+                return unknown(range);
+            }
+            if (!target.isStrict && (!known || !operand.isFlexible)) emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
             return convertNode(operand, to);
         }
         if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
@@ -267,6 +290,10 @@ Operand Checker::converted(Operand operand, TypeId to) {
     case types::Implicit::Widening: break;
     case types::Implicit::Narrowing:
         if (isDividing) break;
+        if (target.kind == TypeKind::Enum && target.isStrict) {
+            strictMismatch(range, textOf(range), to);
+            return unknown(range);
+        }
         if (target.kind == TypeKind::Enum) emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
         else {
             auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});

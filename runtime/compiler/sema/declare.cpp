@@ -386,7 +386,7 @@ Variable& World::addVariable(Unit& unit, Variable variable, const std::vector<sy
 void World::declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table) {
     for (int depth = 0; spec && depth < 32; spec = spec->element, ++depth) {
         if (spec->kind == syntax::TypeSpecKind::Enum) {
-            declareEnum(*spec, "enumeration", scope, table, false);
+            declareEnum(*spec, "enumeration", scope, table, nullptr);
             return;
         }
         for (const syntax::VarDecl* field : spec->fields) declareInlineEnums(field->type, scope, table);
@@ -466,7 +466,8 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
     }
 }
 
-EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, bool qualifiedOnly) {
+EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, const std::vector<syntax::Pragma>* attributes) {
+    const bool qualifiedOnly = attributes && hasAttribute(*attributes, "qualified_only");
     EnumType& made = enums.emplace_back();
     made.spec = &spec;
     made.scope = scope;
@@ -476,6 +477,7 @@ EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, con
     type.element = types::TypeTable::of(TypeKind::Int);
     type.size = type.align = 2;
     type.qualifiedOnly = qualifiedOnly;
+    type.isStrict = attributes && hasAttribute(*attributes, "strict");
     enumsByType[made.type] = &made;
     enumsBySpec[&spec] = &made;
     for (uint32_t i = 0; i < spec.enumerators.size(); ++i) {
@@ -522,7 +524,7 @@ void World::declareType(const syntax::TypeDecl& declared, Space& space, const sy
     entities.push_back({nullptr, nullptr, &type});
     const syntax::TypeSpec& spec = *declared.spec;
     if (spec.kind == syntax::TypeSpecKind::Enum) {
-        type.enumeration = declareEnum(spec, type.name, type.scope, space.enumerators, hasAttribute(declared.pragmas, "qualified_only"));
+        type.enumeration = declareEnum(spec, type.name, type.scope, space.enumerators, &declared.pragmas);
         type.enumeration->initial = declared.initial;
         type.type = type.enumeration->type;
         type.progress = Progress::Done;

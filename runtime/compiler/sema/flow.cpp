@@ -1,19 +1,37 @@
 // Whole-program checks after the bodies: variables nobody uses, calls that come back to themselves.
 #include "runtime/compiler/sema/world.h"
 
+#include "runtime/base/text.h"
+
 namespace plc::sema {
 
 using diagnostics::Kind;
 using syntax::SectionKind;
 
+/// Globals nobody reads or writes. Located ones are what the machine has, constants what a list offers.
+void World::checkUnusedGlobals() {
+    for (Variable& variable : globals) {
+        if (variable.kind != SectionKind::Global || variable.isProgramInstance || variable.isConstant || variable.isLocated || !variable.declaration || !variable.range.file.isValid()) continue;
+        if (isLibraryFile(variable.range.file) || variable.reads || variable.writes || types.kind(variable.type) == TypeKind::Unknown || types.kind(variable.type) == TypeKind::Block) continue;
+        const std::string name = foldCase(variable.name);
+        if (options.usedElsewhere.contains(name) || options.usedElsewhere.contains("." + name)) continue;
+        auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
+        if (variable.declaration->names.size() == 1) diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
+    }
+}
+
 void World::checkUsage() {
+    checkUnusedGlobals();
     for (Unit& unit : units) {
         if (unit.isLibrary() || unit.kind == UnitKind::Interface || (unit.owner && unit.owner->kind == UnitKind::Interface)) continue;
+        const bool hasChart = unit.members.contains(key("__chart0"));
         for (Variable& variable : unit.variables) {
+            if (hasChart && equalsIgnoringCase(std::string_view(variable.name).substr(0, 3), "SFC")) continue; // flags of the chart
             const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp || variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
             if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() || variable.name.starts_with("__")) continue;
             const auto known = unit.members.find(variable.id);
             if (types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() || known->second.variable != &variable) continue;
+            if (options.usedElsewhere.contains("." + foldCase(variable.name))) continue;
             if (variable.reads == 0 && variable.writes == 0) {
                 if (variable.isLocated) continue;
                 auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
@@ -105,7 +123,9 @@ void World::checkRecursion() {
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
     for (const std::vector<uint32_t>& component : Components(edges).found) {
-        const uint32_t first = component.front();
+        const auto isOwn = [&](uint32_t index) { return unitOfFunction[index] && !unitOfFunction[index]->isLibrary(); };
+        const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can mend it
+        const uint32_t first = own == component.end() ? component.front() : *own;
         const bool isCycle = component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);
         if (!isCycle) continue;
         bool isFixed = true; // every member is a function or program: recursion is an error
@@ -134,10 +154,10 @@ void World::checkRecursion() {
         for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at]) chain = functions[at].name + " → " + chain;
         chain = functions[first].name + " → " + chain;
         const Unit* unit = unitOfFunction[first];
-        if (!unit || unit->isLibrary()) continue;
+        if (!unit) continue;
         SourceRange range = unit->range;
         for (const Call& call : calls)
-            if (call.from == last && call.to == first) {
+            if (call.from == last && (call.to == first || (call.isDispatched && functions[call.to].methodSlot != Id<int>::kNone && functions[call.to].methodSlot == functions[first].methodSlot))) {
                 range = call.range;
                 break;
             }

@@ -4,6 +4,7 @@
 #include "runtime/base/text.h"
 
 #include <cstdlib>
+#include <map>
 
 namespace plc::sema {
 
@@ -261,11 +262,47 @@ void World::checkOverlaps() {
     for (const Unit& unit : units)
         for (const Variable& variable : unit.variables) add(variable);
     std::stable_sort(used.begin(), used.end(), [](const Used& a, const Used& b) { return a.begin < b.begin; });
+    if (used.empty()) return;
+    // what the code addresses directly is taken as well
+    std::vector<std::pair<uint32_t, uint32_t>> taken;
+    for (const Used& one : used) taken.emplace_back(one.begin, one.end);
+    for (const syntax::SyntaxFile* file : fileOf) {
+        if (!file || !file->library.empty()) continue;
+        for (const lex::Token& token : file->tokens.tokens) {
+            if (token.kind != lex::TokenKind::DirectAddress) continue;
+            const auto address = parseAddress(sources[file->file].text().substr(token.begin, token.end - token.begin));
+            if (!address || address->isOpen || address->byte > kMaximumAddress) continue;
+            const uint32_t begin = (areaOf(address->area).begin + address->byte) * 8 + static_cast<uint32_t>(std::max<int>(0, address->bit));
+            taken.emplace_back(begin, begin + types::bitsOf(address->kind));
+        }
+    }
+    std::map<std::pair<Area, uint32_t>, uint32_t> searched;
+    const auto nextFree = [&](const Variable& variable, uint32_t begin, uint32_t end) -> std::string {
+        const std::string_view text = variable.declaration->address;
+        const DirectAddress address = parseAddress(text).value_or(DirectAddress());
+        const uint32_t area = areaOf(address.area).begin * 8, size = end - begin;
+        const uint32_t step = address.bit >= 0 && variable.bit >= 0 ? 1 : std::max(8u, types::bitsOf(address.kind));
+        uint32_t& from = searched[{address.area, step}]; // those sought come in order: nothing before is free
+        for (uint32_t at = std::max(begin + step, from);; at += step) {
+            const bool isFree = std::none_of(taken.begin(), taken.end(), [&](const auto& other) { return other.first < at + size && at < other.second; });
+            if (!isFree) continue;
+            taken.emplace_back(at, at + size);
+            from = at;
+            const size_t digits = text.find_first_of("0123456789");
+            std::string out(text.substr(0, digits));
+            out += std::to_string((at - area) / 8);
+            if (address.kind == TypeKind::Bool) out += "." + std::to_string(at % 8);
+            return out;
+        }
+    };
     for (size_t i = 1; i < used.size(); ++i) {
         const Used &a = used[i - 1], &b = used[i];
         if (b.begin >= a.end) continue;
         const SourceRange range = b.variable->declaration->addressRange.file.isValid() ? b.variable->declaration->addressRange : b.variable->range;
-        emit(range, Kind::OverlappingAddress, {a.variable->name, b.variable->name, std::string(b.variable->declaration->address)}).related.push_back({a.variable->range, "declared here"});
+        const std::string free = nextFree(*b.variable, b.begin, b.end);
+        auto& diagnostic = emit(range, Kind::OverlappingAddress, {a.variable->name, b.variable->name, std::string(b.variable->declaration->address), free});
+        diagnostic.related.push_back({a.variable->range, "declared here"});
+        if (b.variable->declaration->addressRange.file.isValid()) diagnostic.fixes.push_back({"Move " + b.variable->name + " to " + free, {{range, free}}});
     }
 }
 

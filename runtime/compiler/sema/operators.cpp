@@ -137,6 +137,7 @@ Operand Checker::unary(const syntax::Expr& e, TypeId hint) {
 
 Operand Checker::negated(Operand operand, SourceRange range) {
     if (operand.isUnknown()) return operand;
+    if (isStrict(operand)) return unknown(range);
     const Family family = types.family(operand.type());
     if (operand.isFlexible) {
         const types::Value& value = operand.expr->value;
@@ -169,6 +170,7 @@ Operand Checker::negated(Operand operand, SourceRange range) {
 Operand Checker::inverted(Operand operand, SourceRange range) {
     if (operand.isUnknown()) return operand;
     operand = settled(operand);
+    if (isStrict(operand)) return unknown(range);
     const Family family = types.family(operand.type());
     if (family != Family::Bool && !types::isInteger(family)) {
         emit(range, Kind::OperatorNotForType, {"NOT", nameOf(operand.type())});
@@ -206,7 +208,7 @@ Operand Checker::binary(const syntax::Expr& e, TypeId hint) {
 }
 
 Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range, SourceRange operatorRange, TypeId hint) {
-    if (a.isUnknown() || b.isUnknown()) return unknown(range);
+    if (a.isUnknown() || b.isUnknown() || isStrict(a) || isStrict(b)) return unknown(range);
     if (op == BinaryOp::And || op == BinaryOp::Or || op == BinaryOp::Xor) {
         const auto good = [&](const Operand& o) { return types.family(o.type()) == Family::Bool || types::isInteger(types.family(o.type())); };
         for (const Operand& o : {a, b}) {
@@ -418,6 +420,10 @@ Operand Checker::compare(BinaryOp op, std::string_view spelling, Operand a, Oper
         return makeBinary(op, type, convertNode(a, type), convertNode(b, type), range);
     }
     if (!isNumeric(a.type()) || !isNumeric(b.type())) {
+        if (types.isAggregate(a.type()) && types.isAggregate(b.type())) {
+            emit(operatorRange, Kind::CompareWhole, {std::string(spelling), nameOf(a.type())});
+            return unknown(range);
+        }
         if (a.type() == b.type()) {
             emit(operatorRange, Kind::OperatorNotForType, {std::string(spelling), nameOf(a.type())});
             return unknown(range);

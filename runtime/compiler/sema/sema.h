@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <unordered_set>
 
 namespace plc::sema {
 
@@ -46,6 +48,7 @@ struct Analysis {
 
 struct Options {
     bool strict = false;           // dialect features of the books warn
+    std::unordered_set<std::string> usedElsewhere; // folded names that panels, traces, tests use; ".name": behind a dot
     bool wantProgram = true;       // false: check only (no bodies of the tree are kept)
 };
 

@@ -123,6 +123,7 @@ Operand Checker::addressCall(const syntax::Expr& e, bool isReference) {
 }
 
 Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, SourceRange operatorRange, TypeId hint) {
+    if (isStrict(base) || isStrict(exponent)) return unknown(range);
     if (!isNumeric(base.type()) || !isNumeric(exponent.type())) {
         const Operand& wrong = isNumeric(base.type()) ? exponent : base;
         emit(isNumeric(base.type()) || isNumeric(exponent.type()) ? wrong.expr->range : operatorRange, Kind::OperatorNotForType, {"**", nameOf(wrong.type())});

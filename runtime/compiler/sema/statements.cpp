@@ -205,6 +205,25 @@ void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, Sou
     }
 }
 
+/// What a step names with a qualifier is an ACTION or a BOOL variable (2.6.4.1). A reset of the chart says nothing again.
+bool Checker::isAssociable(const syntax::Stmt& stmt) {
+    const syntax::Expr& name = *stmt.target;
+    if (!name.name.isValid()) return true;
+    const World::Found found = world.lookup(scope, world.key(name.name.text));
+    Variable* variable = found.member.variable ? found.member.variable : found.entity.variable;
+    const TypeId type = variable ? world.typeOf(*variable) : TypeId();
+    if (variable ? isKind(type, TypeKind::Unknown) || types.storageKind(type) == TypeKind::Bool : found.member.property != nullptr || !found.ambiguous.empty()) return true;
+    if (stmt.value->kind == syntax::ExprKind::Literal) return false;
+    std::vector<std::string> candidates;
+    for (Unit* unit = scope.unit ? scope.unit->self() : nullptr; unit; unit = unit->base) {
+        for (const Unit* action : unit->actions) candidates.push_back(action->name);
+        for (Variable& own : unit->variables)
+            if (!own.name.starts_with("__") && types.storageKind(world.typeOf(own)) == TypeKind::Bool) candidates.push_back(own.name);
+    }
+    world.suggest(emit(name.range, Kind::UnknownAction, {std::string(name.name.text)}), name.range, name.name.text, candidates);
+    return false;
+}
+
 void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.target || !stmt.value) return;
     const syntax::Expr& value = *stmt.value;
@@ -220,6 +239,7 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
         if (to.kind == Denoted::Kind::Place) expression(value, to.place->type);
         return;
     }
+    if (stmt.isAssociation && !isAssociable(stmt)) return;
     TypeId type;
     // the target's type is known before the value, but its effects count after it
     const Flow before = flow;
@@ -288,111 +308,6 @@ void Checker::ifStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& ou
     }
     flow = joined;
     if (!before.isReachable) flow.isReachable = false;
-}
-
-void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
-    if (!stmt.value) return;
-    Operand selector = settled(expression(*stmt.value));
-    const bool known = !selector.isUnknown();
-    const types::Family family = known ? types.family(selector.type()) : types::Family::Other;
-    const TypeId type = known ? selector.type() : elementary(TypeKind::Unknown);
-    const bool isText = known && types.isText(type);
-    if (known && !types::isInteger(family) && family != types::Family::Bool && family != types::Family::Character) emit(stmt.value->range, Kind::OperatorNotForType, {"CASE", nameOf(type)});
-    const bool good = known && !isText && (types::isInteger(family) || family == types::Family::Bool || family == types::Family::Character);
-    const bool isBig = good && types.storageKind(type) != TypeKind::Lint && types::bitsOf(types.storageKind(type)) == 64;
-    tree::Stmt* made = newStmt(tree::StmtKind::Case, stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)} : stmt.range);
-    if (good) made->a = convertNode(selector, elementary(isBig ? TypeKind::Ulint : TypeKind::Lint)).expr;
-    made->operandType = elementary(isBig ? TypeKind::Ulint : TypeKind::Lint);
-    const Flow before = flow;
-    Flow joined{false, true};
-    const auto join = [&] {
-        if (flow.isReachable) joined.isResultSet = joined.isResultSet && flow.isResultSet;
-        joined.isReachable = joined.isReachable || flow.isReachable;
-    };
-    std::vector<tree::CaseRange> seen;
-    const auto label = [&](const syntax::Expr* e) -> std::optional<int64_t> {
-        if (!e) return std::nullopt;
-        Operand value = expression(*e, type);
-        if (value.isUnknown()) return std::nullopt;
-        if (!value.isConstant()) {
-            emit(e->range, Kind::NotConstant);
-            return std::nullopt;
-        }
-        if (good && isKind(value.type(), TypeKind::Enum) && !isKind(type, TypeKind::Enum)) value = convertNode(value, types.storage(value.type()));
-        if (good) {
-            const types::Value& constantValue = value.expr->value;
-            const bool fitsAnyway = isNumeric(value.type()) && std::holds_alternative<int64_t>(constantValue.data) && (fits(constantValue, types.storage(type)) || isKind(type, TypeKind::Enum));
-            if (!fitsAnyway) value = converted(value, type);
-        }
-        if (value.isUnknown() || !std::holds_alternative<int64_t>(value.expr->value.data)) return std::nullopt;
-        return value.expr->value.integer();
-    };
-    for (const syntax::CaseArm& arm : stmt.arms) {
-        tree::CaseArm& madeArm = made->arms.emplace_back();
-        for (const syntax::CaseLabel& each : arm.labels) {
-            const auto low = label(each.low);
-            const auto high = each.high ? label(each.high) : low;
-            if (!low || !high) continue;
-            const auto less = [&](int64_t a, int64_t b) { return isBig ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b; };
-            const SourceRange range = each.high ? SourceRange{each.low->range.file, each.low->range.begin, each.high->range.end} : each.low->range;
-            if (less(*high, *low)) {
-                emit(range, Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
-                continue;
-            }
-            for (const tree::CaseRange& other : seen) {
-                if (less(other.high, *low) || less(*high, other.low)) continue;
-                emit(range, Kind::DuplicateCase, {textOf(range)});
-                break;
-            }
-            seen.push_back({*low, *high});
-            madeArm.ranges.push_back({*low, *high});
-        }
-        flow = before;
-        statements(arm.body, madeArm.body);
-        join();
-    }
-    bool complete = stmt.hasElse;
-    if (stmt.hasElse) {
-        flow = before;
-        statements(stmt.elseBody, made->elseBody);
-        join();
-    } else if (good && isKind(type, TypeKind::Enum)) {
-        std::string missing;
-        size_t count = 0;
-        std::vector<std::string> names;
-        for (const types::Enumerator& enumerator : types[type].enumerators) {
-            const bool covered = std::any_of(seen.begin(), seen.end(), [&](const tree::CaseRange& r) { return r.low <= enumerator.value && enumerator.value <= r.high; });
-            if (covered) continue;
-            if (++count <= 3) missing += (missing.empty() ? "" : ", ") + enumerator.name;
-            names.push_back(enumerator.name);
-        }
-        if (count > 3) missing += ", …";
-        if (count && stmt.range.file.isValid() && !stmt.origin) {
-            const SourceRange word{stmt.range.file, stmt.range.begin, stmt.range.begin + 4};
-            auto& diagnostic = emit(word, Kind::MissingCase, {missing});
-            std::string text;
-            for (const std::string& name : names) text += nameOf(type) + "." + name + ": ;\n";
-            const std::string_view whole = world.textOf(stmt.range);
-            size_t at = whole.size();
-            for (size_t i = 0; i + 8 <= whole.size(); ++i) {
-                const std::string_view part = whole.substr(i, 8);
-                if (std::equal(part.begin(), part.end(), "END_CASE", [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == b; })) at = i;
-            }
-            if (at < whole.size()) {
-                const auto place = stmt.range.begin + static_cast<uint32_t>(at);
-                diagnostic.fixes.push_back({"Add the missing branches", {{{stmt.range.file, place, place}, text}}});
-                diagnostic.fixes.push_back({"Add ELSE", {{{stmt.range.file, place, place}, "ELSE\n    ;\n"}}});
-            }
-        }
-        complete = count == 0 && !types[type].enumerators.empty();
-    }
-    if (!complete) {
-        flow = before;
-        join();
-    }
-    flow = joined;
-    if (!before.isReachable) flow.isReachable = false;
-    if (good) out.push_back(made);
 }
 
 void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {

@@ -76,7 +76,7 @@ public:
     void declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table);
     void declareGlobals(const syntax::GlobalList& list, Space& space, const syntax::SyntaxFile& file, std::string_view name);
     void declareType(const syntax::TypeDecl& type, Space& space, const syntax::SyntaxFile& file);
-    EnumType* declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, bool qualifiedOnly);
+    EnumType* declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, const std::vector<syntax::Pragma>* attributes);
     TypeId declareStruct(const syntax::TypeSpec& spec, std::string name, const Scope& scope);
     Space& childSpace(Space& parent, std::string_view name);
     void resolveUsings();
@@ -165,6 +165,7 @@ public:
 
     // flow.cpp
     void checkUsage();
+    void checkUnusedGlobals();
     void checkRecursion();
 
     const SourceSet& sources;

@@ -109,3 +109,13 @@ TEST(Format, SurvivesBrokenTexts) {
         EXPECT_EQ(tidy(once), once);
     }
 }
+
+TEST(Format, AlignsTheColonsOfNeighbouringDeclarations) {
+    FormatOptions options;
+    options.alignDeclarations = true;
+    const std::string tidied = tidy("PROGRAM p\nVAR\na:INT:=3; // one\nlonger, and2 : BOOL; // two\nx AT %IX0.0 : BOOL;\n\nsmall : INT;\nEND_VAR\na := 3;\nCASE a OF\n1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
+                                    "TYPE T : STRUCT\na : INT;\nbbb : REAL := 1.5;\nEND_STRUCT END_TYPE\n", options);
+    EXPECT_EQ(tidied, "PROGRAM p\nVAR\n    a            : INT := 3; // one\n    longer, and2 : BOOL;     // two\n    x AT %IX0.0  : BOOL;\n\n    small : INT;\nEND_VAR\na := 3;\nCASE a OF\n    1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
+                      "TYPE T : STRUCT\n        a   : INT;\n        bbb : REAL := 1.5;\n    END_STRUCT END_TYPE\n");
+    EXPECT_EQ(tidy(tidied, options), tidied);
+}

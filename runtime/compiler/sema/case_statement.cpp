@@ -1,0 +1,146 @@
+// CASE: labels, their overlaps, the values of an enumeration that have no branch.
+#include "runtime/compiler/sema/checker.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+
+/// CASE by a text or a REAL: told, with the same written as IF … ELSIF where the places are clear.
+void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
+    auto& diagnostic = emit(stmt.value->range, Kind::CaseSelector, {nameOf(type)});
+    const FileId file = stmt.range.file;
+    if (!file.isValid() || stmt.origin || stmt.arms.empty()) return;
+    const std::string selector = textOf(stmt.value->range);
+    const std::string_view whole = world.textOf(stmt.range);
+    std::vector<diagnostics::TextEdit> edits;
+    uint32_t from = stmt.range.begin;
+    for (const syntax::CaseArm& arm : stmt.arms) {
+        std::string condition;
+        uint32_t end = 0;
+        for (const syntax::CaseLabel& label : arm.labels) {
+            if (!label.low || !label.low->range.file.isValid()) return;
+            const std::string low = textOf(label.low->range);
+            condition += (condition.empty() ? "" : " OR ") + (label.high ? selector + " >= " + low + " AND " + selector + " <= " + textOf(label.high->range) : selector + " = " + low);
+            end = label.high ? label.high->range.end : label.low->range.end;
+            if (&arm != &stmt.arms.front() && &label == &arm.labels.front()) from = label.low->range.begin;
+        }
+        if (arm.labels.empty() || end < from) return;
+        while (end - stmt.range.begin < whole.size() && whole[end - stmt.range.begin] != ':') ++end;
+        if (end - stmt.range.begin >= whole.size()) return;
+        edits.push_back({{file, from, end + 1}, (edits.empty() ? "IF " : "ELSIF ") + condition + " THEN"});
+    }
+    const size_t last = foldCase(whole).rfind("end_case");
+    if (last == std::string::npos) return;
+    const uint32_t at = stmt.range.begin + static_cast<uint32_t>(last);
+    edits.push_back({{file, at, at + 8}, "END_IF"});
+    diagnostic.fixes.push_back({"Write IF and ELSIF instead", std::move(edits)});
+}
+
+void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    if (!stmt.value) return;
+    Operand selector = settled(expression(*stmt.value));
+    const bool known = !selector.isUnknown();
+    const types::Family family = known ? types.family(selector.type()) : types::Family::Other;
+    const TypeId type = known ? selector.type() : elementary(TypeKind::Unknown);
+    const bool isText = known && types.isText(type);
+    if (known && !types::isInteger(family) && family != types::Family::Bool && family != types::Family::Character) refuseSelector(stmt, type);
+    const bool good = known && !isText && (types::isInteger(family) || family == types::Family::Bool || family == types::Family::Character);
+    const bool isBig = good && types.storageKind(type) != TypeKind::Lint && types::bitsOf(types.storageKind(type)) == 64;
+    tree::Stmt* made = newStmt(tree::StmtKind::Case, stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)} : stmt.range);
+    if (good) made->a = convertNode(selector, elementary(isBig ? TypeKind::Ulint : TypeKind::Lint)).expr;
+    made->operandType = elementary(isBig ? TypeKind::Ulint : TypeKind::Lint);
+    const Flow before = flow;
+    Flow joined{false, true};
+    const auto join = [&] {
+        if (flow.isReachable) joined.isResultSet = joined.isResultSet && flow.isResultSet;
+        joined.isReachable = joined.isReachable || flow.isReachable;
+    };
+    std::vector<tree::CaseRange> seen;
+    const auto label = [&](const syntax::Expr* e) -> std::optional<int64_t> {
+        if (!e) return std::nullopt;
+        Operand value = expression(*e, type);
+        if (value.isUnknown()) return std::nullopt;
+        if (!value.isConstant()) {
+            emit(e->range, Kind::NotConstant);
+            return std::nullopt;
+        }
+        if (good && isKind(value.type(), TypeKind::Enum) && !isKind(type, TypeKind::Enum)) value = convertNode(value, types.storage(value.type()));
+        if (good) {
+            const types::Value& constantValue = value.expr->value;
+            const bool fitsAnyway = isNumeric(value.type()) && std::holds_alternative<int64_t>(constantValue.data) && (fits(constantValue, types.storage(type)) || isKind(type, TypeKind::Enum));
+            if (!fitsAnyway) value = converted(value, type);
+        }
+        if (value.isUnknown() || !std::holds_alternative<int64_t>(value.expr->value.data)) return std::nullopt;
+        return value.expr->value.integer();
+    };
+    for (const syntax::CaseArm& arm : stmt.arms) {
+        tree::CaseArm& madeArm = made->arms.emplace_back();
+        for (const syntax::CaseLabel& each : arm.labels) {
+            const auto low = label(each.low);
+            const auto high = each.high ? label(each.high) : low;
+            if (!low || !high) continue;
+            const auto less = [&](int64_t a, int64_t b) { return isBig ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b; };
+            const SourceRange range = each.high ? SourceRange{each.low->range.file, each.low->range.begin, each.high->range.end} : each.low->range;
+            if (less(*high, *low)) {
+                emit(range, Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
+                continue;
+            }
+            for (const tree::CaseRange& other : seen) {
+                if (less(other.high, *low) || less(*high, other.low)) continue;
+                emit(range, Kind::DuplicateCase, {textOf(range)});
+                break;
+            }
+            seen.push_back({*low, *high});
+            madeArm.ranges.push_back({*low, *high});
+        }
+        flow = before;
+        statements(arm.body, madeArm.body);
+        join();
+    }
+    bool complete = stmt.hasElse;
+    if (stmt.hasElse) {
+        flow = before;
+        statements(stmt.elseBody, made->elseBody);
+        join();
+    } else if (good && isKind(type, TypeKind::Enum)) {
+        std::string missing;
+        size_t count = 0;
+        std::vector<std::string> names;
+        for (const types::Enumerator& enumerator : types[type].enumerators) {
+            const bool covered = std::any_of(seen.begin(), seen.end(), [&](const tree::CaseRange& r) { return r.low <= enumerator.value && enumerator.value <= r.high; });
+            if (covered) continue;
+            if (++count <= 3) missing += (missing.empty() ? "" : ", ") + enumerator.name;
+            names.push_back(enumerator.name);
+        }
+        if (count > 3) missing += ", …";
+        if (count && stmt.range.file.isValid() && !stmt.origin) {
+            const SourceRange word{stmt.range.file, stmt.range.begin, stmt.range.begin + 4};
+            auto& diagnostic = emit(word, Kind::MissingCase, {missing});
+            std::string text;
+            for (const std::string& name : names) text += nameOf(type) + "." + name + ": ;\n";
+            const std::string_view whole = world.textOf(stmt.range);
+            size_t at = whole.size();
+            for (size_t i = 0; i + 8 <= whole.size(); ++i) {
+                const std::string_view part = whole.substr(i, 8);
+                if (std::equal(part.begin(), part.end(), "END_CASE", [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == b; })) at = i;
+            }
+            if (at < whole.size()) {
+                const auto place = stmt.range.begin + static_cast<uint32_t>(at);
+                diagnostic.fixes.push_back({"Add the missing branches", {{{stmt.range.file, place, place}, text}}});
+                diagnostic.fixes.push_back({"Add ELSE", {{{stmt.range.file, place, place}, "ELSE\n    ;\n"}}});
+            }
+        }
+        complete = count == 0 && !types[type].enumerators.empty();
+    }
+    if (!complete) {
+        flow = before;
+        join();
+    }
+    flow = joined;
+    if (!before.isReachable) flow.isReachable = false;
+    if (good) out.push_back(made);
+}
+
+} // namespace plc::sema
