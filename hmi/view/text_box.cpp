@@ -4,19 +4,53 @@
 #include <QGlyphRun>
 #include <QHash>
 #include <QRawFont>
+#include <QTextLayout>
 
 namespace plc::hmi {
 
 namespace {
 
-int flagsOf(const TextBox& box) {
-    int flags = static_cast<int>(box.vertical) | Qt::AlignAbsolute;
-    const bool atRight = (box.align == TextAlign::End) != box.rightToLeft;
-    if (box.align == TextAlign::Center) flags |= Qt::AlignHCenter;
-    else flags |= atRight ? Qt::AlignRight : Qt::AlignLeft;
-    if (box.wraps) flags |= Qt::TextWordWrap;
-    return flags;
-}
+bool isAtRight(const TextBox& box) { return (box.align == TextAlign::End) != box.rightToLeft; }
+
+/// The text cut into the lines that are drawn. Lines stand as far apart as those of the box's own font: fonts that help
+/// out with other scripts often have lines much higher than their letters.
+struct Lines {
+    QStringList texts;
+    double width = 0, ink = 0, spacing = 0;
+
+    explicit Lines(const TextBox& box) {
+        const QFontMetricsF metrics(box.font);
+        for (const QString& paragraph : box.text.split(u'\n')) {
+            const double advance = metrics.horizontalAdvance(paragraph);
+            if (box.wraps && advance > box.rect.width() + 0.5) {
+                wrap(box, paragraph);
+            } else {
+                texts += paragraph;
+                width = std::max(width, advance);
+            }
+        }
+        for (const QString& line : texts)
+            if (!line.isEmpty()) ink = std::max(ink, metrics.tightBoundingRect(line).height());
+        spacing = std::max(metrics.lineSpacing(), ink);
+    }
+    double height() const { return ink + static_cast<double>(texts.size() - 1) * spacing; }
+
+private:
+    void wrap(const TextBox& box, const QString& paragraph) {
+        QTextLayout layout(paragraph, box.font);
+        QTextOption option;
+        option.setWrapMode(QTextOption::WordWrap);
+        option.setTextDirection(box.rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
+        layout.setTextOption(option);
+        layout.beginLayout();
+        for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+            line.setLineWidth(std::max(1.0, box.rect.width() + 0.5));
+            texts += paragraph.mid(line.textStart(), line.textLength()).trimmed();
+            width = std::max(width, line.naturalTextWidth());
+        }
+        layout.endLayout();
+    }
+};
 
 /// Figures and plain Latin letters need no shaping: their glyphs are looked up once per font. A panel of a thousand
 /// changing numbers would else spend most of its time in text layout.
@@ -71,10 +105,9 @@ bool drawPlain(QPainter& painter, const TextBox& box) {
     double width = 0;
     for (const QChar c : box.text) width += glyphs->advance[c.unicode()];
     if (width > box.rect.width() + 0.5) return false;
-    const bool atRight = (box.align == TextAlign::End) != box.rightToLeft;
     double x = box.rect.left();
     if (box.align == TextAlign::Center) x += (box.rect.width() - width) / 2;
-    else if (atRight) x = box.rect.right() - width;
+    else if (isAtRight(box)) x = box.rect.right() - width;
     double y = box.rect.center().y() + (glyphs->ascent - glyphs->descent) / 2;
     if (box.vertical & Qt::AlignTop) y = box.rect.top() + glyphs->ascent;
     if (box.vertical & Qt::AlignBottom) y = box.rect.bottom() - glyphs->descent;
@@ -102,19 +135,9 @@ TextAlign textAlign(const QString& name) {
 }
 
 QSizeF neededSize(const TextBox& box) {
-    const QFontMetricsF metrics(box.font);
-    // Fonts of some scripts have lines much higher than their letters: one line needs what its ink needs.
-    const double ink = box.text.isEmpty() ? 0 : metrics.tightBoundingRect(box.text).height();
-    if (!box.wraps) {
-        const QStringList lines = box.text.split(u'\n');
-        QSizeF size(0, ink);
-        for (const QString& line : lines) size.setWidth(std::max(size.width(), metrics.horizontalAdvance(line)));
-        if (lines.size() > 1) size.setHeight(static_cast<double>(lines.size()) * metrics.lineSpacing());
-        return size;
-    }
-    QSizeF size = metrics.boundingRect(QRectF(0, 0, box.rect.width(), 1e6), Qt::TextWordWrap | Qt::AlignLeft, box.text).size();
-    if (size.height() < metrics.lineSpacing() * 1.5) size.setHeight(ink);
-    return size;
+    if (box.text.isEmpty()) return {};
+    const Lines lines(box);
+    return {lines.width, lines.height()};
 }
 
 bool fits(const TextBox& box) {
@@ -127,19 +150,26 @@ void drawText(QPainter& painter, const TextBox& box) {
     if (box.text.isEmpty() || box.rect.width() < 1) return;
     if (isPlain(box.text) && drawPlain(painter, box)) return;
     painter.setFont(box.font);
-    QString text = box.text;
-    if (!box.wraps && !text.contains(u'\n')) {
-        const QFontMetricsF metrics(box.font);
-        if (metrics.horizontalAdvance(text) > box.rect.width() + 0.5) text = metrics.elidedText(text, Qt::ElideRight, box.rect.width());
-    }
-    if (box.wraps) {
-        // A word that is wider than its line would lose both its ends.
-        const QFontMetricsF metrics(box.font);
-        for (const QString& word : text.split(u' ', Qt::SkipEmptyParts))
-            if (metrics.horizontalAdvance(word) > box.rect.width() + 0.5) text.replace(word, metrics.elidedText(word, Qt::ElideRight, box.rect.width()));
-    }
     painter.setLayoutDirection(box.rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
-    painter.drawText(box.rect, flagsOf(box), text);
+    const QFontMetricsF metrics(box.font);
+    const Lines lines(box);
+    const double below = static_cast<double>(lines.texts.size() - 1) * lines.spacing;
+    double y = box.rect.center().y() + (metrics.ascent() - metrics.descent() - below) / 2;
+    if (box.vertical & Qt::AlignTop) y = box.rect.top() + metrics.ascent();
+    if (box.vertical & Qt::AlignBottom) y = box.rect.bottom() - metrics.descent() - below;
+    for (const QString& line : lines.texts) {
+        QString text = line;
+        double width = metrics.horizontalAdvance(text);
+        if (width > box.rect.width() + 0.5) {
+            text = metrics.elidedText(text, Qt::ElideRight, box.rect.width());
+            width = metrics.horizontalAdvance(text);
+        }
+        double x = box.rect.left();
+        if (box.align == TextAlign::Center) x += (box.rect.width() - width) / 2;
+        else if (isAtRight(box)) x = box.rect.right() - width;
+        painter.drawText(QPointF(x, y), text);
+        y += lines.spacing;
+    }
 }
 
 } // namespace plc::hmi
