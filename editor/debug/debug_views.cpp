@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
+#include "editor/trace/trace_plot.h"
 
 #include <QHeaderView>
 #include <QMenu>
@@ -288,7 +289,7 @@ void EventLog::refresh() {
     const auto events = m_control.session()->eventsSince(m_seen);
     m_seen += events.size();
     for (const controller::Event& event : events) {
-        auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), timeText(event.time), QString::number(event.scan), text(event.text)});
+        auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), timeText(event.time), QString::number(event.scan), trace::markText(static_cast<int>(event.kind), event.text)});
         using controller::EventKind;
         const kit::Icon icon = event.kind == EventKind::Fault ? kit::Icon::Error : event.kind == EventKind::Force || event.kind == EventKind::Release ? kit::Icon::Force
                              : event.kind == EventKind::OnlineChange ? kit::Icon::OnlineChange : event.kind == EventKind::Breakpoint ? kit::Icon::Breakpoint

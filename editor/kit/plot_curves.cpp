@@ -1,5 +1,6 @@
 #include "editor/kit/plot_curves.h"
 
+#include "editor/kit/pen_order.h"
 #include "editor/kit/plot_raster.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/plot_text.h"
@@ -189,8 +190,8 @@ void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMa
         const double x = mapping.area.left() + (c + 0.5) * step;
         auto y = [&](double raw) { return mapping.yOf(curve.shown(raw)); };
         if (curve.style != CurveStyle::Line && !line.isEmpty()) line << QPointF(x, line.back().y());
-        line << QPointF(x, y(bucket.first));
-        if (bucket.minimum != bucket.maximum) line << QPointF(x, y(bucket.minimum)) << QPointF(x, y(bucket.maximum)) << QPointF(x, y(bucket.last));
+        const auto number = [&](double value) { return std::isnan(value) ? bucket.minimum : value; };
+        for (const double value : PenOrder(number(bucket.first), bucket.minimum, bucket.maximum, number(bucket.last)).values()) line << QPointF(x, y(value));
     });
     if (!line.isEmpty()) lines.push_back(line);
 }

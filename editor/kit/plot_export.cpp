@@ -40,8 +40,10 @@ QByteArray quoted(QString text) {
     return '"' + text.toUtf8() + '"';
 }
 
-QByteArray csvValue(const PlotCurve& curve, double raw) {
+QByteArray csvValue(const PlotCurve& curve, int64_t time, double raw) {
     if (std::isnan(raw)) return {};
+    if (const auto decimals = curve.decimals(); decimals && curve.valueNames.empty())
+        if (const auto integer = curve.source->integerAt(time)) return QByteArray::fromStdString(exactText(*integer, *decimals));
     if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end()) return quoted(name->second);
     const PlotValueKind kind = curve.source->valueKind();
     if (curve.scale == 1 && curve.offset == 0) return QByteArray::fromStdString(exactText(raw, kind));
@@ -136,7 +138,7 @@ void writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out) 
             for (size_t i = 0; i < curves.size(); ++i) {
                 if (at[i] < samples[i].size() && samples[i][at[i]].time == *time) held[i] = samples[i][at[i]++].value;
                 line += ',';
-                if (held[i]) line += csvValue(*curves[i], *held[i]);
+                if (held[i]) line += csvValue(*curves[i], *time, *held[i]);
             }
             out.write(line + '\n');
         }

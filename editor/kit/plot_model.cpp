@@ -8,6 +8,24 @@
 
 namespace plc::kit {
 
+namespace {
+
+QString withMinus(const std::string& number) {
+    QString text = QString::fromStdString(number);
+    if (text.startsWith(QLatin1Char('-'))) text.replace(0, 1, QStringLiteral("−"));
+    return text;
+}
+
+} // namespace
+
+std::optional<int> PlotCurve::decimals() const {
+    if (offset != 0) return std::nullopt;
+    double power = 1;
+    for (int decimals = 0; decimals <= 9; ++decimals, power *= 10)
+        if (scale == 1 / power) return decimals;
+    return std::nullopt;
+}
+
 std::optional<std::pair<int64_t, int64_t>> wholeRange(const PlotModel& model) {
     std::optional<std::pair<int64_t, int64_t>> whole;
     auto add = [&](std::optional<std::pair<int64_t, int64_t>> range, int64_t shift) {
@@ -50,7 +68,22 @@ QString curveValueText(const PlotCurve& curve, double raw, int digits, bool with
     if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end()) return name->second;
     if (curve.source && curve.source->valueKind() == PlotValueKind::Bool && curve.scale == 1 && curve.offset == 0)
         return raw != 0 ? QStringLiteral("TRUE") : QStringLiteral("FALSE");
-    const QString text = valueText(curve.shown(raw), digits);
+    if (curve.integerText) return curve.integerText(static_cast<int64_t>(raw));
+    const bool isPlainInteger = curve.source && curve.source->valueKind() == PlotValueKind::Integer && curve.decimals() == 0;
+    const QString text = isPlainInteger ? withMinus(exactText(raw, PlotValueKind::Integer)) : valueText(curve.shown(raw), digits);
+    return withUnit && !curve.unit.isEmpty() ? text + QLatin1Char(' ') + curve.unit : text;
+}
+
+QString curveTextAt(const PlotCurve& curve, int64_t time, int digits, bool withUnit) {
+    const auto sample = curve.source ? curve.source->inForceAt(time) : std::nullopt;
+    if (!sample) return QStringLiteral("–");
+    const auto integer = curve.source->integerAt(time);
+    const auto decimals = curve.decimals();
+    if (!integer || !decimals || std::isnan(sample->value)) return curveValueText(curve, sample->value, digits, withUnit);
+    const auto value = static_cast<int64_t>(integer->bits);
+    if (const auto name = curve.valueNames.find(value); name != curve.valueNames.end()) return name->second;
+    if (curve.integerText) return curve.integerText(value);
+    const QString text = withMinus(exactText(*integer, *decimals));
     return withUnit && !curve.unit.isEmpty() ? text + QLatin1Char(' ') + curve.unit : text;
 }
 

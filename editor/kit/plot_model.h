@@ -59,9 +59,12 @@ struct PlotCurve {
     std::shared_ptr<const SampleSource> source;
     std::vector<PlotBeneath> beneath;
     std::map<int64_t, QString> valueNames; // of an enumeration
+    std::function<QString(int64_t)> integerText; // of dates and the like, where digits say nothing
     QString problem;                       // why there is nothing to draw
 
     [[nodiscard]] double shown(double value) const { return value * scale + offset; }
+    /// Whole numbers keep all their digits when shown as they are or moved by powers of ten: how many stand behind the point.
+    [[nodiscard]] std::optional<int> decimals() const;
 };
 
 struct PlotChart {
@@ -99,6 +102,8 @@ struct PlotModel {
 [[nodiscard]] const PlotCurve* findCurve(const PlotModel& model, const QString& id);
 /// Value as the curve shows it: an enumeration's name, TRUE / FALSE, or a number with its unit.
 [[nodiscard]] QString curveValueText(const PlotCurve& curve, double raw, int digits = 6, bool withUnit = true);
+/// The same of the value in force at `time`: integers with all their digits, however large; a dash where there is none.
+[[nodiscard]] QString curveTextAt(const PlotCurve& curve, int64_t time, int digits = 6, bool withUnit = true);
 [[nodiscard]] QColor markerColor(MarkerKind kind);
 
 } // namespace plc::kit

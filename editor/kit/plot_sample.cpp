@@ -104,4 +104,29 @@ std::string exactText(double value, PlotValueKind kind) {
     return {buffer, end.ptr};
 }
 
+namespace {
+
+using Wide = __int128;
+
+Wide wide(WholeNumber number) { return number.isUnsigned ? Wide(number.bits) : Wide(static_cast<int64_t>(number.bits)); }
+
+std::string wideText(Wide number, int decimals) {
+    std::string digits;
+    for (Wide rest = number < 0 ? -number : number; rest > 0; rest /= 10) digits.insert(digits.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
+    const auto behind = static_cast<size_t>(decimals);
+    if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
+    if (behind > 0) {
+        digits.insert(digits.size() - behind, 1, '.');
+        digits.erase(digits.find_last_not_of('0') + 1);
+        if (digits.back() == '.') digits.pop_back();
+    }
+    return number < 0 ? '-' + digits : digits;
+}
+
+} // namespace
+
+std::string exactText(WholeNumber number, int decimals) { return wideText(wide(number), decimals); }
+
+std::string exactDifference(WholeNumber a, WholeNumber b, int decimals) { return wideText(wide(b) - wide(a), decimals); }
+
 } // namespace plc::kit

@@ -32,6 +32,13 @@ struct PlotGap {
 
 enum class PlotValueKind : uint8_t { Bool, Integer, Single, Double };
 
+/// A 64-bit integer of either kind: what a double may not hold.
+struct WholeNumber {
+    uint64_t bits = 0;
+    bool isUnsigned = false;
+    bool operator==(const WholeNumber&) const = default;
+};
+
 class SampleSource {
 public:
     using Visitor = std::function<void(std::span<const PlotSample>)>;
@@ -50,6 +57,10 @@ public:
     [[nodiscard]] virtual std::optional<PlotSample> inForceAt(int64_t time) const = 0;
     /// The first sample after `time`.
     [[nodiscard]] virtual std::optional<PlotSample> after(int64_t time) const = 0;
+    /// The value in force at `time` without rounding, where the source keeps it so.
+    [[nodiscard]] virtual std::optional<WholeNumber> integerAt(int64_t) const { return std::nullopt; }
+    /// Least and greatest of the samples in [from, to], likewise.
+    [[nodiscard]] virtual std::optional<std::pair<WholeNumber, WholeNumber>> integerExtent(int64_t, int64_t) const { return std::nullopt; }
     [[nodiscard]] virtual std::vector<PlotGap> gaps(int64_t from, int64_t to) const = 0;
     /// Grows whenever samples are added or leave, so that pictures of them can be kept.
     [[nodiscard]] virtual uint64_t revision() const = 0;
@@ -90,5 +101,9 @@ private:
 
 /// Text that reads back the same, shortest for the value's kind.
 [[nodiscard]] std::string exactText(double value, PlotValueKind kind);
+/// All digits, the last `decimals` of them behind the point, without trailing zeros there.
+[[nodiscard]] std::string exactText(WholeNumber number, int decimals = 0);
+/// b - a, likewise.
+[[nodiscard]] std::string exactDifference(WholeNumber a, WholeNumber b, int decimals = 0);
 
 } // namespace plc::kit

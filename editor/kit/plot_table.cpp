@@ -15,14 +15,31 @@ namespace {
 
 const QString Dash = QStringLiteral("–");
 
+QString minusOf(const std::string& number) {
+    QString text = QString::fromStdString(number);
+    if (text.startsWith(QLatin1Char('-'))) text.replace(0, 1, QStringLiteral("−"));
+    return text;
+}
+
+/// Integers in full, others to six digits.
+QString numberText(const PlotCurve& curve, double shown) {
+    const bool isPlainInteger = curve.source && curve.source->valueKind() == PlotValueKind::Integer && curve.decimals() == 0;
+    return isPlainInteger ? minusOf(exactText(shown, PlotValueKind::Integer)) : valueText(shown, 6);
+}
+
 QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
     QStringList cells{curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit)};
     const auto at = [&](std::optional<int64_t> time) { return time && curve.source ? curve.source->inForceAt(*time) : std::nullopt; };
     const auto a = at(model.cursorA), b = at(model.cursorB);
-    cells += a ? curveValueText(curve, a->value, 6, false) : Dash;
-    cells += b ? curveValueText(curve, b->value, 6, false) : Dash;
+    cells += a ? curveTextAt(curve, *model.cursorA, 6, false) : Dash;
+    cells += b ? curveTextAt(curve, *model.cursorB, 6, false) : Dash;
     const bool isNumber = curve.valueNames.empty() && curve.source && curve.source->valueKind() != PlotValueKind::Bool;
-    cells += a && b && isNumber ? valueText(curve.shown(b->value) - curve.shown(a->value), 6) : Dash;
+    // Whole numbers keep every digit: also where a double does not hold them.
+    const auto decimals = isNumber ? curve.decimals() : std::nullopt;
+    const int behind = decimals.value_or(0);
+    const auto wholeA = a && decimals ? curve.source->integerAt(*model.cursorA) : std::nullopt, wholeB = b && decimals ? curve.source->integerAt(*model.cursorB) : std::nullopt;
+    if (wholeA && wholeB) cells += minusOf(exactDifference(*wholeA, *wholeB, behind));
+    else cells += a && b && isNumber ? numberText(curve, curve.shown(b->value) - curve.shown(a->value)) : Dash;
     if (!model.cursorA || !model.cursorB || !curve.source || !isNumber) {
         while (cells.size() < 11) cells += Dash;
         return cells;
@@ -32,8 +49,14 @@ QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
     const Measurement m = measure(*curve.source, *model.cursorA, *model.cursorB, options);
     auto shown = [&](double raw) { return m.count > 0 ? valueText(curve.shown(raw), 6) : Dash; };
     const bool flipped = curve.scale < 0;
-    cells += shown(flipped ? m.maximum : m.minimum);
-    cells += shown(flipped ? m.minimum : m.maximum);
+    const auto whole = decimals ? curve.source->integerExtent(std::min(*model.cursorA, *model.cursorB), std::max(*model.cursorA, *model.cursorB)) : std::nullopt;
+    if (whole && m.count > 0) {
+        cells += curve.integerText ? curve.integerText(static_cast<int64_t>(whole->first.bits)) : minusOf(exactText(whole->first, behind));
+        cells += curve.integerText ? curve.integerText(static_cast<int64_t>(whole->second.bits)) : minusOf(exactText(whole->second, behind));
+    } else {
+        cells += m.count > 0 ? numberText(curve, curve.shown(flipped ? m.maximum : m.minimum)) : Dash;
+        cells += m.count > 0 ? numberText(curve, curve.shown(flipped ? m.minimum : m.maximum)) : Dash;
+    }
     cells += shown(m.mean);
     // RMS of scaled values: from the mean of squares, with the offset worked in.
     cells += m.count == 0 ? Dash

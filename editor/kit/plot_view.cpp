@@ -492,7 +492,7 @@ bool PlotView::event(QEvent* event) {
             text = momentText(snappedTime(m_model, time) - m_model.origin);
             for (const PlotCurve& curve : m_model.curves) {
                 if (!curve.isVisible || !curve.source || curve.chart != chartAt(at)) continue;
-                if (const auto sample = curve.source->inForceAt(snappedTime(m_model, time))) text += QStringLiteral("\n%1 = %2").arg(curve.name, curveValueText(curve, sample->value));
+                if (const int64_t at = snappedTime(m_model, time); curve.source->inForceAt(at)) text += QStringLiteral("\n%1 = %2").arg(curve.name, curveTextAt(curve, at));
             }
         }
         if (text.isEmpty()) QToolTip::hideText();

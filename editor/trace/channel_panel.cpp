@@ -198,8 +198,8 @@ void ChannelPanel::showValues(const kit::PlotModel& model) {
             const kit::PlotCurve& curve = model.curves[index];
             QString text;
             if (curve.source) {
-                const auto sample = curve.source->inForceAt(model.cursorA ? *model.cursorA : model.present.value_or(INT64_MAX));
-                if (sample) text = kit::curveValueText(curve, sample->value);
+                const int64_t at = model.cursorA ? *model.cursorA : model.present.value_or(INT64_MAX);
+                if (curve.source->inForceAt(at)) text = kit::curveTextAt(curve, at);
             }
             const QString shown = curve.problem.isEmpty() ? text : tr("error");
             if (item->text(1) == shown) continue;

@@ -52,17 +52,25 @@ ChannelType channelTypeOf(const expression::Expression& expression) {
     case types::Family::Unsigned:
         out.isInteger = true;
         out.kind = type->size <= 2 ? (type->size == 1 || types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int16 : ColumnKind::Int32)
-                   : type->size == 4 && types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int32
-                                                                                             : ColumnKind::Double;
+                   : type->size == 4 ? (types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int32 : ColumnKind::Double)
+                   : types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int64
+                                                                          : ColumnKind::Uint64;
         break;
     case types::Family::Real:
         out.isSingle = type->size == 4;
         out.kind = out.isSingle ? ColumnKind::Float : ColumnKind::Double;
         break;
-    case types::Family::Duration: out.isTime = true; break;
+    case types::Family::Duration:
+        out.isTime = true;
+        out.kind = ColumnKind::Int64;
+        break;
     case types::Family::Date:
     case types::Family::TimeOfDay:
     case types::Family::DateTime:
+        out.isInteger = true;
+        out.kind = ColumnKind::Int64;
+        out.toText = [expression](int64_t value) { return types::toText(expression.types(), types::Value{expression.type(), value}); };
+        break;
     case types::Family::Character:
     case types::Family::Other: break;
     }

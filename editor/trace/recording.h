@@ -6,6 +6,7 @@
 #include "runtime/history/column_store.h"
 #include "runtime/history/history.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@ struct ChannelType {
     bool isBool = false, isSingle = false, isInteger = false;
     bool isTime = false; // nanoseconds, shown as milliseconds
     std::string name;    // "REAL"
+    std::function<std::string(int64_t)> toText; // of dates and times of day
     std::map<int64_t, std::string> valueNames;
 };
 

@@ -49,6 +49,30 @@ std::optional<kit::PlotSample> ColumnSource::after(int64_t time) const {
     return kit::PlotSample{r.time, r.value};
 }
 
+std::optional<kit::WholeNumber> ColumnSource::integerAt(int64_t time) const {
+    const Column& c = column();
+    if (c.kind() != history::ColumnKind::Int64 && c.kind() != history::ColumnKind::Uint64) return std::nullopt;
+    const auto row = c.rowInForceAt(time);
+    if (!row) return std::nullopt;
+    return kit::WholeNumber{static_cast<uint64_t>(c.integer(*row)), c.kind() == history::ColumnKind::Uint64};
+}
+
+std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integerExtent(int64_t from, int64_t to) const {
+    const Column& c = column();
+    const bool isUnsigned = c.kind() == history::ColumnKind::Uint64;
+    if ((c.kind() != history::ColumnKind::Int64 && !isUnsigned) || to < from) return std::nullopt;
+    const uint64_t first = c.rowInForceAt(from).value_or(c.rowAtOrAfter(from)), end = c.rowAtOrAfter(to + 1);
+    if (first >= end) return std::nullopt;
+    int64_t low = c.integer(first), high = low;
+    const auto less = [&](int64_t a, int64_t b) { return isUnsigned ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b; };
+    for (uint64_t row = first + 1; row < end; ++row) {
+        const int64_t value = c.integer(row);
+        if (less(value, low)) low = value;
+        if (less(high, value)) high = value;
+    }
+    return std::pair(kit::WholeNumber{static_cast<uint64_t>(low), isUnsigned}, kit::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
+}
+
 std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
     std::vector<kit::PlotGap> result;
     for (const ColumnGap& gap : column().gaps()) {
@@ -67,6 +91,7 @@ std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
 
 struct TraceFeed::Channel {
     std::string expression;
+    bool isTrigger = false; // every scan
     ChannelType type;
     std::string problem;
     std::shared_ptr<ColumnSource> source; // null while there is a problem
@@ -95,22 +120,26 @@ void TraceFeed::restart(Channel& channel) {
 void TraceFeed::setSettings(const FeedSettings& settings) {
     if (settings == m_settings) return;
     m_settings = settings;
-    for (auto& channel : m_channels) restart(*channel);
+    for (auto& channel : m_channels)
+        if (!channel->isTrigger) restart(*channel);
 }
 
-void TraceFeed::setExpressions(const std::vector<std::string>& expressions) {
+void TraceFeed::setExpressions(const std::vector<std::string>& expressions, const std::string& trigger) {
     std::vector<std::unique_ptr<Channel>> channels;
-    for (const std::string& expression : expressions) {
-        auto same = [&](const std::unique_ptr<Channel>& c) { return c && c->expression == expression; };
-        if (std::any_of(channels.begin(), channels.end(), same)) continue;
+    const auto keep = [&](const std::string& expression, bool isTrigger) {
+        auto same = [&](const std::unique_ptr<Channel>& c) { return c && c->expression == expression && c->isTrigger == isTrigger; };
+        if (std::any_of(channels.begin(), channels.end(), same)) return;
         if (const auto old = std::find_if(m_channels.begin(), m_channels.end(), same); old != m_channels.end()) {
             channels.push_back(std::move(*old));
-            continue;
+            return;
         }
         auto channel = std::make_unique<Channel>();
         channel->expression = expression;
+        channel->isTrigger = isTrigger;
         channels.push_back(std::move(channel));
-    }
+    };
+    for (const std::string& expression : expressions) keep(expression, false);
+    if (!trigger.empty()) keep(trigger, true);
     for (auto& gone : m_channels)
         if (gone && gone->source) m_store->remove(gone->source->id());
     m_channels = std::move(channels);
@@ -132,7 +161,13 @@ void TraceFeed::retryProblems() {
 
 std::shared_ptr<const ColumnSource> TraceFeed::source(const std::string& expression) const {
     for (const auto& channel : m_channels)
-        if (channel->expression == expression) return channel->source;
+        if (channel->expression == expression && !channel->isTrigger) return channel->source;
+    return nullptr;
+}
+
+std::shared_ptr<const ColumnSource> TraceFeed::triggerSource() const {
+    for (const auto& channel : m_channels)
+        if (channel->isTrigger) return channel->source;
     return nullptr;
 }
 
@@ -184,12 +219,12 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
         const int64_t time = sample.at.time.count();
         std::optional<ColumnGap::Reason> missing;
         if (!sample.hasValue) missing = ColumnGap::Reason::NoPath;
-        if (!condition.empty() || !m_settings.condition.empty()) {
+        if (!channel.isTrigger && (!condition.empty() || !m_settings.condition.empty())) {
             while (c < condition.size() && condition[c].at.position < sample.at.position) ++c;
             const bool holds = c < condition.size() && condition[c].at.position == sample.at.position && condition[c].hasValue && condition[c].value != 0;
             if (!holds) missing = ColumnGap::Reason::NotRecorded;
         }
-        const bool skipped = m_settings.every > 1 && sample.at.scan % m_settings.every != 0;
+        const bool skipped = !channel.isTrigger && m_settings.every > 1 && sample.at.scan % m_settings.every != 0;
         if (missing) {
             if (!channel.open || *channel.open != *missing) {
                 const int64_t from = column.isEmpty() ? time : std::max(column.lastTime(), channel.open ? channel.lastTime : column.lastTime());
@@ -202,7 +237,8 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
                 column.appendGap(channel.openFrom, time, *channel.open);
                 channel.open.reset();
             }
-            column.append(time, sample.value);
+            const bool isWide = column.kind() == history::ColumnKind::Int64 || column.kind() == history::ColumnKind::Uint64;
+            isWide ? column.appendInteger(time, sample.integer) : column.append(time, sample.value);
         }
         channel.last = sample.at.position;
         channel.lastTime = time;

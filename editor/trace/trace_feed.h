@@ -28,6 +28,8 @@ public:
     void visit(int64_t from, int64_t to, const Visitor& visitor) const override;
     std::optional<kit::PlotSample> inForceAt(int64_t time) const override;
     std::optional<kit::PlotSample> after(int64_t time) const override;
+    std::optional<kit::WholeNumber> integerAt(int64_t time) const override;
+    std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> integerExtent(int64_t from, int64_t to) const override;
     std::vector<kit::PlotGap> gaps(int64_t from, int64_t to) const override;
     uint64_t revision() const override { return m_revision; }
     void changed() { ++m_revision; }
@@ -50,7 +52,9 @@ public:
 
     void setSettings(const FeedSettings& settings); // reads everything anew
     /// Keeps columns for exactly these expressions; those already there stay.
-    void setExpressions(const std::vector<std::string>& expressions);
+    /// `trigger` looks at every scan, whatever the settings leave out.
+    void setExpressions(const std::vector<std::string>& expressions, const std::string& trigger = {});
+    [[nodiscard]] std::shared_ptr<const ColumnSource> triggerSource() const;
     /// Null when the expression is not among them; its problem then says why.
     [[nodiscard]] std::shared_ptr<const ColumnSource> source(const std::string& expression) const;
     [[nodiscard]] const ChannelType* type(const std::string& expression) const;

@@ -20,7 +20,7 @@ struct TraceText {
 
 /// First complete shot over the whole recording; one that lacks its end when none is complete.
 std::optional<int64_t> shotOf(const TraceSetup& setup, const TraceFeed& feed) {
-    const auto source = feed.source(setup.trigger.expression);
+    const auto source = feed.triggerSource();
     if (!source || setup.trigger.mode == TriggerMode::Off) return std::nullopt;
     TriggerMachine machine;
     machine.setSetup(setup.trigger);
@@ -58,8 +58,10 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     for (ChannelSetup& channel : setup.channels)
         if (channel.unit.empty()) channel.unit = variables.unitOf(QString::fromStdString(channel.expression)).toStdString();
     feed.setSettings({setup.every, setup.condition});
-    feed.setExpressions(expressionsOf(setup));
-    for (const std::string& expression : expressionsOf(setup))
+    std::vector<std::string> needed = expressionsOf(setup);
+    feed.setExpressions(needed, setup.trigger.expression);
+    if (!setup.trigger.expression.empty()) needed.push_back(setup.trigger.expression);
+    for (const std::string& expression : needed)
         if (const std::string problem = feed.problem(expression); !problem.empty()) return Error{problem, expression};
     if (!setup.condition.empty())
         if (const auto type = recording.typeOf(setup.condition); !type) return Error{type.error().message, setup.condition};

@@ -3,6 +3,8 @@
 #include "editor/kit/theme.h"
 #include "runtime/controller/controller.h"
 
+#include <QCoreApplication>
+
 namespace plc::trace {
 
 namespace {
@@ -38,7 +40,34 @@ std::optional<kit::MarkerKind> markerOf(int kind) {
     return kit::MarkerKind::Event;
 }
 
+struct MarkText {
+    Q_DECLARE_TR_FUNCTIONS(MarkText)
+};
+
 } // namespace
+
+QString markText(int kind, const std::string& utf8) {
+    using controller::EventKind;
+    const QString text = QString::fromStdString(utf8);
+    const auto with = [&](const QString& word) { return text.isEmpty() ? word : word + QStringLiteral(": ") + text; };
+    switch (static_cast<EventKind>(kind)) {
+    case EventKind::Started: return with(MarkText::tr("Started"));
+    case EventKind::Stopped: return with(MarkText::tr("Stopped"));
+    case EventKind::Paused: return with(MarkText::tr("Paused"));
+    case EventKind::Fault: return with(MarkText::tr("Fault"));
+    case EventKind::Reset: return with(MarkText::tr("Reset"));
+    case EventKind::Write: return with(MarkText::tr("Written"));
+    case EventKind::Force: return with(MarkText::tr("Forced"));
+    case EventKind::Release: return text.isEmpty() ? MarkText::tr("All forces released") : with(MarkText::tr("Released"));
+    case EventKind::OnlineChange: return with(MarkText::tr("Online change"));
+    case EventKind::Breakpoint: return with(MarkText::tr("Breakpoint"));
+    case EventKind::RetainSaved: return with(MarkText::tr("Retained values saved"));
+    case EventKind::RetainRestored: return with(MarkText::tr("Retained values restored"));
+    case EventKind::SkippedScans: return MarkText::tr("%n scan(s) skipped: the machine was late", nullptr, text.toInt());
+    case EventKind::WentBack: return with(MarkText::tr("Resumed from this scan"));
+    }
+    return text;
+}
 
 QColor channelColor(const TraceSetup& setup, size_t channel) {
     const QColor own(QString::fromStdString(setup.channels[channel].color));
@@ -58,7 +87,6 @@ kit::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
 std::vector<std::string> expressionsOf(const TraceSetup& setup) {
     std::vector<std::string> out;
     for (const ChannelSetup& channel : setup.channels) out.push_back(channel.expression);
-    if (!setup.trigger.expression.empty()) out.push_back(setup.trigger.expression);
     return out;
 }
 
@@ -104,6 +132,7 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
         if (feed) curve.problem = QString::fromStdString(feed->problem(channel.expression));
         if (type) {
             for (const auto& [value, name] : type->valueNames) curve.valueNames.emplace(value, QString::fromStdString(name));
+            if (type->toText) curve.integerText = [toText = type->toText](int64_t value) { return QString::fromStdString(toText(value)); };
             if (type->isTime) { // kept as nanoseconds, read as milliseconds
                 curve.scale *= 1e-6;
                 if (curve.unit.isEmpty()) curve.unit = QStringLiteral("ms");
@@ -119,7 +148,7 @@ void applyMarks(kit::PlotModel& model, const Recording& recording, const std::ve
         const auto kind = markerOf(mark.kind);
         if (!kind || (*kind == kit::MarkerKind::Start && mark.time.count() == 0)) continue; // that it began at 0 goes without saying
         const bool onChain = std::any_of(chain.begin(), chain.end(), [&](const PositionRange& r) { return mark.position >= r.begin && mark.position < r.end; });
-        if (onChain || chain.empty()) model.markers.push_back({mark.time.count(), *kind, QString::fromStdString(mark.text)});
+        if (onChain || chain.empty()) model.markers.push_back({mark.time.count(), *kind, markText(mark.kind, mark.text)});
     }
     std::stable_sort(model.markers.begin(), model.markers.end(), [](const kit::PlotMarker& a, const kit::PlotMarker& b) { return a.time < b.time; });
 }

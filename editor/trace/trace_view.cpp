@@ -409,7 +409,7 @@ void TraceView::setupTaken() {
     followCompareWith();
     if (m_feed) {
         m_feed->setSettings({m_setup.every, m_setup.condition});
-        m_feed->setExpressions(expressionsOf(m_setup));
+        m_feed->setExpressions(expressionsOf(m_setup), m_setup.trigger.expression);
         m_feed->pump(ReadBudget);
     }
     if (m_olderFeed) {
@@ -419,7 +419,7 @@ void TraceView::setupTaken() {
     m_trigger.setSetup(m_setup.trigger);
     m_triggerRead = INT64_MIN;
     m_shots = 0;
-    if (const auto source = m_feed ? m_feed->source(m_setup.trigger.expression) : nullptr) // only what is yet to come fires it
+    if (const auto source = m_feed && !m_opened ? m_feed->triggerSource() : nullptr) // only what is yet to come fires it; of a file, all that was
         if (const auto range = source->timeRange()) m_triggerRead = range->second;
     m_tableShown->setChecked(m_setup.hasTable);
     rebuildModel();
@@ -452,7 +452,7 @@ void TraceView::tick() {
 
 void TraceView::runTrigger() {
     if (m_trigger.state() == TriggerState::Off || m_trigger.state() == TriggerState::Done) return;
-    const auto source = m_feed->source(m_setup.trigger.expression);
+    const auto source = m_feed->triggerSource();
     if (!source) return;
     const auto range = source->timeRange();
     if (!range) return;
@@ -482,6 +482,7 @@ void TraceView::armTrigger() {
     if (m_setup.trigger.mode == TriggerMode::Off && !m_setup.trigger.expression.empty())
         change(tr("Arm trigger"), [](TraceSetup& s) { s.trigger.mode = TriggerMode::Single; });
     else m_trigger.arm();
+    if (m_opened) m_triggerRead = INT64_MIN; // nothing more comes: the first in the file
     m_arm->setChecked(m_trigger.state() == TriggerState::Armed);
     if (m_setup.trigger.expression.empty()) {
         m_channels->list()->setCurrentItem(nullptr); // the trace's own properties hold the trigger
@@ -491,7 +492,7 @@ void TraceView::armTrigger() {
         model.trigger.reset();
         model.origin = 0;
     });
-    m_plot->setFollowing(true);
+    if (!m_opened) m_plot->setFollowing(true);
     showStatus();
 }
 
@@ -565,7 +566,7 @@ void TraceView::showTable() {
 QString TraceView::statusText() const {
     QString trigger;
     switch (m_trigger.state()) {
-    case TriggerState::Off: break;
+    case TriggerState::Off: trigger = m_setup.trigger.expression.empty() ? QString() : tr("Trigger off"); break;
     case TriggerState::Armed: trigger = tr("Trigger armed"); break;
     case TriggerState::Collecting: trigger = tr("Triggered, collecting"); break;
     case TriggerState::Done: trigger = tr("Triggered"); break;

@@ -1,5 +1,6 @@
 #include "hmi/view/charts.h"
 
+#include "editor/kit/pen_order.h"
 #include "hmi/view/panel_scene.h"
 
 #include <cmath>
@@ -318,7 +319,7 @@ void TrendChartView::draw(QPainter& painter) {
     const auto px = [&](double at) { return area.left() + x.share(at) * area.width(); };
     const auto py = [&](double value) { return area.bottom() - y.share(value) * area.height(); };
     for (const Series& series : m_series) {
-        painter.setPen(QPen(series.color, 1.8, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        painter.setPen(QPen(series.color, 1.8, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin)); // a mitre would add spikes where the curve turns
         QPolygonF line;
         const auto flush = [&] {
             if (line.size() > 1) painter.drawPolyline(line);
@@ -332,9 +333,7 @@ void TrendChartView::draw(QPainter& painter) {
             const double from = px(piece.from), to = px(piece.to);
             // A piece of several samples is a vertical stroke from least to greatest, so no peak is lost.
             if (series.holds && !line.isEmpty()) line << QPointF(from, line.back().y());
-            line << QPointF(from, py(piece.first));
-            if (piece.minimum != piece.maximum) line << QPointF(from, py(piece.minimum)) << QPointF(from, py(piece.maximum));
-            if (piece.last != piece.first || piece.minimum != piece.maximum) line << QPointF(from, py(piece.last));
+            for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last).values()) line << QPointF(from, py(value));
             if (series.holds) line << QPointF(to, py(piece.last));
         }
         flush();

@@ -47,6 +47,7 @@ void Session::State::run() {
     while (!isQuitting.load(std::memory_order_acquire)) {
         drain();
         if (!scansAreWanted()) {
+            reportSkipped(wallNow());
             publish();
             share(true);
             needsAnchor = true;
@@ -123,6 +124,14 @@ void Session::State::scanFast() {
     afterScans(begin, end);
 }
 
+/// At most one mark a second, and one when the scans end: all of them are counted in the end.
+void Session::State::reportSkipped(int64_t now) {
+    if (controller.skippedScans() == skippedReported) return;
+    controller.report(EventKind::SkippedScans, std::to_string(controller.skippedScans() - skippedReported));
+    skippedReported = controller.skippedScans();
+    skippedReportedAt = now;
+}
+
 void Session::State::afterScans(int64_t begin, int64_t end) {
     if (pausesAfterScan) {
         pausesAfterScan = false;
@@ -137,11 +146,7 @@ void Session::State::afterScans(int64_t begin, int64_t end) {
         loadSince = end;
     }
     skipped.store(controller.skippedScans(), std::memory_order_relaxed);
-    if (controller.skippedScans() != skippedReported && end - skippedReportedAt > 1'000'000'000) {
-        controller.report(EventKind::SkippedScans, std::to_string(controller.skippedScans() - skippedReported));
-        skippedReported = controller.skippedScans();
-        skippedReportedAt = end;
-    }
+    if (end - skippedReportedAt > 1'000'000'000) reportSkipped(end);
     if (end - lastPublish >= kPublishEvery) publish();
     if (end - lastShare >= (sharedIsStale ? kShareEvery : kStatisticsEvery)) share(false);
 }

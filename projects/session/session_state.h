@@ -92,6 +92,7 @@ struct Session::State final : controller::ScanObserver {
     void scanInRealTime(int64_t now, double factor);
     void scanFast();
     void afterScans(int64_t begin, int64_t end);
+    void reportSkipped(int64_t now);
     void anchor(int64_t now);
     [[nodiscard]] bool scansAreWanted() const;
     debug::Going serveHalt(const debug::Halt& halt);

@@ -30,6 +30,14 @@ std::optional<double> Expression::number(std::span<const std::byte> image) const
     return static_cast<double>(result.integer);
 }
 
+std::optional<int64_t> Expression::integer(std::span<const std::byte> image) const {
+    if (!m_code || !types::isElementary(m_kind) || types::familyOf(m_kind) == types::Family::Real) return std::nullopt;
+    Machine machine(*m_types, *m_code, image);
+    Slot result;
+    if (!machine.run(result)) return std::nullopt;
+    return result.integer;
+}
+
 bool Expression::isTrue(std::span<const std::byte> image) const {
     if (!m_code || m_kind != types::TypeKind::Bool) return false;
     Machine machine(*m_types, *m_code, image);

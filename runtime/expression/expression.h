@@ -44,6 +44,8 @@ public:
     [[nodiscard]] Outcome evaluate(std::span<const std::byte> image) const;
     /// Quick forms for triggers and charts; none when there is no value. BOOL gives 0/1, enums and times their number.
     [[nodiscard]] std::optional<double> number(std::span<const std::byte> image) const;
+    /// Of integers, enums, times and dates without rounding; LWORD and ULINT as their bits.
+    [[nodiscard]] std::optional<int64_t> integer(std::span<const std::byte> image) const;
     [[nodiscard]] bool isTrue(std::span<const std::byte> image) const;
 
 private:

@@ -133,7 +133,7 @@ public:
         else return put(time, narrowed<T>(value));
     }
     bool appendInteger(int64_t time, int64_t value) override {
-        if constexpr (Kind == ColumnKind::Int64) return put(time, value);
+        if constexpr (Kind == ColumnKind::Int64 || Kind == ColumnKind::Uint64) return put(time, static_cast<T>(value));
         else return append(time, static_cast<double>(value));
     }
 
@@ -280,6 +280,7 @@ std::unique_ptr<Column> Column::make(ColumnKind kind) {
     case ColumnKind::Int16: return std::make_unique<TypedColumn<int16_t, ColumnKind::Int16>>();
     case ColumnKind::Int32: return std::make_unique<TypedColumn<int32_t, ColumnKind::Int32>>();
     case ColumnKind::Int64: return std::make_unique<TypedColumn<int64_t, ColumnKind::Int64>>();
+    case ColumnKind::Uint64: return std::make_unique<TypedColumn<uint64_t, ColumnKind::Uint64>>();
     case ColumnKind::Float: return std::make_unique<TypedColumn<float, ColumnKind::Float>>();
     case ColumnKind::Double: return std::make_unique<TypedColumn<double, ColumnKind::Double>>();
     }

@@ -12,7 +12,7 @@
 namespace plc::history {
 
 /// How a column keeps its values; the narrowest that holds the channel's type exactly is the right one.
-enum class ColumnKind : uint8_t { Bit, Int16, Int32, Int64, Float, Double };
+enum class ColumnKind : uint8_t { Bit, Int16, Int32, Int64, Uint64, Float, Double };
 
 /// First, least, greatest and last value of a span of time. `count` 0: nothing was recorded in it. Values that are not a
 /// number count as rows but take no part in minimum and maximum; a bucket of only such rows has `isNumber` false.
@@ -44,7 +44,7 @@ public:
 
     /// Times must grow; a row at or before the last one is refused (false).
     virtual bool append(int64_t time, double value) = 0;
-    /// The same for 64-bit integers that a double can not hold.
+    /// The same for 64-bit integers that a double can not hold; of Uint64 the bits.
     virtual bool appendInteger(int64_t time, int64_t value) = 0;
     /// Notes that nothing is known between the last row and the next.
     void appendGap(int64_t from, int64_t to, ColumnGap::Reason reason);
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] virtual uint64_t endRow() const = 0;
     [[nodiscard]] bool isEmpty() const { return endRow() == firstRow(); }
     [[nodiscard]] virtual ColumnRow row(uint64_t row) const = 0;
-    /// 64-bit integers without rounding.
+    /// 64-bit integers without rounding; of Uint64 the bits.
     [[nodiscard]] virtual int64_t integer(uint64_t row) const = 0;
     /// Number of the first row at or after `time`; endRow() when there is none.
     [[nodiscard]] virtual uint64_t rowAtOrAfter(int64_t time) const = 0;

@@ -45,6 +45,7 @@ struct Sample {
     ScanStamp at;
     double value = 0;
     bool hasValue = false;
+    int64_t integer = 0; // 64-bit integers, times and dates without rounding (LWORD, ULINT: their bits)
 };
 
 struct Statistics {

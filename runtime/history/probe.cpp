@@ -48,9 +48,15 @@ void appendPrint(std::string& out, const types::Value& value) {
         for (const types::Value& part : *parts) appendPrint(out, part);
 }
 
+bool isWide(const types::TypeTable& table, types::TypeId id) {
+    const TypeKind kind = table.storageKind(id);
+    return types::isElementary(kind) && table[id].size == 8 && kind != TypeKind::Lreal;
+}
+
 } // namespace
 
 Probe::Probe(expression::Expression expression, const Segment& segment) : m_expression(std::move(expression)) {
+    m_isWide = isWide(m_expression.types(), m_expression.type());
     const std::optional<image::Place> place = m_expression.place();
     if (place && segment.program) {
         const types::TypeTable& types = *segment.program->layout.types;
@@ -66,6 +72,14 @@ Probe::Probe(expression::Expression expression, const Segment& segment) : m_expr
 
 std::optional<double> Probe::number(std::span<const std::byte> image) const {
     return m_place ? scalar(m_kind, image.data() + m_place->offset, m_place->bit) : m_expression.number(image);
+}
+
+std::optional<int64_t> Probe::wide(std::span<const std::byte> image) const {
+    if (!m_isWide) return std::nullopt;
+    if (!m_place || m_place->bit >= 0) return m_expression.integer(image);
+    int64_t bits;
+    std::memcpy(&bits, image.data() + m_place->offset, sizeof bits);
+    return bits;
 }
 
 bool Probe::isTrue(std::span<const std::byte> image) const { return m_place && m_kind == TypeKind::Bool ? number(image) != 0.0 : m_expression.isTrue(image); }

@@ -159,7 +159,8 @@ std::vector<Sample> History::samples(const expression::Expression& expression, c
         const std::span<std::byte> image = probes.image(s);
         return replay(s, probe->watched(), first, end, image.data(), [&](uint32_t begin, uint32_t until) {
             const std::optional<double> value = probe->number(image);
-            for (uint32_t i = begin; i < until; ++i) all.push_back({stamps.at(i), value.value_or(0), value.has_value()});
+            const int64_t integer = value ? probe->wide(image).value_or(0) : 0;
+            for (uint32_t i = begin; i < until; ++i) all.push_back({stamps.at(i), value.value_or(0), value.has_value(), integer});
             return true;
         });
     });

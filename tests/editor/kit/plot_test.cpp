@@ -1,4 +1,5 @@
 // The plot: what is drawn lies where the samples are. Set STEPWISE_PICTURES to a folder to get the pictures to look at.
+#include "editor/kit/pen_order.h"
 #include "editor/kit/plot_export.h"
 #include "editor/kit/plot_raster.h"
 #include "editor/kit/plot_renderer.h"
@@ -343,6 +344,28 @@ TEST(MeasureTable, GivesBothCursorsAndLeavesEmptyColumnsOut) {
     EXPECT_TRUE(table.headline.contains("Δt = 600 ms")) << table.headline.toStdString();
     model.cursorB.reset();
     EXPECT_FALSE(measureTable(model).headers.contains("Mean"));
+}
+
+TEST(PenOrder, APenNeverGoesBackWithoutNeed) {
+    const auto order = [](double first, double minimum, double maximum, double last) {
+        const PenOrder pen(first, minimum, maximum, last);
+        return std::vector<double>(pen.values().begin(), pen.values().end());
+    };
+    EXPECT_EQ(order(1, 1, 4, 4), (std::vector<double>{1, 4}));
+    EXPECT_EQ(order(4, 1, 4, 1), (std::vector<double>{4, 1})) << "falling: the band came from 4, 1, 4, 1";
+    EXPECT_EQ(order(2, 1, 4, 3), (std::vector<double>{2, 1, 4, 3}));
+    EXPECT_EQ(order(3, 1, 4, 2), (std::vector<double>{3, 4, 1, 2}));
+    EXPECT_EQ(order(2, 2, 2, 2), (std::vector<double>{2}));
+}
+
+TEST(ExactText, WholeNumbersKeepAllDigits) {
+    EXPECT_EQ(exactText(WholeNumber{0xFFFFFFFFFFFFFFFF, true}), "18446744073709551615");
+    EXPECT_EQ(exactText(WholeNumber{0x8000000000000000, false}), "-9223372036854775808");
+    EXPECT_EQ(exactText(WholeNumber{1'500'000, false}, 6), "1.5");
+    EXPECT_EQ(exactText(WholeNumber{static_cast<uint64_t>(-1), false}, 6), "-0.000001");
+    EXPECT_EQ(exactText(WholeNumber{2'000'000, false}, 6), "2");
+    EXPECT_EQ(exactText(WholeNumber{0, false}, 6), "0");
+    EXPECT_EQ(exactDifference(WholeNumber{0xFFFFFFFFFFFFFFFF, true}, WholeNumber{0, true}), "-18446744073709551615");
 }
 
 TEST(PlotExport, CsvHasEverySampleExactly) {

@@ -146,6 +146,114 @@ TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
     view.setRecording(nullptr);
 }
 
+namespace {
+
+// Counts its scans; one scan takes far longer than the interval.
+const char* const Late = R"(
+PROGRAM Main
+VAR n : DINT := -1; i : DINT; x : LREAL; burn : BOOL; END_VAR
+n := n + 1;
+IF burn THEN
+  burn := FALSE;
+  FOR i := 1 TO 3000000 DO x := SIN(x + 1.0); END_FOR
+END_IF
+END_PROGRAM
+CONFIGURATION Plc
+  RESOURCE Cpu ON Pc
+    TASK Fast(INTERVAL := T#1ms, PRIORITY := 1);
+    PROGRAM Main WITH Fast : Main;
+  END_RESOURCE
+END_CONFIGURATION
+)";
+
+} // namespace
+
+TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCountedAndMarked) {
+    session::Session session(build(Late));
+    const SessionRecording recording(session);
+    TraceView view;
+    view.resize(900, 500);
+    view.setRecording(&recording);
+    view.addChannel("Main.n");
+    view.addChannel("Main.x");
+    session.startThread({session::Pace::Real, 1});
+    view.show();
+    for (int i = 0; i < 8; ++i) {
+        QTest::qWait(20);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(80); // the window is busy
+        double work = 0;
+        while (std::chrono::steady_clock::now() < until) work = std::sin(work + 1);
+        ASSERT_TRUE(std::isfinite(work));
+        if (i == 3) session.write("Main.burn", types::Value{session.expression("Main.burn")->type(), int64_t(1)});
+        view.tick();
+    }
+    session.pause();
+    while (session.status().state == controller::State::Running) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    QTest::qWait(50);
+    const session::Status status = session.status();
+    ASSERT_GT(status.scans, 200u);
+    EXPECT_EQ(recording.statistics().scans, status.scans);
+    for (int i = 0; i < 100 && view.plot()->model().curves[0].source->countIn(0, INT64_MAX) < status.scans; ++i) view.tick();
+    const auto source = view.plot()->model().curves[0].source;
+    ASSERT_EQ(source->countIn(0, INT64_MAX), status.scans) << "every executed scan";
+    double expected = 0;
+    source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+        for (const kit::PlotSample& s : block) ASSERT_EQ(s.value, expected++);
+    });
+    // What was executed and what was skipped fill the time, none is lost from sight.
+    ASSERT_GT(status.skippedScans, 10u);
+    EXPECT_EQ(status.scans + status.skippedScans, static_cast<uint64_t>(source->timeRange()->second / 1'000'000) + 1);
+    uint64_t marked = 0;
+    for (const history::Mark& mark : recording.marks())
+        if (mark.kind == static_cast<int>(controller::EventKind::SkippedScans)) marked += std::stoull(mark.text);
+    EXPECT_EQ(marked, status.skippedScans);
+    bool shown = false;
+    for (const kit::PlotMarker& marker : view.plot()->model().markers) shown = shown || (marker.kind == kit::MarkerKind::SkippedScans && marker.text.contains("skipped"));
+    EXPECT_TRUE(shown);
+    view.setRecording(nullptr);
+}
+
+TEST(SessionTrace, LargeIntegersAndTimesAreExactInTableAndCsv) {
+    session::Session session(build(R"(
+PROGRAM Main
+VAR big : LINT := 9007199254740993; top : ULINT := 18446744073709551614; long : LTIME := LTIME#200d0h0m0s0ms0us1ns; day : DT := DT#2026-01-02-03:04:05; small : DINT := 2000000001; END_VAR
+big := big + 2; top := top + 1; long := long + LTIME#1ns; small := small + 1;
+END_PROGRAM
+)"));
+    const SessionRecording recording(session);
+    runScans(session, 1);
+    QTemporaryDir folder;
+    TraceOutput out;
+    out.setup = setupOf({"Main.big", "Main.top", "Main.long", "Main.small", "Main.day"});
+    out.csv = folder.filePath("a.csv");
+    out.wantsStatistics = true;
+    runScans(session, 2);
+    const auto text = renderTrace(recording, out);
+    ASSERT_TRUE(text) << text.error().message;
+    for (const char* exact : {"9007199254740995", "9007199254740999", "18446744073709551615", "17280000000.000002", "2000000002", "2026-01-02-03:04:05"})
+        EXPECT_NE(text->find(exact), std::string::npos) << exact << "\n" << *text;
+    EXPECT_NE(text->find("−18446744073709551614"), std::string::npos) << "the difference over the turn\n" << *text;
+    QFile csv(out.csv);
+    ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = csv.readAll().split('\n');
+    ASSERT_GE(lines.size(), 4);
+    EXPECT_TRUE(lines[1].contains(",9007199254740995,18446744073709551615,17280000000.000002,2000000002,")) << lines[1].constData();
+    EXPECT_TRUE(lines[3].contains(",9007199254740999,1,17280000000.000004,2000000004,")) << lines[3].constData();
+}
+
+TEST(SessionTrace, TheTriggerSeesEveryScanHoweverFewAreDrawn) {
+    session::Session session(build(Logger));
+    const SessionRecording recording(session);
+    runScans(session, 100);
+    TraceOutput out;
+    out.setup = setupOf({"Main.level"});
+    out.setup.every = 50;
+    out.setup.trigger = {"Main.n = 33", TriggerEdge::Rising, TriggerMode::Single, 10'000'000, 10'000'000, {}};
+    const auto text = renderTrace(recording, out);
+    ASSERT_TRUE(text) << text.error().message;
+    EXPECT_NE(text->find("Triggered at 0.066 s"), std::string::npos) << *text;
+}
+
 TEST(SessionTrace, GoingBackShowsTheNewBranch) {
     session::Session session(build(Logger));
     const SessionRecording recording(session);

@@ -113,6 +113,17 @@ TEST(Column, KeepsAll64BitsOfAnInteger) {
     EXPECT_EQ(column->integer(1), std::numeric_limits<int64_t>::min());
 }
 
+TEST(Column, UnsignedIntegersKeepTheirBitsAndTheirOrder) {
+    auto column = Column::make(ColumnKind::Uint64);
+    const uint64_t values[] = {5, 0xFFFFFFFFFFFFFFFF, 0x8000000000000001};
+    for (int i = 0; i < 3; ++i) column->appendInteger(i, static_cast<int64_t>(values[i]));
+    for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(static_cast<uint64_t>(column->integer(i)), values[i]);
+    ColumnBucket bucket;
+    column->buckets(0, 3, std::span(&bucket, 1));
+    EXPECT_EQ(bucket.minimum, 5);
+    EXPECT_EQ(bucket.maximum, 18446744073709551615.0);
+}
+
 TEST(Column, TruncatesForABranchAndGoesOn) {
     auto column = Column::make(ColumnKind::Float);
     Rows rows;
