@@ -1438,6 +1438,72 @@
     </message>
 </context>
 <context>
+    <name>MarkText</name>
+    <message>
+        <source>Started</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Stoppet</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>På pause</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fejl</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Nulstillet</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Skrevet</translation>
+    </message>
+    <message>
+        <source>Forced</source>
+        <translation>Tvunget</translation>
+    </message>
+    <message>
+        <source>All forces released</source>
+        <translation>Alle tvungne værdier frigivet</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Frigivet</translation>
+    </message>
+    <message>
+        <source>Online change</source>
+        <translation>Onlineændring</translation>
+    </message>
+    <message>
+        <source>Breakpoint</source>
+        <translation>Brudpunkt</translation>
+    </message>
+    <message>
+        <source>Retained values saved</source>
+        <translation>Remanente værdier gemt</translation>
+    </message>
+    <message>
+        <source>Retained values restored</source>
+        <translation>Remanente værdier gendannet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scan(s) skipped: the machine was late</source>
+        <translation>
+            <numerusform>%n scan sprunget over: maskinen var forsinket</numerusform>
+            <numerusform>%n scan sprunget over: maskinen var forsinket</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Resumed from this scan</source>
+        <translation>Fortsat fra dette scan</translation>
+    </message>
+</context>
+<context>
     <name>PlotText</name>
     <message>
         <source>no longer kept</source>
@@ -4189,6 +4255,10 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Add channel…</source>
         <translation>Tilføj kanal…</translation>
+    </message>
+    <message>
+        <source>Trigger off</source>
+        <translation>Trigger fra</translation>
     </message>
 </context>
 </TS>

@@ -1438,6 +1438,72 @@
     </message>
 </context>
 <context>
+    <name>MarkText</name>
+    <message>
+        <source>Started</source>
+        <translation>Gestartet</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>Forced</source>
+        <translation>Geforct</translation>
+    </message>
+    <message>
+        <source>All forces released</source>
+        <translation>Alle Forces aufgehoben</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Online change</source>
+        <translation>Online-Änderung</translation>
+    </message>
+    <message>
+        <source>Breakpoint</source>
+        <translation>Haltepunkt</translation>
+    </message>
+    <message>
+        <source>Retained values saved</source>
+        <translation>Remanente Werte gespeichert</translation>
+    </message>
+    <message>
+        <source>Retained values restored</source>
+        <translation>Remanente Werte wiederhergestellt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scan(s) skipped: the machine was late</source>
+        <translation>
+            <numerusform>%n Zyklus ausgelassen: der Rechner war zu spät</numerusform>
+            <numerusform>%n Zyklen ausgelassen: der Rechner war zu spät</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Resumed from this scan</source>
+        <translation>Ab diesem Zyklus fortgesetzt</translation>
+    </message>
+</context>
+<context>
     <name>PlotText</name>
     <message>
         <source>no longer kept</source>
@@ -4189,6 +4255,10 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>Add channel…</source>
         <translation>Kanal hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Trigger off</source>
+        <translation>Trigger aus</translation>
     </message>
 </context>
 </TS>

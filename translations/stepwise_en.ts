@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>MarkText</name>
+    <message numerus="yes">
+        <source>%n scan(s) skipped: the machine was late</source>
+        <translation>
+            <numerusform>%n scan skipped: the machine was late</numerusform>
+            <numerusform>%n scans skipped: the machine was late</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message numerus="yes">
         <source>%n file(s) were changed: %1. Save them?</source>

@@ -10,23 +10,59 @@ namespace plc::cli {
 
 namespace {
 
-/// What the recording was made with, built again.
-struct Rebuilt {
-    driver::Built built;
-    std::shared_ptr<const image::CompiledProgram> operator()(const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries) {
+/// The versions of the program that the recording was made with, built again. An expression means something else in each.
+class Versions {
+public:
+    std::shared_ptr<const image::CompiledProgram> build(const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries) {
         driver::BuildInput input;
         for (const auto& [path, text] : sources) input.files.push_back({path, text});
         input.libraries = libraries;
-        built = driver::build(input);
-        return built.program;
+        m_all.push_back(driver::build(input));
+        if (!m_all.back().program) m_failure = m_all.back().failure.empty() ? "the program in it has errors" : m_all.back().failure;
+        return m_all.back().program;
     }
+    [[nodiscard]] const driver::Built& newest() const { return m_all.back(); }
+    [[nodiscard]] const std::string& failure() const { return m_failure; }
+    [[nodiscard]] Result<expression::Expression> compile(const image::CompiledProgram& program, const std::string& text) const {
+        for (const driver::Built& built : m_all)
+            if (built.program && built.program->version == program.version) return driver::compileExpression(built.checked, text);
+        return Error{"this version of the program is not in the recording", text};
+    }
+    [[nodiscard]] history::Recompile recompile(const std::string& text) const {
+        return [this, text](const image::CompiledProgram& program) {
+            auto expression = compile(program, text);
+            return expression ? *expression : expression::Expression();
+        };
+    }
+
+private:
+    std::vector<driver::Built> m_all;
+    std::string m_failure;
+};
+
+/// The watches as the version meant them that made the scan; those it did not know have no value.
+class WatchesAt {
+public:
+    WatchesAt(const Versions& versions, std::vector<Watch> watches) : m_versions(versions), m_watches(std::move(watches)) {}
+    const std::vector<Watch>& of(const std::shared_ptr<const image::CompiledProgram>& program) {
+        if (program && program != m_program) {
+            m_program = program;
+            for (Watch& watch : m_watches) watch.expression = m_versions.recompile(watch.text)(*program);
+        }
+        return m_watches;
+    }
+
+private:
+    const Versions& m_versions;
+    std::vector<Watch> m_watches;
+    std::shared_ptr<const image::CompiledProgram> m_program;
 };
 
 int replay(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({"replay needs one recording (made by stepwise run --record)", ""});
-    auto rebuilt = std::make_shared<Rebuilt>();
-    const auto loaded = history::History::load(arguments.paths()[0], [rebuilt](const auto& sources, const auto& libraries) { return (*rebuilt)(sources, libraries); });
-    if (!loaded) return wrongUse(loaded.error());
+    Versions versions;
+    const auto loaded = history::History::load(arguments.paths()[0], [&versions](const auto& sources, const auto& libraries) { return versions.build(sources, libraries); });
+    if (!loaded) return wrongUse(versions.failure().empty() ? loaded.error() : Error{"The recording can not be opened: " + versions.failure(), arguments.paths()[0]});
     const history::History& history = **loaded;
     const history::Statistics statistics = history.statistics();
     if (statistics.end == statistics.first) return wrongUse({"The recording holds no scan", arguments.paths()[0]});
@@ -40,31 +76,40 @@ int replay(const Arguments& arguments) {
     }
     std::vector<Watch> watches;
     for (const std::string& text : arguments.values("--watch")) {
-        auto expression = driver::compileExpression(rebuilt->built.checked, text);
+        auto expression = driver::compileExpression(versions.newest().checked, text);
         if (!expression) return wrongUse({"--watch: " + expression.error().message, text});
         watches.push_back({text, *expression});
     }
     if (const auto text = arguments.value("--find")) {
-        const auto expression = driver::compileExpression(rebuilt->built.checked, *text);
+        const auto expression = driver::compileExpression(versions.newest().checked, *text);
         if (!expression) return wrongUse({"--find: " + expression.error().message, *text});
-        const auto found = history.find(*expression, {}, arguments.has("--at") ? at : statistics.first, history::History::Direction::Forward);
+        if (expression->types().storageKind(expression->type()) != types::TypeKind::Bool) return wrongUse({"--find needs a condition (BOOL), for example \"Main.level > 80\"", *text});
+        const auto found = history.find(*expression, versions.recompile(*text), arguments.has("--at") ? at : statistics.first, history::History::Direction::Forward);
         if (!found) {
             std::cout << *text << " does not become true\n";
             return kProgramWrong;
         }
         at = *found;
     }
-    if (watches.empty()) watches = allVariables(rebuilt->built);
+    if (watches.empty()) watches = allVariables(versions.newest());
+    WatchesAt seen(versions, watches);
+    std::shared_ptr<const image::CompiledProgram> program;
     if (const auto file = arguments.value("--csv")) {
-        CsvWriter csv(watches);
+        const std::vector<Watch>& rows = seen.of(nullptr);
+        CsvWriter csv(rows);
         if (auto opened = csv.open(*file); !opened) return wrongUse(opened.error());
         for (history::Position position = statistics.first; position < statistics.end; ++position)
-            if (const auto stamp = history.stamp(position)) csv.row(history.seek(position), stamp->scan, stamp->time);
+            if (const auto stamp = history.stamp(position)) {
+                const std::vector<std::byte> image = history.seek(position, &program);
+                (void)seen.of(program);
+                csv.row(image, stamp->scan, stamp->time);
+            }
         if (auto closed = csv.close(); !closed) return wrongUse(closed.error());
     }
     const auto stamp = history.stamp(at);
-    const std::vector<std::byte> image = history.seek(at);
+    const std::vector<std::byte> image = history.seek(at, &program);
     if (image.empty() || !stamp) return wrongUse({"This scan is not in the recording any more", arguments.paths()[0]});
+    watches = seen.of(program);
     if (arguments.wantsJson()) {
         std::cout << "{\"scans\":" << statistics.scans << ",\"scan\":" << stamp->scan << ",\"time_s\":" << secondsText(stamp->time) << ",\"values\":{";
         for (size_t i = 0; i < watches.size(); ++i) {
@@ -81,7 +126,7 @@ int replay(const Arguments& arguments) {
         const expression::Outcome outcome = watch.expression.evaluate(image);
         std::string name = watch.text;
         name.resize(width + 2, ' ');
-        std::cout << name << (outcome.hasValue() ? types::toText(watch.expression.types(), outcome.value) : "(" + outcome.reason + ")") << "\n";
+        std::cout << name << (outcome.hasValue() ? types::toText(watch.expression.types(), outcome.value) : watch.expression.isValid() ? "(" + outcome.reason + ")" : "(did not exist at that scan)") << "\n";
     }
     return kGood;
 }

@@ -1,6 +1,9 @@
 // `stepwise trace` as its user types it: files written, texts printed, wrong words refused.
 #include "app/cli/command.h"
 
+#include "projects/session/session.h"
+#include "runtime/compiler/jit/jit.h"
+
 #include <QFile>
 #include <QImage>
 #include <QTemporaryDir>
@@ -105,4 +108,44 @@ TEST(TraceCommand, RefusesWrongUseWithAReason) {
         EXPECT_EQ(said.code, 2);
         EXPECT_NE(said.err.find(row.part), std::string::npos) << said.err;
     }
+}
+
+TEST(ReplayCommand, EveryScanIsReadAsTheProgramMeantItThatMadeIt) {
+    static const bool once = (plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols()), true);
+    (void)once;
+    const auto build = [](const char* text) {
+        plc::driver::BuildInput input;
+        input.files.push_back({"main.st", text});
+        return plc::driver::build(input);
+    };
+    QTemporaryDir folder;
+    const std::string rec = folder.filePath("a.rec").toStdString(), csv = folder.filePath("a.csv").toStdString();
+    {
+        plc::session::Session session(build("PROGRAM Main VAR a : INT; END_VAR a := a + 1; END_PROGRAM"));
+        session.controller().start();
+        for (int i = 0; i < 10; ++i) ASSERT_TRUE(session.controller().scan());
+        // Another variable lies where `a` was.
+        session.changeProgram(build("PROGRAM Main VAR first : LREAL := 7.0; a : INT; END_VAR a := a + 1; END_PROGRAM"), [](const plc::controller::OnlineChangeReport&) {});
+        for (int i = 0; i < 10; ++i) ASSERT_TRUE(session.controller().scan());
+        ASSERT_TRUE(session.history().save(rec));
+    }
+    const auto replay = [](std::vector<std::string> words) {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        words.insert(words.begin(), "replay");
+        const int code = plc::cli::runCommandLine(words);
+        return Said{code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+    };
+    const Said found = replay({rec, "--find", "Main.a = 3", "--watch", "Main.a", "--watch", "Main.first", "--csv", csv});
+    ASSERT_EQ(found.code, 0) << found.err;
+    EXPECT_NE(found.out.find("Main.a      3\n"), std::string::npos) << found.out;
+    EXPECT_NE(found.out.find("Main.first  (did not exist at that scan)"), std::string::npos) << found.out;
+    const auto lines = linesOf(QString::fromStdString(csv));
+    ASSERT_EQ(lines.size(), 21);
+    for (qsizetype i = 1; i < lines.size(); ++i) EXPECT_EQ(lines[i].trimmed().split(',')[2].toInt(), i) << lines[i].constData();
+    EXPECT_EQ(lines[5].trimmed().split(',')[3], "");
+    EXPECT_EQ(lines[20].trimmed().split(',')[3].toDouble(), 7.0);
+    EXPECT_EQ(replay({rec, "--find", "Main.a"}).code, 2) << "no condition";
+    EXPECT_NE(replay({rec, "--watch", "Main.none"}).err.find("none"), std::string::npos);
+    EXPECT_EQ(replay({folder.filePath("no.rec").toStdString()}).code, 2);
 }
