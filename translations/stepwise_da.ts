@@ -2004,6 +2004,310 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Alarms</source>
         <translation>Alarmer</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Nyt projekt…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Åbn projekt…</translation>
+    </message>
+    <message>
+        <source>Close Project</source>
+        <translation>Luk projekt</translation>
+    </message>
+    <message>
+        <source>New Program, Block, Type…</source>
+        <translation>Nyt program, ny blok, datatype…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Gem</translation>
+    </message>
+    <message>
+        <source>New Panel…</source>
+        <translation>Nyt panel…</translation>
+    </message>
+    <message>
+        <source>Panel Texts</source>
+        <translation>Paneltekster</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Gem alle</translation>
+    </message>
+    <message>
+        <source>Close Document</source>
+        <translation>Luk dokument</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Biblioteker…</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Indstillinger…</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Afslut</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Fortryd</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Gentag</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Klip</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiér</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Sæt ind</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Søg…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Erstat…</translation>
+    </message>
+    <message>
+        <source>Find Next</source>
+        <translation>Søg næste</translation>
+    </message>
+    <message>
+        <source>Find Previous</source>
+        <translation>Søg forrige</translation>
+    </message>
+    <message>
+        <source>Find in All Files…</source>
+        <translation>Søg i alle filer…</translation>
+    </message>
+    <message>
+        <source>Go to Line…</source>
+        <translation>Gå til linje…</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gå til erklæringen</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Find alle anvendelser</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Omdøb…</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Fuldfør</translation>
+    </message>
+    <message>
+        <source>Apply a Fix (Alt+Enter)</source>
+        <translation>Anvend en rettelse (Alt+Enter)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formatér</translation>
+    </message>
+    <message>
+        <source>Comment In or Out (Ctrl+/)</source>
+        <translation>Kommentér ind eller ud (Ctrl+/)</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dublér</translation>
+    </message>
+    <message>
+        <source>Select the Block Around</source>
+        <translation>Markér den omgivende blok</translation>
+    </message>
+    <message>
+        <source>Go to the Matching Word</source>
+        <translation>Gå til det tilhørende ord</translation>
+    </message>
+    <message>
+        <source>Next Problem</source>
+        <translation>Næste problem</translation>
+    </message>
+    <message>
+        <source>Previous Problem</source>
+        <translation>Forrige problem</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbage</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Fremad</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Oversæt</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stop</translation>
+    </message>
+    <message>
+        <source>Single Scan</source>
+        <translation>Enkelt scan</translation>
+    </message>
+    <message>
+        <source>Step In</source>
+        <translation>Trin ind</translation>
+    </message>
+    <message>
+        <source>Step Over</source>
+        <translation>Trin over</translation>
+    </message>
+    <message>
+        <source>Step Out</source>
+        <translation>Trin ud</translation>
+    </message>
+    <message>
+        <source>Run to Cursor</source>
+        <translation>Kør til markøren</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå stoppunkt til/fra</translation>
+    </message>
+    <message>
+        <source>Reset Warm</source>
+        <translation>Varm nulstilling</translation>
+    </message>
+    <message>
+        <source>Reset Cold</source>
+        <translation>Kold nulstilling</translation>
+    </message>
+    <message>
+        <source>Reset Origin</source>
+        <translation>Nulstil til oprindelig tilstand</translation>
+    </message>
+    <message>
+        <source>Online Change</source>
+        <translation>Onlineændring</translation>
+    </message>
+    <message>
+        <source>Speed…</source>
+        <translation>Hastighed…</translation>
+    </message>
+    <message>
+        <source>Memory for the Recording…</source>
+        <translation>Hukommelse til optagelsen…</translation>
+    </message>
+    <message>
+        <source>Save the Recording…</source>
+        <translation>Gem optagelsen…</translation>
+    </message>
+    <message>
+        <source>Write Prepared Values</source>
+        <translation>Skriv forberedte værdier</translation>
+    </message>
+    <message>
+        <source>Force Prepared Values</source>
+        <translation>Tving forberedte værdier</translation>
+    </message>
+    <message>
+        <source>Release All Forces</source>
+        <translation>Frigiv alle tvungne værdier</translation>
+    </message>
+    <message>
+        <source>Run the Tests</source>
+        <translation>Kør testene</translation>
+    </message>
+    <message>
+        <source>One Scan Back</source>
+        <translation>Et scan tilbage</translation>
+    </message>
+    <message>
+        <source>One Scan Forward</source>
+        <translation>Et scan frem</translation>
+    </message>
+    <message>
+        <source>Back to Live</source>
+        <translation>Tilbage til nutiden</translation>
+    </message>
+    <message>
+        <source>Resume From Here</source>
+        <translation>Fortsæt herfra</translation>
+    </message>
+    <message>
+        <source>Command Palette</source>
+        <translation>Kommandopalet</translation>
+    </message>
+    <message>
+        <source>Split the Editor</source>
+        <translation>Del editoren</translation>
+    </message>
+    <message>
+        <source>Declarations as a Table</source>
+        <translation>Erklæringer som tabel</translation>
+    </message>
+    <message>
+        <source>Chart Beside the Text</source>
+        <translation>Diagram ved siden af teksten</translation>
+    </message>
+    <message>
+        <source>Online Values in the Text</source>
+        <translation>Onlineværdier i teksten</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Større</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Mindre</translation>
+    </message>
+    <message>
+        <source>Light Theme</source>
+        <translation>Lyst tema</translation>
+    </message>
+    <message>
+        <source>Dark Theme</source>
+        <translation>Mørkt tema</translation>
+    </message>
+    <message>
+        <source>Theme of the System</source>
+        <translation>Systemets tema</translation>
+    </message>
+    <message>
+        <source>Reset the Layout</source>
+        <translation>Nulstil layoutet</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjælp</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundtur</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>

@@ -2004,6 +2004,310 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Alarms</source>
         <translation>Alarme</translation>
     </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>New Project…</source>
+        <translation>Neues Projekt…</translation>
+    </message>
+    <message>
+        <source>Open Project…</source>
+        <translation>Projekt öffnen…</translation>
+    </message>
+    <message>
+        <source>Close Project</source>
+        <translation>Projekt schließen</translation>
+    </message>
+    <message>
+        <source>New Program, Block, Type…</source>
+        <translation>Neues Programm, Baustein, Datentyp…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>New Panel…</source>
+        <translation>Neues Panel…</translation>
+    </message>
+    <message>
+        <source>Panel Texts</source>
+        <translation>Paneltexte</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Alles speichern</translation>
+    </message>
+    <message>
+        <source>Close Document</source>
+        <translation>Dokument schließen</translation>
+    </message>
+    <message>
+        <source>Libraries…</source>
+        <translation>Bibliotheken…</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Suchen…</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Ersetzen…</translation>
+    </message>
+    <message>
+        <source>Find Next</source>
+        <translation>Weitersuchen</translation>
+    </message>
+    <message>
+        <source>Find Previous</source>
+        <translation>Rückwärts suchen</translation>
+    </message>
+    <message>
+        <source>Find in All Files…</source>
+        <translation>In allen Dateien suchen…</translation>
+    </message>
+    <message>
+        <source>Go to Line…</source>
+        <translation>Gehe zu Zeile…</translation>
+    </message>
+    <message>
+        <source>Go to Definition</source>
+        <translation>Gehe zur Deklaration</translation>
+    </message>
+    <message>
+        <source>Find All Uses</source>
+        <translation>Alle Verwendungen suchen</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Vervollständigen</translation>
+    </message>
+    <message>
+        <source>Apply a Fix (Alt+Enter)</source>
+        <translation>Korrektur anwenden (Alt+Enter)</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formatieren</translation>
+    </message>
+    <message>
+        <source>Comment In or Out (Ctrl+/)</source>
+        <translation>Ein- oder auskommentieren (Strg+/)</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Zeile verdoppeln</translation>
+    </message>
+    <message>
+        <source>Select the Block Around</source>
+        <translation>Umgebenden Block markieren</translation>
+    </message>
+    <message>
+        <source>Go to the Matching Word</source>
+        <translation>Gehe zum Gegenstück</translation>
+    </message>
+    <message>
+        <source>Next Problem</source>
+        <translation>Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Previous Problem</source>
+        <translation>Voriges Problem</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Übersetzen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Single Scan</source>
+        <translation>Einzelzyklus</translation>
+    </message>
+    <message>
+        <source>Step In</source>
+        <translation>Einzelschritt hinein</translation>
+    </message>
+    <message>
+        <source>Step Over</source>
+        <translation>Einzelschritt darüber</translation>
+    </message>
+    <message>
+        <source>Step Out</source>
+        <translation>Schritt hinaus</translation>
+    </message>
+    <message>
+        <source>Run to Cursor</source>
+        <translation>Ausführen bis Cursor</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt setzen oder löschen</translation>
+    </message>
+    <message>
+        <source>Reset Warm</source>
+        <translation>Reset warm</translation>
+    </message>
+    <message>
+        <source>Reset Cold</source>
+        <translation>Reset kalt</translation>
+    </message>
+    <message>
+        <source>Reset Origin</source>
+        <translation>Reset Ursprung</translation>
+    </message>
+    <message>
+        <source>Online Change</source>
+        <translation>Online-Änderung</translation>
+    </message>
+    <message>
+        <source>Speed…</source>
+        <translation>Geschwindigkeit…</translation>
+    </message>
+    <message>
+        <source>Memory for the Recording…</source>
+        <translation>Speicher für die Aufzeichnung…</translation>
+    </message>
+    <message>
+        <source>Save the Recording…</source>
+        <translation>Aufzeichnung speichern…</translation>
+    </message>
+    <message>
+        <source>Write Prepared Values</source>
+        <translation>Vorbereitete Werte schreiben</translation>
+    </message>
+    <message>
+        <source>Force Prepared Values</source>
+        <translation>Vorbereitete Werte erzwingen</translation>
+    </message>
+    <message>
+        <source>Release All Forces</source>
+        <translation>Erzwingen überall aufheben</translation>
+    </message>
+    <message>
+        <source>Run the Tests</source>
+        <translation>Tests ausführen</translation>
+    </message>
+    <message>
+        <source>One Scan Back</source>
+        <translation>Einen Zyklus zurück</translation>
+    </message>
+    <message>
+        <source>One Scan Forward</source>
+        <translation>Einen Zyklus vor</translation>
+    </message>
+    <message>
+        <source>Back to Live</source>
+        <translation>Zurück zur Gegenwart</translation>
+    </message>
+    <message>
+        <source>Resume From Here</source>
+        <translation>Von hier fortsetzen</translation>
+    </message>
+    <message>
+        <source>Command Palette</source>
+        <translation>Befehlspalette</translation>
+    </message>
+    <message>
+        <source>Split the Editor</source>
+        <translation>Editor teilen</translation>
+    </message>
+    <message>
+        <source>Declarations as a Table</source>
+        <translation>Deklarationen als Tabelle</translation>
+    </message>
+    <message>
+        <source>Chart Beside the Text</source>
+        <translation>Diagramm neben dem Text</translation>
+    </message>
+    <message>
+        <source>Online Values in the Text</source>
+        <translation>Onlinewerte im Text</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Light Theme</source>
+        <translation>Helles Design</translation>
+    </message>
+    <message>
+        <source>Dark Theme</source>
+        <translation>Dunkles Design</translation>
+    </message>
+    <message>
+        <source>Theme of the System</source>
+        <translation>Design des Systems</translation>
+    </message>
+    <message>
+        <source>Reset the Layout</source>
+        <translation>Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -172,6 +173,33 @@ TEST_P(Translations, AreFinishedAndKeepThePlaceholders) {
             EXPECT_EQ(placeholders(translation), placeholders(message.source)) << GetParam() << ": " << translation;
         }
     }
+}
+
+/// Calls whose first literal a user reads. A text in them must come from tr() or translate().
+const std::regex kShownLiteral(R"re((?:setText|setWindowTitle|setToolTip|setStatusTip|setWhatsThis|setPlaceholderText|setAccessibleName|setTitle|setSuffix|setHeaderLabels?|setHorizontalHeaderLabels|addAction|addMenu|addTab|addRow|addItems?|addToolBar|addButton|say|setDescription|setLabelText|new QLabel|new QPushButton|new QCheckBox|new QRadioButton|new QGroupBox|new QAction|new QToolBar|new QDockWidget|QMessageBox::\w+\(this|QInputDialog::\w+\(this)[(,{ ]+(?:(?:QStringLiteral|QString|QLatin1String)\()?"((?:[^"\\]|\\.)*)")re");
+
+TEST(ShownTexts, ComeFromTheTranslation) {
+    const std::set<std::string> names{"Stepwise", "English", "Deutsch", "Dansk"}; // the same in every language
+    const std::regex marks(R"re(%L?\d|&\w+;|<[^>]*>|\\.|[MkµG]?B\b|\bms\b)re"); // places, markup and units are no words
+    const std::regex word("[A-Za-z]{2,}");
+    for (const char* folder : {"app", "editor", "hmi"})
+        for (const auto& entry : fs::recursive_directory_iterator(sourceFolder + "/" + folder)) {
+            const fs::path& file = entry.path();
+            if (file.extension() != ".cpp" && file.extension() != ".h") continue;
+            if (file.parent_path().filename() == "cli") continue; // the command line speaks English
+            std::ifstream lines(file);
+            std::string line;
+            for (int number = 1; std::getline(lines, line); ++number) {
+                // lupdate does not look through macros: a text behind one of ours is never translated.
+                EXPECT_FALSE(line.starts_with("#define") && line.find("TR_NOOP") != std::string::npos) << file << ":" << number;
+                EXPECT_FALSE(line.starts_with("#define") && line.find("TRANSLATE_NOOP") != std::string::npos) << file << ":" << number;
+                for (auto hit = std::sregex_iterator(line.begin(), line.end(), kShownLiteral); hit != std::sregex_iterator(); ++hit) {
+                    const std::string text = (*hit)[1];
+                    const bool isText = !names.contains(text) && std::regex_search(std::regex_replace(text, marks, ""), word);
+                    EXPECT_FALSE(isText) << file << ":" << number << ": “" << text << "” is shown, but not in tr()";
+                }
+            }
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, Translations, testing::Values("de", "da"));
