@@ -123,7 +123,7 @@ void LiveViews::reloadPanels() {
     m_panels = hmi::loadPanelProject(m_workspace.project());
     for (const Error& problem : m_panels.problems) emit message(QString::fromStdString(problem.text()), true);
     for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
-    m_design = std::make_unique<hmi::DesignContext>(m_panels);
+    m_design = std::make_shared<hmi::DesignContext>(m_panels);
     m_design->setCompletions(m_complete);
     m_design->setSession(m_control.session());
     if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors) m_design->setChecked(m_workspace.model()->checked());

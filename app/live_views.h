@@ -35,6 +35,7 @@ public:
     void reloadPanels();
     /// What designers, text and alarm editors share; null without a project.
     [[nodiscard]] hmi::DesignContext* design() { return m_design.get(); }
+    [[nodiscard]] std::shared_ptr<hmi::DesignContext> sharedDesign() const { return m_design; }
     /// A new, empty panel on disk.
     Result<void> addPanel(const QString& name);
     Result<void> saveRecording(const QString& path);
@@ -58,7 +59,7 @@ private:
     QComboBox* m_panelChoice;
     QWidget* m_emptyPanel;
     hmi::PanelProject m_panels;
-    std::unique_ptr<hmi::DesignContext> m_design;
+    std::shared_ptr<hmi::DesignContext> m_design;
     QPointer<hmi::PanelPlayer> m_player;
     kit::CompletionSource m_complete;
     std::unique_ptr<trace::SessionRecording> m_recording;

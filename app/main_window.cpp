@@ -31,7 +31,7 @@ namespace plc::app {
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setObjectName("studio");
     setWindowTitle("Stepwise");
-    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+    setDockOptions(AllowNestedDocks | AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
     resize(1440, 900);
     m_workspace = new editor::Workspace(this);
     m_control = new editor::RunControl(*m_workspace, this);
@@ -51,7 +51,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     updateActions();
 }
 
-MainWindow::~MainWindow() { m_control->disconnectSession(); }
+MainWindow::~MainWindow() {
+    if (m_tester.joinable()) m_tester.join();
+    m_control->disconnectSession();
+    delete m_stack; // open designers look at what the live views own
+}
 
 // ------------------------------------------------------------------ building the window
 

@@ -8,6 +8,7 @@
 #include <QMainWindow>
 
 #include <functional>
+#include <thread>
 #include <vector>
 
 class QAction;
@@ -124,6 +125,7 @@ private:
     void findDefinition(const QString& file, uint32_t offset);
     void findUses(const QString& file, uint32_t offset);
     void fillRecentMenu();
+    void addDesignPage(QWidget* page, const QString& title, int icon, const QString& key);
 
     Settings m_settings;
     editor::Workspace* m_workspace;
@@ -148,6 +150,8 @@ private:
     QLabel *m_stateLabel = nullptr, *m_timeLabel = nullptr, *m_loadLabel = nullptr, *m_cursorLabel = nullptr, *m_historyLabel = nullptr;
     QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;
     QProgressBar* m_progress = nullptr;
+    std::thread m_tester; // runs the project's tests
+    bool m_isTesting = false;
 };
 
 [[nodiscard]] const std::vector<ActionSpec>& actionTable();

@@ -29,8 +29,6 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include <thread>
-
 namespace plc::app {
 
 // ------------------------------------------------------------------ open and close
@@ -271,7 +269,7 @@ void MainWindow::chooseLibraries() {
 }
 
 void MainWindow::runTests() {
-    if (!m_workspace->isOpen()) return;
+    if (!m_workspace->isOpen() || m_isTesting) return;
     projects::Project project = m_workspace->project();
     project.sources = m_workspace->buildInput().files;
     project.tests.clear();
@@ -279,11 +277,14 @@ void MainWindow::runTests() {
         if (editor::Workspace::isTestFile(file)) project.tests.push_back({file.toStdString(), m_workspace->text(file)});
     showDock("log");
     say(tr("The tests run…"));
-    std::thread([this, project = std::move(project)] {
+    if (m_tester.joinable()) m_tester.join();
+    m_isTesting = true;
+    m_tester = std::thread([this, project = std::move(project)] {
         auto report = testing::runTests(project, {});
         QMetaObject::invokeMethod(
             this,
             [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
+                m_isTesting = false;
                 if (!*report) return say(QString::fromStdString(report->error().text()), true);
                 const testing::Report& done = **report;
                 for (const std::string& text : done.diagnostics) m_log->addMessage(QString::fromStdString(text).trimmed(), true);
@@ -295,7 +296,7 @@ void MainWindow::runTests() {
                 say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()), done.failed() != 0 || done.hasErrors);
             },
             Qt::QueuedConnection);
-    }).detach();
+    });
 }
 
 // ------------------------------------------------------------------ settings and the like
@@ -340,25 +341,31 @@ void MainWindow::newPanel() {
     openDesigner(name);
 }
 
+void MainWindow::addDesignPage(QWidget* page, const QString& title, int icon, const QString& key) {
+    // A closed page dies a moment later, perhaps after the project: it keeps what it works on.
+    connect(page, &QObject::destroyed, [kept = m_live->sharedDesign()] { (void)kept; });
+    m_tabs->addPage(page, title, kit::icon(static_cast<kit::Icon>(icon)), key);
+}
+
 void MainWindow::openDesigner(const QString& panel) {
     if (!m_live->design() || !m_live->panels().find(panel)) return;
     const QString key = "panel:" + panel;
     if (QWidget* open = m_tabs->pageByKey(key)) return m_tabs->setCurrentWidget(open);
     auto* designer = new hmi::PanelDesigner(*m_live->design(), panel, m_tabs);
-    m_tabs->addPage(designer, panel, kit::icon(kit::Icon::Panel), key);
+    addDesignPage(designer, panel, static_cast<int>(kit::Icon::Panel), key);
     connect(designer, &hmi::PanelDesigner::modifiedChanged, this, [this, designer, panel](bool modified) { m_tabs->setTabText(m_tabs->indexOf(designer), panel + (modified ? " ●" : "")); });
 }
 
 void MainWindow::openTexts() {
     if (!m_live->design()) return;
     if (QWidget* open = m_tabs->pageByKey("texts")) return m_tabs->setCurrentWidget(open);
-    m_tabs->addPage(new hmi::TextEditor(*m_live->design(), m_tabs), tr("Texts"), kit::icon(kit::Icon::Texts), "texts");
+    addDesignPage(new hmi::TextEditor(*m_live->design(), m_tabs), tr("Texts"), static_cast<int>(kit::Icon::Texts), "texts");
 }
 
 void MainWindow::openAlarms() {
     if (!m_live->design()) return;
     if (QWidget* open = m_tabs->pageByKey("alarms")) return m_tabs->setCurrentWidget(open);
-    m_tabs->addPage(new hmi::AlarmEditor(*m_live->design(), m_tabs), tr("Alarms"), kit::icon(kit::Icon::Alarm), "alarms");
+    addDesignPage(new hmi::AlarmEditor(*m_live->design(), m_tabs), tr("Alarms"), static_cast<int>(kit::Icon::Alarm), "alarms");
 }
 
 void MainWindow::saveDocument() {

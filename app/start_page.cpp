@@ -157,6 +157,7 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
 }
 
 QString StartPage::examplesFolder() {
+    if (const QString wanted = qEnvironmentVariable("STEPWISE_EXAMPLES"); !wanted.isEmpty()) return wanted; // packages that keep them elsewhere
     const QString beside = QCoreApplication::applicationDirPath();
     for (const QString& candidate : {beside + "/../../../projects/examples", beside + "/../share/stepwise/examples", QDir::currentPath() + "/projects/examples"})
         if (QDir(candidate).exists()) return QDir(candidate).canonicalPath();

@@ -4,6 +4,8 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 
+#include <QGuiApplication>
+#include <QScreen>
 #include <QKeyEvent>
 
 #include <algorithm>
@@ -82,6 +84,10 @@ void StEditor::triggerCompletion() {
         SendScintilla(S::SCI_AUTOCCANCEL);
         return;
     }
+    // Scintilla asks the screen below the cursor for its size; a window that hangs over the edge may have none there.
+    const long caret = SendScintilla(S::SCI_GETCURRENTPOS);
+    const QPoint at(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0UL, caret)), static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0UL, caret)));
+    if (!QGuiApplication::screenAt(viewport()->mapToGlobal(at))) return;
     SendScintilla(S::SCI_USERLISTSHOW, static_cast<unsigned long>(kListId), list.c_str());
 }
 
