@@ -79,7 +79,7 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
 LiveViews::~LiveViews() {
     if (m_slider) m_slider->setRecording(nullptr);
     if (m_trace) m_trace->setRecording(nullptr);
-    if (m_player) m_player->setSession(nullptr);
+    delete m_player; // its dock outlives the panels
 }
 
 void LiveViews::projectOpened() {
