@@ -439,6 +439,10 @@
         <source>{0} has no effect without {1}; declare both</source>
         <translation>{0} har ingen virkning uden {1}; erklær begge</translation>
     </message>
+    <message>
+        <source>{0} is a word of the language and can not be a name</source>
+        <translation>{0} er et ord i sproget og kan ikke være et navn</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>

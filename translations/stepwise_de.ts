@@ -439,6 +439,10 @@
         <source>{0} has no effect without {1}; declare both</source>
         <translation>{0} wirkt nicht ohne {1}; beide deklarieren</translation>
     </message>
+    <message>
+        <source>{0} is a word of the language and can not be a name</source>
+        <translation>{0} ist ein Wort der Sprache und kann kein Name sein</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>

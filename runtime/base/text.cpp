@@ -19,9 +19,24 @@ char32_t foldCharacter(char32_t c) {
         if (c == 0x178) return 0xFF;
         return c | 1;
     }
-    if (c >= 0x391 && c <= 0x3A9 && c != 0x3A2) return c + 32;
+    const bool isEven = (c & 1) == 0;
+    if ((c >= 0x1DE && c <= 0x1EF) || (c >= 0x1F8 && c <= 0x21F) || (c >= 0x222 && c <= 0x233)) return isEven ? c + 1 : c;
+    if (c >= 0x1CD && c <= 0x1DC) return isEven ? c : c + 1;
+    if (c == 0x386) return 0x3AC;
+    if (c >= 0x388 && c <= 0x38A) return c + 37;
+    if (c == 0x38C) return 0x3CC;
+    if (c == 0x38E || c == 0x38F) return c + 63;
+    if (c == 0x3C2) return 0x3C3; // the sigma at a word's end
+    if (c >= 0x391 && c <= 0x3AB && c != 0x3A2) return c + 32;
     if (c >= 0x410 && c <= 0x42F) return c + 32;
     if (c >= 0x400 && c <= 0x40F) return c + 80;
+    if ((c >= 0x460 && c <= 0x481) || (c >= 0x48A && c <= 0x4BF) || (c >= 0x4D0 && c <= 0x52F)) return isEven ? c + 1 : c; // Cyrillic beyond Russian
+    if (c >= 0x4C1 && c <= 0x4CE) return isEven ? c : c + 1;
+    if (c >= 0x531 && c <= 0x556) return c + 48;     // Armenian
+    if (c >= 0x1C90 && c <= 0x1CBF) return c - 3008; // Georgian
+    if (c == 0x1E9E) return 0xDF;
+    if (c >= 0x1E00 && c <= 0x1EFF && !(c >= 0x1E96 && c <= 0x1E9F)) return isEven ? c + 1 : c; // Latin with marks, Vietnamese
+    if (c >= 0xFF21 && c <= 0xFF3A) return c + 32;   // full width
     return c;
 }
 

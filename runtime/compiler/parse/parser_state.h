@@ -147,6 +147,7 @@ public:
     template <class T> T* make() { return m_file.arena.make<T>(); }
     Name nameOf(const Token& token) const;
     bool atName(size_t ahead = 0) const;
+    [[nodiscard]] bool atKeywordAsName() const;
     Name takeName(const char* what = "a name");
     Path takePath();
 

@@ -50,7 +50,19 @@ bool Parser::atName(size_t ahead) const {
     return k == TokenKind::Hash && (kind(ahead + 1) == TokenKind::Identifier || kind(ahead + 1) == TokenKind::WstringLiteral);
 }
 
+/// A word of the language where only a name can be meant: before `:`, `,` or AT.
+bool Parser::atKeywordAsName() const {
+    return lex::isKeyword(kind()) && (kind(1) == TokenKind::Colon || kind(1) == TokenKind::Comma || kind(1) == TokenKind::At || kind(1) == TokenKind::Assign);
+}
+
 Name Parser::takeName(const char* what) {
+    if (!atName() && atKeywordAsName()) {
+        const Name name = nameOf(peek());
+        if (auto* d = report(name.range, Kind::KeywordAsName, {std::string(name.text)})) d->fixes.push_back({"Write " + std::string(name.text) + "_", {{name.range, std::string(name.text) + "_"}}});
+        m_lastErrorAt = SIZE_MAX;
+        advance();
+        return name;
+    }
     if (!atName()) {
         expected(what);
         return {};

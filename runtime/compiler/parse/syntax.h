@@ -99,6 +99,7 @@ struct TypeSpec {
     std::vector<VarDecl*> fields; // Struct, Union
     TypeSpec* extends = nullptr;  // Struct
     std::vector<Argument> constructor; // fb : Motor(speed := 5): FB_Init arguments or struct/FB initial values
+    std::vector<std::vector<Argument>> constructors; // of an array's elements one by one: Motor[(1), (2)]
     Expr* inferredFrom = nullptr; // Inferred (compiler temporaries): the type of this expression
 };
 

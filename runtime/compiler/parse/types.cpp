@@ -124,7 +124,7 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
         m_lastErrorAt = SIZE_MAX;
     };
     if (!at(TokenKind::At)) {
-        if (!atName()) {
+        if (!atName() && !atKeywordAsName()) {
             expected("a variable's name");
             fail();
             return nullptr;
@@ -195,7 +195,10 @@ VarDecl* Parser::parseConfigDecl(SectionKind section) {
     const size_t first = mark();
     const auto takeTarget = [&] {
         while (atName()) {
-            decl->configPath.push_back(takeName());
+            const Name name = takeName();
+            while (at(TokenKind::LeftBracket)) skipTo({TokenKind::RightBracket, TokenKind::Semicolon, TokenKind::EndVar}), take(TokenKind::RightBracket);
+            const SourceRange whole = joined(name.range, rangeOf(previous())); // an element: values[3]
+            decl->configPath.push_back(whole.end == name.range.end ? name : Name{m_text.substr(whole.begin, whole.end - whole.begin), whole});
             if (!take(TokenKind::Dot)) return;
         }
         if (!at(TokenKind::DirectAddress)) return expected("a variable's path");
@@ -372,6 +375,16 @@ TypeSpec* Parser::parseNamedSpec(bool inTypeBlock) {
     spec->kind = TypeSpecKind::Named;
     const size_t first = mark();
     spec->path = takePath();
+    if (at(TokenKind::LeftBracket) && kind(1) == TokenKind::LeftParen) { // ARRAY … OF Motor[(number := 1), (number := 2)]
+        advance();
+        while (at(TokenKind::LeftParen)) {
+            advance();
+            parseArguments(spec->constructors.emplace_back(), TokenKind::RightParen);
+            if (!take(TokenKind::Comma)) break;
+        }
+        expect(TokenKind::RightBracket);
+        return spec;
+    }
     if (!at(TokenKind::LeftParen)) return spec;
     // INT (0..10)   INT (Red, Green)   Motor(speed := 5)
     bool range = false;

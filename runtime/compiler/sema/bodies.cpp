@@ -43,13 +43,13 @@ void emitLocals(World& world, Checker& checker, Unit& unit, std::vector<tree::St
         if (variable.storage != Storage::Local || variable.isInOut() || variable.kind == syntax::SectionKind::Input) continue;
         const TypeId type = variable.type;
         const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
-        const auto* constructor = variable.spec && !variable.spec->constructor.empty() && !variable.isResult ? &variable.spec->constructor : nullptr;
         if (types.isAggregate(type)) {
-            if (!initial && !constructor && !world.needsConstruction(type)) continue;
+            const syntax::TypeSpec* spec = variable.isResult ? nullptr : variable.spec;
+            if (!initial && !World::hasConstructor(spec) && !world.needsConstruction(type)) continue;
             InitialValue value;
             value.bytes = types[type].initial;
             value.bytes.resize(types[type].size);
-            world.initialise(value, type, 0, -1, initial, variable.scope, constructor);
+            world.initialiseDeclared(value, type, 0, -1, initial, variable.scope, spec);
             if (value.bytes != types[type].initial && std::any_of(value.bytes.begin(), value.bytes.end(), [](std::byte b) { return b != std::byte{}; }))
                 checker.function->locals[variable.local].initial = checker.constant(types::readValue(types, type, value.bytes), variable.range).expr;
             if (value.dynamics.empty()) continue;
@@ -92,7 +92,9 @@ void World::checkBody(Unit& unit) {
     checker.statements(body->statements, function.body);
     if (unit.resultVariable && types.kind(unit.result) != TypeKind::Void && types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {
         const bool atEnd = !checker.flow.isReachable || checker.flow.isResultSet;
-        if (!atEnd || !checker.returnsSet) emit(unit.range, Kind::ResultNotSet, {unit.name});
+        // the methods the controller calls need no result, and who adds to the result relies on its beginning
+        const bool isCallback = equalsIgnoringCase(unit.name, "FB_Init") || equalsIgnoringCase(unit.name, "FB_Reinit") || equalsIgnoringCase(unit.name, "FB_Exit");
+        if ((!atEnd || !checker.returnsSet) && !isCallback && unit.resultVariable->reads == 0) emit(unit.range, Kind::ResultNotSet, {unit.name});
     }
 }
 

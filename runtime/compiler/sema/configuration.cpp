@@ -159,12 +159,64 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
 
 } // namespace
 
+void World::addAccess(const syntax::VarDecl& declaration, const image::Place& place, std::string list) {
+    for (const syntax::Name& name : declaration.names) {
+        image::Root& root = program->layout.roots.emplace_back();
+        root.name = std::string(name.text);
+        root.list = list;
+        root.type = place.type;
+        root.offset = place.offset;
+        root.bit = place.bit;
+        root.constant = declaration.isReadOnly;
+        root.declaration = name.range;
+        root.isHidden = true;
+    }
+}
+
+/// VAR_ACCESS valve : R1.%QX0.1 : BOOL READ_ONLY;
+void World::accessAddress(const syntax::VarDecl& declaration, const Scope& scope) {
+    const auto address = parseAddress(declaration.address);
+    if (!address || address->isOpen) {
+        emit(declaration.addressRange, Kind::AddressOutOfRange, {std::string(declaration.address), "%I, %Q or %M"});
+        return;
+    }
+    const TypeId own = types::TypeTable::of(address->kind), type = declaration.type ? resolveSpec(declaration.type, scope) : own;
+    if (types.kind(type) == TypeKind::Unknown) return;
+    const bool isBit = types.storageKind(type) == TypeKind::Bool;
+    if (isBit != (address->kind == TypeKind::Bool) || (!isBit && types[type].size != types[own].size)) {
+        emit(declaration.type->range, Kind::TypeMismatch, {nameOf(own), nameOf(type)});
+        return;
+    }
+    addAccess(declaration, {type, areaOf(address->area).begin + address->byte, isBit ? address->bit : int16_t(-1)}, {});
+}
+
+/// VAR_ACCESS of a PROGRAM: names below each of its instances, `i1.level`.
+void World::accessPrograms() {
+    for (const Instance& instance : instances) {
+        const Unit& unit = *instance.variable->program;
+        for (const syntax::VarSection* section : unit.pou->sections) {
+            if (section->kind != SectionKind::Access) continue;
+            for (const syntax::VarDecl* declaration : section->declarations) {
+                std::string text = instance.variable->name;
+                for (const syntax::Name& name : declaration->configPath) text += "." + std::string(name.text);
+                if (!declaration->address.empty()) accessAddress(*declaration, {nullptr, unit.space, unit.file});
+                else if (const auto found = program->layout.find(text)) addAccess(*declaration, *found, instance.variable->name);
+                else emit(declaration->range, Kind::ConfigTarget, {text});
+            }
+        }
+    }
+}
+
 /// VAR_CONFIG: addresses and initial values of variables inside instances; VAR_ACCESS: other names for them.
 void World::applyVarConfig() {
     const auto apply = [&](const syntax::VarSection& section, const Configuration& configuration, const syntax::ResourceDecl* resource) {
         const Scope scope{nullptr, configuration.space, configuration.file};
         for (const syntax::VarDecl* declaration : section.declarations) {
             syntax::Path path = declaration->configPath;
+            if (section.kind == SectionKind::Access && !declaration->address.empty()) {
+                accessAddress(*declaration, scope);
+                continue;
+            }
             if (path.empty()) continue;
             const SourceRange range = joined(path.front().range, path.back().range);
             const auto dropFirst = [&](const syntax::Name& name) {
@@ -186,16 +238,7 @@ void World::applyVarConfig() {
                 continue;
             }
             if (section.kind == SectionKind::Access) {
-                for (const syntax::Name& name : declaration->names) {
-                    image::Root& root = program->layout.roots.emplace_back();
-                    root.name = std::string(name.text);
-                    root.type = found->type;
-                    root.offset = found->offset;
-                    root.bit = found->bit;
-                    root.constant = declaration->isReadOnly;
-                    root.declaration = name.range;
-                    root.isHidden = true;
-                }
+                addAccess(*declaration, *found, {});
                 continue;
             }
             uint32_t rootIndex = 0;
@@ -241,6 +284,7 @@ void World::applyVarConfig() {
             for (const syntax::VarSection* section : resource->sections)
                 if (section->kind == SectionKind::Config || section->kind == SectionKind::Access) apply(*section, configuration, resource);
     }
+    accessPrograms();
     for (const Located& open : openAddresses) {
         if (open.isCompleted || isLibraryFile(open.variable->range.file)) continue;
         const SourceRange range = open.variable->declaration->addressRange.file.isValid() ? open.variable->declaration->addressRange : open.variable->range;

@@ -396,6 +396,7 @@ void World::declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope,
 void World::declareVariables(Unit& unit, const std::vector<syntax::VarSection*>& sections) {
     const Scope scope{&unit, unit.space, unit.file};
     for (const syntax::VarSection* section : sections) {
+        if (section->kind == SectionKind::Access && unit.kind == UnitKind::Program) continue; // other names, made with the layout
         for (const syntax::VarDecl* declaration : section->declarations) {
             declareInlineEnums(declaration->type, scope, unit.enumerators);
             for (const syntax::Name& name : declaration->names) {

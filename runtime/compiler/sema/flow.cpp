@@ -20,7 +20,28 @@ void World::checkUnusedGlobals() {
     }
 }
 
+/// Variables that a VAR_CONFIG or VAR_ACCESS names.
+void World::gatherConfigured() {
+    const auto gather = [&](const std::vector<syntax::VarSection*>& sections) {
+        for (const syntax::VarSection* section : sections) {
+            if (section->kind != SectionKind::Config && section->kind != SectionKind::Access) continue;
+            for (const syntax::VarDecl* declaration : section->declarations) {
+                if (declaration->configPath.empty()) continue;
+                const std::string_view last = declaration->configPath.back().text;
+                options.usedElsewhere.insert("." + foldCase(last.substr(0, last.find('['))));
+            }
+        }
+    };
+    for (const Configuration& configuration : configurations) {
+        gather(configuration.declaration->sections);
+        for (const syntax::ResourceDecl* resource : configuration.declaration->resources) gather(resource->sections);
+    }
+    for (const Unit& unit : units)
+        if (unit.kind == UnitKind::Program && unit.pou) gather(unit.pou->sections);
+}
+
 void World::checkUsage() {
+    gatherConfigured();
     checkUnusedGlobals();
     for (Unit& unit : units) {
         if (unit.isLibrary() || unit.kind == UnitKind::Interface || (unit.owner && unit.owner->kind == UnitKind::Interface)) continue;
@@ -31,7 +52,7 @@ void World::checkUsage() {
             if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() || variable.name.starts_with("__")) continue;
             const auto known = unit.members.find(variable.id);
             if (types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() || known->second.variable != &variable) continue;
-            if (options.usedElsewhere.contains("." + foldCase(variable.name))) continue;
+            if (options.usedElsewhere.contains("." + foldCase(variable.name)) || hasSyntaxErrorAt(variable.range)) continue;
             if (variable.reads == 0 && variable.writes == 0) {
                 if (variable.isLocated) continue;
                 auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
@@ -39,7 +60,7 @@ void World::checkUsage() {
                 continue;
             }
             const TypeKind kind = types.kind(variable.type);
-            const bool hasValue = variable.declaration->initial || (variable.spec && !variable.spec->constructor.empty());
+            const bool hasValue = variable.declaration->initial || hasConstructor(variable.spec);
             if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated && kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array && kind != TypeKind::Struct && kind != TypeKind::Union)
                 emit(variable.range, Kind::NeverWritten, {variable.name});
         }

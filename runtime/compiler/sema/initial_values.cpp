@@ -181,18 +181,58 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
     out.dynamics.push_back(dynamic);
 }
 
+namespace {
+const syntax::TypeSpec* innermost(const syntax::TypeSpec* spec) {
+    while (spec && spec->kind == syntax::TypeSpecKind::Array && spec->element) spec = spec->element;
+    return spec;
+}
+} // namespace
+
+bool World::hasConstructor(const syntax::TypeSpec* spec) {
+    const syntax::TypeSpec* inner = innermost(spec);
+    return inner && (!inner->constructor.empty() || !inner->constructors.empty());
+}
+
+/// With what is written behind the type: `m : Motor(number := 1)`, for every element of an array of them, or for each its own.
+void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec) {
+    if (!hasConstructor(spec)) return initialise(out, type, offset, bit, value, scope, nullptr);
+    const syntax::TypeSpec* inner = innermost(spec);
+    if (types.kind(type) != TypeKind::Array) {
+        if (!inner->constructors.empty()) emit(spec->range, Kind::NotAllowedHere, {"[(…)]", nameOf(type)});
+        return initialise(out, type, offset, bit, value, scope, inner->constructor.empty() ? nullptr : &inner->constructor);
+    }
+    TypeId element = type;
+    while (types.kind(element) == TypeKind::Array) element = types[element].element;
+    const uint32_t size = types[element].size, count = size ? types[type].size / size : 0;
+    if (inner->constructors.size() > count) emit(spec->range, Kind::TooManyInitialValues, {std::to_string(inner->constructors.size()), std::to_string(count)});
+    if (initMethodOf(*this, element) && inner->constructors.empty()) { // one loop for all of them
+        DynamicInit dynamic;
+        dynamic.offset = offset;
+        dynamic.type = type;
+        dynamic.isConstruction = true;
+        dynamic.constructor = &inner->constructor;
+        dynamic.scope = scope;
+        out.dynamics.push_back(dynamic);
+    } else {
+        for (uint32_t i = 0; i < count; ++i) {
+            const auto* constructor = inner->constructors.empty() ? &inner->constructor : i < inner->constructors.size() ? &inner->constructors[i] : nullptr;
+            initialise(out, element, offset + i * size, -1, nullptr, scope, constructor);
+        }
+    }
+    if (value) emit(value->range, Kind::NotAllowedHere, {"An initial value", "a declaration that calls FB_Init"});
+}
+
 /// The initial value of a declared variable at `offset` of `out`.
 void World::setInitial(InitialValue& out, Variable& variable, uint32_t offset) {
     const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
-    const auto* constructor = variable.spec && !variable.spec->constructor.empty() ? &variable.spec->constructor : nullptr;
-    initialise(out, variable.type, offset, -1, initial, variable.scope, constructor);
+    initialiseDeclared(out, variable.type, offset, -1, initial, variable.scope, variable.spec);
 }
 
 namespace {
 
 void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out);
 
-void constructArray(World& world, Checker& checker, tree::Place* place, std::vector<tree::Stmt*>& out) {
+void constructArray(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
     const types::Type& type = world.types[place->type];
     const TypeId lint = types::TypeTable::of(TypeKind::Lint);
     tree::Place* element = world.arena.make<tree::Place>();
@@ -213,7 +253,7 @@ void constructArray(World& world, Checker& checker, tree::Place* place, std::vec
         into->push_back(loop);
         into = &loop->body;
     }
-    construct(world, checker, element, nullptr, *into);
+    construct(world, checker, element, constructor, *into);
 }
 
 void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, const std::vector<syntax::Argument>* constructor, bool isLast, std::vector<tree::Stmt*>& out) {
@@ -274,7 +314,7 @@ void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, 
 }
 
 void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
-    if (world.types.kind(place->type) == TypeKind::Array) return constructArray(world, checker, place, out);
+    if (world.types.kind(place->type) == TypeKind::Array) return constructArray(world, checker, place, constructor, out);
     checker.takeAddress(place);
     if (const tree::FunctionId init = world.initialiserOf(place->type); init.isValid()) {
         tree::Expr* call = world.arena.make<tree::Expr>();

@@ -391,6 +391,8 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
     if (base.kind == ExprKind::NameRef) {
         const World::Found result = world.lookup(scope, world.key(base.name.text));
         Variable* own = result.member.variable ? result.member.variable : result.ambiguous.empty() ? result.entity.variable : nullptr;
+        if (isExpression && own && own->isProgramInstance && own->program && !world.findMember(*own->program, id)) // a name only the image has: VAR_ACCESS of a program
+            if (const auto place = world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text))) return placeOf(absolutePlace(place->offset, place->type, place->bit, e.range));
         if (own && !hasMembers(*own, e.name.text)) { // a variable may have the name of its type: Light.Red
             const World::Found outer = world.lookup(scope, world.key(base.name.text), true);
             if (outer.entity.type && world.enumsByType.count(world.resolveDeclared(*outer.entity.type))) {

@@ -461,8 +461,7 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
     for (size_t i = inherited; i < types[made.type].fields.size(); ++i) {
         const types::Field field = types[made.type].fields[i];
         const syntax::VarDecl& declaration = *declarations[i - inherited];
-        const auto* constructor = declaration.type && !declaration.type->constructor.empty() ? &declaration.type->constructor : nullptr;
-        initialise(initial, field.type, field.offset, field.bit, declaration.initial, made.scope, constructor);
+        initialiseDeclared(initial, field.type, field.offset, field.bit, declaration.initial, made.scope, declaration.type);
     }
     const bool isZero = std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
     types.edit(made.type).initial = isZero ? std::vector<std::byte>{} : initial.bytes;

@@ -139,6 +139,8 @@ public:
     InitialValue& typeInitial(TypeId type) { return typeInitials[type]; }
     bool needsConstruction(TypeId type);
     void initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const std::vector<syntax::Argument>* constructor);
+    static bool hasConstructor(const syntax::TypeSpec* spec);
+    void initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec);
     void writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const types::Value& value);
     void setInitial(InitialValue& out, Variable& variable, uint32_t offset);
     tree::FunctionId initialiserOf(TypeId type);
@@ -157,6 +159,9 @@ public:
     void declareConfigurations();
     void buildTasks();
     void applyVarConfig();
+    void addAccess(const syntax::VarDecl& declaration, const image::Place& place, std::string list);
+    void accessAddress(const syntax::VarDecl& declaration, const Scope& scope);
+    void accessPrograms();
 
     // bodies.cpp
     void checkBodies();
@@ -165,6 +170,7 @@ public:
 
     // flow.cpp
     void checkUsage();
+    void gatherConfigured();
     void checkUnusedGlobals();
     void checkRecursion();
 
