@@ -138,6 +138,8 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
     connect(&control, &editor::RunControl::statusChanged, this, &EditorTabs::showExecutedLine);
     connect(&control, &editor::RunControl::halted, this, &EditorTabs::showExecutedLine);
     connect(&control, &editor::RunControl::refreshed, this, [this] {
+        // Ten times a second while it runs: more nobody reads.
+        if (m_control.status().state == controller::State::Running && !m_control.viewed() && ++m_frames % 3 != 0) return;
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();

@@ -89,6 +89,7 @@ private:
     void askAboutDiskChange(const QString& file);
     [[nodiscard]] editor::OnlineValues onlineValues();
 
+    unsigned m_frames = 0;
     struct Visited {
         QString file;
         uint32_t offset = 0;

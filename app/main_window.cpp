@@ -275,7 +275,14 @@ void MainWindow::connectParts() {
             showDock("watch");
         });
     });
-    connect(m_control, &editor::RunControl::statusChanged, this, &MainWindow::updateStatus);
+    connect(m_control, &editor::RunControl::statusChanged, this, [this] {
+        // Figures are read by people; a change of state is shown at once.
+        const auto now = m_control->status().state;
+        if (now == m_shownState && now == controller::State::Running && m_sinceStatus.isValid() && m_sinceStatus.elapsed() < 150) return;
+        m_shownState = now;
+        m_sinceStatus.start();
+        updateStatus();
+    });
     connect(m_control, &editor::RunControl::sessionChanged, this, &MainWindow::updateStatus);
     connect(m_control, &editor::RunControl::viewedChanged, this, &MainWindow::updateStatus);
     connect(m_control, &editor::RunControl::messageAdded, this, [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
@@ -327,7 +334,8 @@ void MainWindow::updateStatus() {
         if (past) state = tr("PAST"), ground = c.info, ink = c.base;
     }
     m_stateLabel->setText(state);
-    m_stateLabel->setStyleSheet(QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }").arg(ground.name(), ink.name()));
+    const QString look = QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }").arg(ground.name(), ink.name());
+    if (m_stateLabel->styleSheet() != look) m_stateLabel->setStyleSheet(look);
     m_timeLabel->setText(online ? tr("%1 · scan %2").arg(QString::fromStdString(types::durationText(status.time.count() / 1'000'000 * 1'000'000)).mid(2)).arg(status.scans) : QString());
     m_loadLabel->setText(online ? tr("%1 µs · %2 % load").arg(static_cast<double>(status.lastScanNs) / 1e3, 0, 'f', 1).arg(100 * status.load, 0, 'f', 1) : QString());
     if (online && m_control->session()) {

@@ -5,6 +5,7 @@
 #include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 
 #include <functional>
@@ -148,6 +149,8 @@ private:
     QList<QAction*> m_actions;
     QByteArray m_defaultLayout;
     QLabel *m_stateLabel = nullptr, *m_timeLabel = nullptr, *m_loadLabel = nullptr, *m_cursorLabel = nullptr, *m_historyLabel = nullptr;
+    controller::State m_shownState = controller::State::Stopped;
+    QElapsedTimer m_sinceStatus;
     QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;
     QProgressBar* m_progress = nullptr;
     std::thread m_tester; // runs the project's tests

@@ -261,8 +261,14 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
 }
 
 std::vector<QString> RunControl::instancesOf(const QString& pou) const {
-    std::vector<QString> out;
-    if (!m_imageProgram) return out;
+    if (!m_imageProgram) return {};
+    if (m_instancesOf != m_imageProgram) { // the walk is long, and asked for with every value
+        m_instances.clear();
+        m_instancesOf = m_imageProgram;
+    }
+    const auto [known, isNew] = m_instances.try_emplace(pou);
+    std::vector<QString>& out = known->second;
+    if (!isNew) return out;
     const image::Layout& layout = m_imageProgram->layout;
     const std::string wanted = foldCase(pou.section('.', 0, 0).toStdString());
     // Walks instances down to a few levels; arrays of blocks count their first elements.

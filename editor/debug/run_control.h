@@ -116,6 +116,8 @@ private:
     std::vector<EditorBreakpoint> m_breakpoints;
     std::vector<session::HaltFrame> m_frames;
     std::map<QString, QString> m_preferredInstance; // POU → instance path
+    mutable std::map<QString, std::vector<QString>> m_instances; // found, by POU, of m_instancesOf
+    mutable std::shared_ptr<const image::CompiledProgram> m_instancesOf;
     std::optional<history::Position> m_viewed;
     std::vector<std::byte> m_image;
     std::shared_ptr<const image::CompiledProgram> m_imageProgram;

@@ -100,7 +100,10 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
             emit expressionsChanged();
         }
     });
-    connect(&control, &RunControl::refreshed, this, &WatchView::refresh);
+    connect(&control, &RunControl::refreshed, this, [this] {
+        const bool runs = m_control.status().state == controller::State::Running && !m_control.viewed();
+        if (!runs || ++m_frames % 3 == 0) refresh(); // ten times a second can be read
+    });
     connect(&control, &RunControl::sessionChanged, this, &WatchView::refresh);
 }
 

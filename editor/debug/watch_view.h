@@ -45,6 +45,7 @@ private:
     Workspace& m_workspace;
     QTreeWidget* m_tree;
     QLineEdit* m_input;
+    unsigned m_frames = 0;
     types::NumberFormat m_format = types::NumberFormat::Decimal;
 };
 

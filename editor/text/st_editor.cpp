@@ -186,7 +186,8 @@ void StEditor::shareDocumentOf(StEditor& other) {
 }
 
 void StEditor::onTextChanged() {
-    if (m_isLoading) return;
+    m_isAsAnalysed = false;
+    if (m_isLoading || m_isApplying) return;
     m_afterEdit.start();
     emit edited(m_file);
 }
@@ -229,7 +230,10 @@ void StEditor::setModel(std::shared_ptr<const analysis::CodeModel> model) {
     if (file)
         for (const diagnostics::Diagnostic& d : m_model->diagnostics())
             if (d.range.file == *file) m_diagnostics.push_back(d);
-    recolor();
+    m_isAsAnalysed = file && utf8() == m_analysedText;
+    // What is below the view is coloured when it comes into sight.
+    const long below = SendScintilla(S::SCI_GETFIRSTVISIBLELINE) + SendScintilla(S::SCI_LINESONSCREEN) + 1;
+    recolor(0, static_cast<int>(SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(SendScintilla(S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(below))))));
     showDiagnostics();
 }
 
@@ -271,6 +275,8 @@ uint32_t StEditor::offsetOf(int line, int column) const {
 
 void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
     std::sort(edits.begin(), edits.end(), [](const auto& a, const auto& b) { return a.range.begin > b.range.begin; });
+    if (edits.empty()) return;
+    m_isApplying = true; // one change to those who listen, however many places
     beginUndoAction();
     for (const diagnostics::TextEdit& edit : edits) {
         SendScintilla(S::SCI_SETTARGETSTART, static_cast<unsigned long>(edit.range.begin));
@@ -278,6 +284,8 @@ void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
         SendScintilla(S::SCI_REPLACETARGET, static_cast<unsigned long>(edit.text.size()), edit.text.c_str());
     }
     endUndoAction();
+    m_isApplying = false;
+    onTextChanged();
 }
 
 QString StEditor::wordUnderCursor() const {
@@ -462,10 +470,9 @@ void StEditor::setOnlineValues(OnlineValues values) {
 }
 
 void StEditor::refreshOnlineValues() {
-    const bool had = !m_shownValues.empty();
-    m_shownValues.clear();
+    auto before = std::exchange(m_shownValues, {});
     const auto file = fileId();
-    if (m_onlineValues && m_settings.showOnlineValues && file && utf8() == m_analysedText) {
+    if (m_onlineValues && m_settings.showOnlineValues && file && m_isAsAnalysed) {
         const long top = SendScintilla(S::SCI_GETFIRSTVISIBLELINE), count = SendScintilla(S::SCI_LINESONSCREEN);
         const auto& references = m_model->checked().analysis->references;
         for (long visible = top; visible <= top + count; ++visible) {
@@ -488,7 +495,19 @@ void StEditor::refreshOnlineValues() {
             if (auto values = m_onlineValues(wanted); !values.empty()) m_shownValues.emplace_back(static_cast<int>(line), std::move(values));
         }
     }
-    if (had || !m_shownValues.empty()) viewport()->update();
+    if (before == m_shownValues) return;
+    // Only the lines whose values changed are painted again.
+    QRegion changed;
+    const auto add = [&](const auto& values, const auto& others) {
+        for (const auto& shown : values) {
+            if (std::find(others.begin(), others.end(), shown) != others.end()) continue;
+            const long at = SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(shown.first));
+            changed += QRect(0, static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, at)), viewport()->width(), static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(shown.first))));
+        }
+    };
+    add(m_shownValues, before);
+    add(before, m_shownValues);
+    viewport()->update(changed);
 }
 
 void StEditor::paintEvent(QPaintEvent* event) {

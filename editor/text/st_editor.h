@@ -18,6 +18,7 @@ namespace plc::editor {
 struct OnlineValue {
     QString name, value;
     bool isBool = false, isTrue = false, isForced = false;
+    bool operator==(const OnlineValue&) const = default;
 };
 using OnlineValues = std::function<std::vector<OnlineValue>(const std::vector<std::pair<QString, QString>>& namesWithPou)>;
 
@@ -115,6 +116,7 @@ private:
     std::shared_ptr<const analysis::CodeModel> m_model;
     std::vector<diagnostics::Diagnostic> m_diagnostics; // of this file, as of the analysed text
     std::string m_analysedText;
+    bool m_isAsAnalysed = false, m_isApplying = false; // the text is m_analysedText; edits of one step are being made
     std::string m_savedText;
     analysis::Completion m_completion;
     OnlineValues m_onlineValues;

@@ -90,25 +90,36 @@ void StLexer::setModel(const std::shared_ptr<const analysis::CodeModel>& model, 
             m_classOfName.emplace(foldCase(analysedText.substr(token.begin, token.end - token.begin)), token.kind);
 }
 
-void StLexer::styleText(int, int) {
+void StLexer::styleText(int start, int end) {
     QsciScintilla* view = editor();
-    if (!view) return;
+    if (!view || start < 0 || end <= start) return;
     const auto length = static_cast<size_t>(view->SendScintilla(QsciScintillaBase::SCI_GETLENGTH));
-    std::string text(length + 1, '\0');
-    view->SendScintilla(QsciScintillaBase::SCI_GETTEXT, static_cast<unsigned long>(length + 1), text.data());
-    text.resize(length);
+    // Scintilla's own bytes: a large text is not copied for every key.
+    const auto* bytes = reinterpret_cast<const char*>(view->SendScintillaPtrResult(QsciScintillaBase::SCI_GETCHARACTERPOINTER));
+    const std::string_view text(bytes, length);
+    const auto first = static_cast<uint32_t>(start);
+    const auto endsBefore = [](uint32_t at) { return [at](const analysis::ColouredToken& token) { return token.end <= at; }; };
 
     std::vector<analysis::ColouredToken> tokens;
     if (text == m_analysedText && !m_exact.empty()) {
-        tokens = m_exact;
+        const auto from = std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first));
+        const auto to = std::partition_point(from, m_exact.end(), [&](const analysis::ColouredToken& token) { return token.begin < static_cast<uint32_t>(end); });
+        tokens.assign(from, to);
     } else {
+        // What lies before the first change keeps its colours; behind it only what is asked for is read again.
+        const auto same = static_cast<uint32_t>(std::mismatch(text.begin(), text.end(), m_analysedText.begin(), m_analysedText.end()).first - text.begin());
+        const auto kept = same == 0 ? m_exact.begin() : std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(same - 1));
+        tokens.assign(std::min(kept, std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first))), kept);
+        const uint32_t restart = kept == m_exact.begin() ? 0 : std::prev(kept)->end;
+        const auto lineEnd = std::min(text.size(), text.find('\n', std::max<size_t>(static_cast<size_t>(end), restart)));
+        const std::string piece(text.substr(restart, lineEnd - restart));
         diagnostics::Sink sink;
-        const lex::TokenList list = lex::tokenize(FileId(size_t(0)), text, sink);
+        const lex::TokenList list = lex::tokenize(FileId(size_t(0)), piece, sink);
         for (const lex::Token& token : list.tokens) {
             TokenClass kind = lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
             switch (token.kind) {
             case lex::TokenKind::Identifier: {
-                const auto known = m_classOfName.find(foldCase(std::string_view(text).substr(token.begin, token.end - token.begin)));
+                const auto known = m_classOfName.find(foldCase(std::string_view(piece).substr(token.begin, token.end - token.begin)));
                 kind = known != m_classOfName.end() ? known->second : token.soft != lex::SoftWord::None ? TokenClass::Keyword : TokenClass::Plain;
                 break;
             }
@@ -125,28 +136,34 @@ void StLexer::styleText(int, int) {
             case lex::TokenKind::Pragma: kind = TokenClass::Pragma; break;
             case lex::TokenKind::True:
             case lex::TokenKind::False: kind = TokenClass::Constant; break;
-            case lex::TokenKind::Error: kind = TokenClass::Error; break;
+            case lex::TokenKind::Error: { // a comment may go on behind the piece
+                const std::string_view head = std::string_view(piece).substr(token.begin, 2);
+                kind = head == "(*" || head == "/*" ? TokenClass::Comment : TokenClass::Error;
+                break;
+            }
             case lex::TokenKind::EndOfFile: continue;
             default: break;
             }
-            tokens.push_back({token.begin, token.end, kind});
+            tokens.push_back({restart + token.begin, restart + token.end, kind});
         }
-        for (const lex::Comment& comment : list.comments) tokens.push_back({comment.begin, comment.end, TokenClass::Comment});
+        for (const lex::Comment& comment : list.comments) tokens.push_back({restart + comment.begin, restart + comment.end, TokenClass::Comment});
         std::sort(tokens.begin(), tokens.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
     }
-    startStyling(0);
-    uint32_t at = 0;
+    startStyling(start);
+    uint32_t at = first;
+    const auto last = static_cast<uint32_t>(std::min<size_t>(length, static_cast<size_t>(end)));
     // setStyling counts in bytes; gaps are white space.
     const auto style = [&](uint32_t upTo, TokenClass kind) {
+        upTo = std::min(upTo, last);
         if (upTo <= at) return;
         view->SendScintilla(QsciScintillaBase::SCI_SETSTYLING, static_cast<unsigned long>(upTo - at), static_cast<long>(kind));
         at = upTo;
     };
     for (const analysis::ColouredToken& token : tokens) {
         style(token.begin, TokenClass::Plain);
-        style(std::min<uint32_t>(token.end, static_cast<uint32_t>(text.size())), token.kind);
+        style(token.end, token.kind);
     }
-    style(static_cast<uint32_t>(text.size()), TokenClass::Plain);
+    style(last, TokenClass::Plain);
 }
 
 } // namespace plc::editor
