@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
+#include "editor/kit/variable_picker.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -21,10 +22,27 @@ namespace plc::editor {
 namespace {
 constexpr int kExpressionRole = Qt::UserRole;
 constexpr int kUnfoldedRole = Qt::UserRole + 1;
+
+/// Rows are dragged as the variables that they watch: onto a panel, a chart or an entry.
+class WatchTree final : public QTreeWidget {
+public:
+    using QTreeWidget::QTreeWidget;
+
+protected:
+    QStringList mimeTypes() const override { return {kit::VariableMime}; }
+    QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
+        QStringList paths;
+        for (const QTreeWidgetItem* item : items)
+            if (const QString path = WatchView::expressionOf(item); !path.isEmpty()) paths += path;
+        return paths.isEmpty() ? nullptr : kit::makeVariableMime(paths);
+    }
+};
+
 } // namespace
 
 WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent) : QWidget(parent), m_control(control), m_workspace(workspace) {
-    m_tree = new QTreeWidget(this);
+    m_tree = new WatchTree(this);
+    m_tree->setDragEnabled(true);
     m_tree->setColumnCount(Column::Count);
     m_tree->setHeaderLabels({tr("Expression"), tr("Value"), tr("Type"), tr("Prepared"), tr("Comment")});
     m_tree->setAlternatingRowColors(true);
@@ -238,7 +256,7 @@ void WatchView::showMenu(const QPoint& position) {
 }
 
 void WatchView::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasText()) event->acceptProposedAction();
+    if (event->source() != m_tree && event->mimeData()->hasText()) event->acceptProposedAction();
 }
 void WatchView::dropEvent(QDropEvent* event) {
     for (const QString& line : event->mimeData()->text().split('\n', Qt::SkipEmptyParts)) add(line);

@@ -20,6 +20,7 @@ public:
     void setExpressions(const QStringList& expressions);
     void setFormat(types::NumberFormat format);
     [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
+    [[nodiscard]] static QString expressionOf(const QTreeWidgetItem* item);
 
     void refresh();
     void writePrepared();
@@ -39,7 +40,6 @@ private:
     void unfold(QTreeWidgetItem* item);
     void applyPrepared(bool force);
     void showMenu(const QPoint& position);
-    [[nodiscard]] static QString expressionOf(const QTreeWidgetItem* item);
 
     RunControl& m_control;
     Workspace& m_workspace;

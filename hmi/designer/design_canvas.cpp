@@ -16,7 +16,8 @@ namespace plc::hmi {
 
 namespace {
 constexpr int kRuler = 22;
-constexpr int kMargin = 48; // around the panel
+constexpr int kMargin = 48; // around the panel where it is scrolled
+constexpr int kFree = 14;   // where it is not
 constexpr double kHandle = 4.5;
 } // namespace
 
@@ -62,8 +63,8 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
 QPointF DesignCanvas::origin() const {
     const QSizeF shown = QSizeF(m_scene.size()) * m_zoom;
     const double freeX = viewport()->width() - kRuler - shown.width(), freeY = viewport()->height() - kRuler - shown.height();
-    const double x = freeX > 2 * kMargin ? kRuler + freeX / 2 : kRuler + kMargin - horizontalScrollBar()->value();
-    const double y = freeY > 2 * kMargin ? kRuler + freeY / 2 : kRuler + kMargin - verticalScrollBar()->value();
+    const double x = freeX > 2 * kFree ? kRuler + freeX / 2 : kRuler + kMargin - horizontalScrollBar()->value();
+    const double y = freeY > 2 * kFree ? kRuler + freeY / 2 : kRuler + kMargin - verticalScrollBar()->value();
     return {std::floor(x), std::floor(y)};
 }
 
@@ -79,8 +80,9 @@ QPointF DesignCanvas::visibleCenter() const {
 void DesignCanvas::updateScrollBars() {
     const QSizeF shown = QSizeF(m_scene.size()) * m_zoom;
     const QSize room = viewport()->size() - QSize(kRuler, kRuler);
-    horizontalScrollBar()->setRange(0, std::max(0, static_cast<int>(shown.width()) + 2 * kMargin - room.width()));
-    verticalScrollBar()->setRange(0, std::max(0, static_cast<int>(shown.height()) + 2 * kMargin - room.height()));
+    const auto range = [](double length, int there) { return there - length > 2 * kFree ? 0 : std::max(0, static_cast<int>(length) + 2 * kMargin - there); };
+    horizontalScrollBar()->setRange(0, range(shown.width(), room.width()));
+    verticalScrollBar()->setRange(0, range(shown.height(), room.height()));
     horizontalScrollBar()->setPageStep(room.width());
     verticalScrollBar()->setPageStep(room.height());
     viewport()->update();
@@ -89,6 +91,7 @@ void DesignCanvas::updateScrollBars() {
 void DesignCanvas::setZoom(double zoom, std::optional<QPointF> about) {
     const QPointF anchor = about.value_or(QPointF(viewport()->width() / 2.0, viewport()->height() / 2.0)), panel = toPanel(anchor);
     m_zoom = std::clamp(zoom, 0.1, 8.0);
+    m_keepsFit = false;
     updateScrollBars();
     const QPointF off = toViewport(panel) - anchor;
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() + static_cast<int>(std::round(off.x())));
@@ -100,6 +103,7 @@ void DesignCanvas::zoomToFit() {
     const QSizeF panel = m_scene.size();
     const double room = 2 * 16 + kRuler;
     setZoom(std::min({(viewport()->width() - room) / panel.width(), (viewport()->height() - room) / panel.height(), 1.0}));
+    m_keepsFit = true;
 }
 
 void DesignCanvas::setGridShown(bool on) {
@@ -117,7 +121,10 @@ void DesignCanvas::setFindings(const std::vector<Finding>& findings) {
     viewport()->update();
 }
 
-void DesignCanvas::resizeEvent(QResizeEvent*) { updateScrollBars(); }
+void DesignCanvas::resizeEvent(QResizeEvent*) {
+    if (m_keepsFit) zoomToFit();
+    else updateScrollBars();
+}
 
 void DesignCanvas::scrollContentsBy(int, int) { viewport()->update(); }
 
@@ -684,7 +691,17 @@ void DesignCanvas::keyReleaseEvent(QKeyEvent* event) {
 // ---- drag and drop
 
 void DesignCanvas::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasFormat(kElementMime) || event->mimeData()->hasFormat(kit::VariableMime)) event->acceptProposedAction();
+    if (event->mimeData()->hasFormat(kElementMime) || !droppedVariables(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+/// Variables of the picker or the watch list, or words dragged out of the code that name variables.
+QStringList DesignCanvas::droppedVariables(const QMimeData* mime) const {
+    if (mime->hasFormat(kit::VariableMime)) return kit::variablesOf(mime);
+    QStringList out;
+    if (!mime->hasText() || mime->text().size() > 2000) return out;
+    for (const QString& line : kit::variablesOf(mime))
+        if (const std::optional<QString> path = m_context.variableNamed(line)) out += *path;
+    return out;
 }
 
 void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
@@ -720,7 +737,7 @@ void DesignCanvas::dropEvent(QDropEvent* event) {
         const Json list = Json::parse(event->mimeData()->data(kElementMime).toStdString(), nullptr, false);
         if (list.is_array()) insertElements(list, at);
     } else {
-        insertVariables(kit::variablesOf(event->mimeData()), at, event->modifiers() & Qt::ShiftModifier);
+        insertVariables(droppedVariables(event->mimeData()), at, event->modifiers() & Qt::ShiftModifier);
     }
     event->acceptProposedAction();
     setFocus();

@@ -8,6 +8,8 @@
 
 #include <QAbstractScrollArea>
 
+class QMimeData;
+
 namespace plc::hmi {
 
 class DesignCanvas final : public QAbstractScrollArea {
@@ -63,6 +65,7 @@ protected:
     void scrollContentsBy(int dx, int dy) override;
 
 private:
+    QStringList droppedVariables(const QMimeData* mime) const;
     enum class Mode { Idle, Press, Move, Resize, Band, Point, Pan };
     struct Drag {
         Mode mode = Mode::Idle;
@@ -104,6 +107,7 @@ private:
     DesignContext& m_context;
     PanelScene m_scene;
     double m_zoom = 1;
+    bool m_keepsFit = true; // until a zoom is chosen
     bool m_snaps = true, m_gridShown = true, m_space = false;
     Drag m_drag;
     QRectF m_band;

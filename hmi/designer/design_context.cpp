@@ -129,6 +129,25 @@ std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {
     return hmi::factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
 }
 
+std::optional<QString> DesignContext::variableNamed(const QString& words) const {
+    const QString name = words.trimmed();
+    const auto isVariable = [&](const QString& path) {
+        const std::optional<ValueFacts> facts = factsOf(path);
+        return facts && facts->writable;
+    };
+    if (name.isEmpty() || name.size() > 200 || !m_checked.analysis) return {};
+    if (isVariable(name)) return name;
+    QStringList found;
+    for (const sema::SymbolKind kind : {sema::SymbolKind::Program, sema::SymbolKind::GlobalList})
+        for (const sema::Symbol& symbol : m_checked.analysis->symbols) {
+            if (symbol.kind != kind) continue;
+            const QString path = QString::fromStdString(symbol.name) + u'.' + name;
+            if (!found.contains(path, Qt::CaseInsensitive) && isVariable(path)) found += path;
+        }
+    if (found.size() != 1) return {}; // several are called so: which one is not for us to guess
+    return found.front();
+}
+
 QString DesignContext::checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const {
     return m_checked.analysis && !expression.trimmed().isEmpty() ? hmi::checkBinding(m_checked, expression, wanted, isTarget) : QString();
 }

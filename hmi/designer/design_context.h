@@ -50,6 +50,8 @@ public:
 
     /// Facts of a variable in the checked program; nothing when it is unknown.
     std::optional<ValueFacts> factsOf(const QString& path) const;
+    /// The path of the variable that a word means: a path itself, else what one program or list of globals calls so.
+    std::optional<QString> variableNamed(const QString& words) const;
     QString checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const;
     CheckInput checkInput() const;
     /// Panels, alarms and elements that use a key: "main: button1.text".

@@ -77,6 +77,19 @@ bool Overlay::eventFilter(QObject* watched, QEvent* event) {
 
 // ---- keypad
 
+namespace {
+
+QString moreLetters(const QString& tag) {
+    const struct {
+        const char *language, *letters;
+    } rows[] = {{"de", "äöüß"}, {"da", "æøå"}, {"nb", "æøå"}, {"sv", "åäö"}, {"fi", "åäö"}, {"fr", "éèêàâçùûîô"}, {"es", "ñáéíóúü"}, {"pt", "ãõáéíóúâêç"}, {"it", "àèéìòù"}, {"nl", "éëïóö"}};
+    for (const auto& row : rows)
+        if (tag.section(u'-', 0, 0).compare(QLatin1String(row.language), Qt::CaseInsensitive) == 0) return QString::fromUtf8(row.letters);
+    return {};
+}
+
+} // namespace
+
 Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* parent) : Overlay(look, parent), m_request(request) {
     auto* layout = new QVBoxLayout(box());
     layout->setContentsMargins(14, 12, 14, 14);
@@ -99,12 +112,15 @@ Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* pa
     m_hint->setWordWrap(true);
     m_hint->setMinimumHeight(22);
     layout->addWidget(m_hint);
-    auto* grid = new QGridLayout;
+    auto* keys = new QWidget(box());
+    keys->setLayoutDirection(Qt::LeftToRight); // keypads are not mirrored where people read from right to left
+    auto* grid = new QGridLayout(keys);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
     const bool digitsOnly = request.kind == EntryKind::Number || (request.kind == EntryKind::Masked && !request.mask.contains(u'A') && !request.mask.contains(u'*'));
     if (digitsOnly) addNumberKeys(grid);
     else addLetterKeys(grid);
-    layout->addLayout(grid);
+    layout->addWidget(keys);
     place();
 }
 
@@ -126,8 +142,9 @@ void Keypad::addCommands(QGridLayout* grid, int row, int columns) {
         close();
     });
     connect(ok, &QPushButton::clicked, this, &Keypad::accept);
-    grid->addWidget(cancel, row, 0, 1, columns / 2);
-    grid->addWidget(ok, row, columns / 2, 1, columns - columns / 2);
+    const bool mirrored = hmi::isRightToLeft(m_look.tag);
+    grid->addWidget(mirrored ? ok : cancel, row, 0, 1, columns / 2);
+    grid->addWidget(mirrored ? cancel : ok, row, columns / 2, 1, columns - columns / 2);
 }
 
 void Keypad::addNumberKeys(QGridLayout* grid) {
@@ -138,8 +155,8 @@ void Keypad::addNumberKeys(QGridLayout* grid) {
         connect(button, &QPushButton::clicked, this, [this, text] { type(text); });
         grid->addWidget(button, row, column, 1, width);
     };
-    for (int digit = 1; digit <= 9; ++digit) add(QString::number(digit), 2 - (digit - 1) / 3, (digit - 1) % 3);
-    add(QStringLiteral("0"), 3, 1);
+    for (int digit = 1; digit <= 9; ++digit) add(locale.toString(digit), 2 - (digit - 1) / 3, (digit - 1) % 3);
+    add(locale.zeroDigit(), 3, 1);
     if (m_request.kind == EntryKind::Number) {
         add(QStringLiteral("±"), 3, 0);
         add(QString(locale.decimalPoint()), 3, 2);
@@ -158,19 +175,31 @@ void Keypad::addLetterKeys(QGridLayout* grid) {
             connect(button, &QPushButton::clicked, this, [this, button] { type(button->text()); });
             grid->addWidget(button, row, column);
         }
+    // Letters of the language that the Latin rows do not have.
+    const QString more = moreLetters(m_look.tag);
+    int below = 4;
+    if (!more.isEmpty()) {
+        for (int column = 0; column < more.size(); ++column) {
+            auto* button = key(QString(more[column]));
+            m_letters.push_back(button);
+            connect(button, &QPushButton::clicked, this, [this, button] { type(button->text()); });
+            grid->addWidget(button, below, column);
+        }
+        ++below;
+    }
     auto* shift = key(QStringLiteral("⇧"));
     connect(shift, &QPushButton::clicked, this, [this] {
         m_shift = !m_shift;
-        for (QPushButton* letter : m_letters) letter->setText(m_shift ? letter->text().toUpper() : letter->text().toLower());
+        for (QPushButton* letter : m_letters) if (letter->text() != QStringLiteral("ß")) letter->setText(m_shift ? letter->text().toUpper() : letter->text().toLower());
     });
     auto* space = key(QStringLiteral("␣"));
     connect(space, &QPushButton::clicked, this, [this] { type(QStringLiteral(" ")); });
     auto* back = key(QStringLiteral("⌫"));
     connect(back, &QPushButton::clicked, this, [this] { type(QStringLiteral("⌫")); });
-    grid->addWidget(shift, 4, 0, 1, 2);
-    grid->addWidget(space, 4, 2, 1, 6);
-    grid->addWidget(back, 4, 8, 1, 2);
-    addCommands(grid, 5, 10);
+    grid->addWidget(shift, below, 0, 1, 2);
+    grid->addWidget(space, below, 2, 1, 6);
+    grid->addWidget(back, below, 8, 1, 2);
+    addCommands(grid, below + 1, 10);
 }
 
 QString Keypad::entered() const { return m_edit->text(); }
@@ -200,9 +229,17 @@ void Keypad::type(const QString& text) {
 }
 
 std::optional<double> Keypad::number() const {
+    // Digits of any script and either decimal sign: a keyboard may give other ones than the keys here.
+    const QString point = localeOf(m_look.tag).decimalPoint();
+    QString plain;
+    for (const QChar c : m_edit->text().trimmed()) {
+        if (c.isDigit()) plain += QChar(u'0' + c.digitValue());
+        else if (c == point) plain += u'.';
+        else if (!c.isPrint() || c.isSpace()) continue; // marks of direction
+        else plain += c;
+    }
     bool ok = false;
-    double value = localeOf(m_look.tag).toDouble(m_edit->text().trimmed(), &ok);
-    if (!ok) value = QLocale::c().toDouble(m_edit->text().trimmed(), &ok);
+    const double value = QLocale::c().toDouble(plain, &ok);
     if (!ok) return {};
     return value;
 }

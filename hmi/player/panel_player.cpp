@@ -167,7 +167,7 @@ QString PanelPlayer::post(const WriteRequest& write) {
     for (const controller::Forced& forced : m_session->forces())
         if (forced.place.offset == place->offset && forced.place.bit == place->bit) return no(say(SystemText::IsForced));
     const Result<types::Value> value = toPlc(target->types(), target->type(), write.value);
-    if (!value) return no(say(SystemText::OutsideLimits) + u' ' + QString::fromStdString(value.error().message));
+    if (!value) return no(whyNot(factsOf(target->types(), target->type(), true), write.value, QString::fromStdString(value.error().message)));
     if (write.kind == WriteKind::Write) {
         m_session->write(path, *value);
         return {};
@@ -177,6 +177,16 @@ QString PanelPlayer::post(const WriteRequest& write) {
     m_pressed.insert(write.target, write.released);
     m_session->press(path, *value, *released);
     return {};
+}
+
+/// Why a value is refused, in the operator's language; `reason` is the technical one for what the panel has no words for.
+QString PanelPlayer::whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const {
+    const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
+    if (facts.kind == ValueKind::Text && value.kind() == ValueKind::Text) return value.text().size() > facts.textCapacity ? say(SystemText::TooLong).arg(facts.textCapacity) : say(SystemText::BadCharacter);
+    if (!facts.minimum || !facts.maximum) return say(SystemText::OutsideLimits) + u' ' + reason;
+    const QLocale locale = localeOf(language());
+    const auto number = [&](double limit) { return formatValue(Value::ofReal(limit), QStringLiteral("%.0f"), locale); };
+    return say(SystemText::OutsideLimits) + u' ' + say(SystemText::Between).arg(number(*facts.minimum), number(*facts.maximum));
 }
 
 void PanelPlayer::refuse(const QString& reason) {

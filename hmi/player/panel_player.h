@@ -65,6 +65,7 @@ private:
     void requestLanguage(const QString& tag);
     void followLanguageVariable();
     void updateStatus();
+    QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
     struct Look;
     const PanelProject& m_project;

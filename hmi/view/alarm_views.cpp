@@ -15,6 +15,8 @@ QStringList splitClasses(const QString& text) {
     return out;
 }
 
+constexpr qint64 kSampleClock = 1704067200000000000; // 2024-01-01
+
 /// What the designer shows where no alarm is.
 std::vector<AlarmEntry> sampleEntries() {
     std::vector<AlarmEntry> out;
@@ -71,38 +73,107 @@ std::vector<AlarmEntry> AlarmListView::entries() const {
     const AlarmBook* book = scene().alarms();
     if (isDesigning() && (!book || book->present({}, AlarmOrder::Priority).empty())) return sampleEntries();
     if (!book) return {};
-    if (isHistory()) return book->history(classes(), 500);
-    const AlarmOrder order = text("sort") == QStringLiteral("time") ? AlarmOrder::Time : AlarmOrder::Priority;
-    return scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), order) : book->present(classes(), order);
+    std::vector<AlarmEntry> all;
+    if (isHistory()) all = book->history(classes(), 500);
+    else all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), order()) : book->present(classes(), order());
+    if (isHistory() && order() == AlarmOrder::Priority) std::stable_sort(all.begin(), all.end(), [](const AlarmEntry& a, const AlarmEntry& b) { return a.priority < b.priority; });
+    if (m_filter == 1) std::erase_if(all, [](const AlarmEntry& entry) { return entry.state != AlarmState::Unacknowledged && entry.state != AlarmState::Returned; });
+    if (const AlarmClass* only = filteredClass()) std::erase_if(all, [&](const AlarmEntry& entry) { return entry.className != only->name; });
+    return all;
 }
 
-double AlarmListView::rowHeight() const { return std::max(30.0, num("fontSize") * 2.2); }
+AlarmOrder AlarmListView::order() const {
+    if (m_order) return *m_order;
+    return isHistory() || text("sort") == QStringLiteral("time") ? AlarmOrder::Time : AlarmOrder::Priority;
+}
 
-double AlarmListView::headHeight() const { return num("fontSize") * 2; }
+// ---- what the operator chooses by: all, what is not acknowledged, each class
 
-double AlarmListView::footHeight() const { return flag("buttons") && !isHistory() ? std::max(40.0, num("fontSize") * 2.6) : 0; }
+std::vector<const AlarmClass*> AlarmListView::shownClasses() const {
+    std::vector<const AlarmClass*> out;
+    if (scene().alarms())
+        for (const AlarmClass& one : scene().alarms()->classes())
+            if (classes().isEmpty() || classes().contains(one.name)) out.push_back(&one);
+    if (out.size() < 2) out.clear();
+    return out;
+}
+
+const AlarmClass* AlarmListView::filteredClass() const {
+    const std::vector<const AlarmClass*> all = shownClasses();
+    return m_filter >= 2 && static_cast<size_t>(m_filter) < all.size() + 2 ? all[static_cast<size_t>(m_filter) - 2] : nullptr;
+}
+
+QString AlarmListView::classTitle(const AlarmClass& one) const {
+    const QString title = shown(one.title);
+    return title.isEmpty() ? one.name : title;
+}
+
+QString AlarmListView::filterText() const {
+    if (const AlarmClass* only = filteredClass()) return classTitle(*only);
+    return systemText(scene().texts(), m_filter == 1 ? SystemText::Unacknowledged : SystemText::All, tag());
+}
+
+QString AlarmListView::stateText(const AlarmEntry& entry) const {
+    SystemText which = SystemText::Gone;
+    switch (entry.state) {
+    case AlarmState::Unacknowledged: which = SystemText::Unacknowledged; break;
+    case AlarmState::Acknowledged: which = SystemText::Acknowledged; break;
+    case AlarmState::Returned: which = SystemText::Returned; break;
+    case AlarmState::Normal: break;
+    }
+    const QString state = systemText(scene().texts(), which, tag());
+    const AlarmClass* own = classOf(scene().alarms(), entry.className);
+    return own ? classTitle(*own) + QStringLiteral(" · ") + state : state;
+}
+
+// ---- places; keys and rows are high enough for a finger
+
+double AlarmListView::rowHeight() const { return hasKeys() ? std::max(46.0, num("fontSize") * 3) : std::max(30.0, num("fontSize") * 2.2); }
+
+double AlarmListView::headHeight() const { return hasKeys() ? std::max(50.0, num("fontSize") * 2.6) : num("fontSize") * 2; }
+
+double AlarmListView::timeWidth() const { return num("fontSize") * 10.5; }
+
+double AlarmListView::markWidth() const { return std::max(30.0, num("fontSize") * 2.2); }
+
+QRectF AlarmListView::mirrored(const QRectF& area) const { return isRightToLeft(tag()) ? QRectF(width() - area.right(), area.top(), area.width(), area.height()) : area; }
 
 QRectF AlarmListView::acknowledgeAllArea() const {
-    const double w = std::min(width() * 0.5, num("fontSize") * 13), h = footHeight() - 8;
-    return {isRightToLeft(tag()) ? 6.0 : width() - w - 6, height() - h - 4, w, h};
+    if (!hasKeys() || isHistory()) return {};
+    const double w = std::min(width() * 0.36, num("fontSize") * 11);
+    return mirrored({width() - w - 4, 3, w, headHeight() - 6});
+}
+
+QRectF AlarmListView::filterArea() const {
+    if (!hasKeys() || width() < num("fontSize") * 36) return {};
+    const double w = std::min(width() * 0.28, num("fontSize") * 11), taken = isHistory() ? 0 : acknowledgeAllArea().width() + 4;
+    return mirrored({width() - taken - w - 4, 3, w, headHeight() - 6});
+}
+
+QRectF AlarmListView::timeHead() const { return mirrored({markWidth(), 0, timeWidth() - 6, headHeight()}); }
+
+QRectF AlarmListView::alarmHead() const {
+    const double from = markWidth() + timeWidth();
+    double to = width() - 6;
+    if (hasKeys() && !isHistory()) to -= acknowledgeAllArea().width() + 4;
+    to -= filterArea().width();
+    return mirrored({from, 0, std::max(0.0, to - from), headHeight()});
 }
 
 QRectF AlarmListView::acknowledgeArea(int row) const {
-    const double side = rowHeight() - 6;
-    return {isRightToLeft(tag()) ? 6.0 : width() - side - 8, headHeight() + row * rowHeight() + 3, side, side};
+    const double side = std::min(rowHeight() - 4, 44.0);
+    return mirrored({width() - side - 6, headHeight() + row * rowHeight() + (rowHeight() - side) / 2, side, side});
 }
 
 QRectF AlarmListView::textArea(int row) const {
-    const double timeWidth = num("fontSize") * 10.5, mark = rowHeight();
-    const double buttons = flag("buttons") && !isHistory() ? rowHeight() + 6 : 6;
+    const double from = markWidth() + timeWidth(), key = hasKeys() && !isHistory() ? acknowledgeArea(0).width() + 14 : 6;
     const double top = headHeight() + row * rowHeight();
-    if (isRightToLeft(tag())) return {buttons, top, width() - mark - timeWidth - buttons, rowHeight()};
-    return {mark + timeWidth, top, width() - mark - timeWidth - buttons, rowHeight()};
+    // Rows with keys are high enough for two lines: what is wrong, and below it the class and the state.
+    return mirrored({from, hasKeys() ? top + 3 : top, width() - from - key, hasKeys() ? rowHeight() * 0.56 : rowHeight()});
 }
 
 void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row) {
-    const double h = rowHeight(), top = headHeight() + row * h, mark = h;
-    const bool rtl = isRightToLeft(tag());
+    const double h = rowHeight(), top = headHeight() + row * h, size = num("fontSize");
     const QColor color = colorOf(entry, scene().alarms(), theme());
     const bool isOpen = entry.state == AlarmState::Unacknowledged;
     if (isOpen && !isHistory()) m_blinking = true;
@@ -114,22 +185,59 @@ void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row)
     }
     painter.setPen(QPen(theme().color("faint"), 1));
     painter.drawLine(line.bottomLeft(), line.bottomRight());
-    const double side = std::min(h * 0.55, 20.0);
-    const QRectF sign((rtl ? width() - mark : 0) + (mark - side) / 2, top + (h - side) / 2, side, side);
-    drawPriority(painter, sign, entry.priority, color, entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Acknowledged);
-    const double size = num("fontSize"), timeWidth = size * 10.5;
+    const double side = std::min(h * 0.5, 20.0);
+    drawPriority(painter, mirrored({(markWidth() - side) / 2, top + (h - side) / 2, side, side}), entry.priority, color, entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Acknowledged);
     const bool isGone = entry.state == AlarmState::Returned || entry.state == AlarmState::Normal;
+    const QRectF words = textArea(row);
     painter.setPen(theme().color("muted"));
-    drawText(painter, textBox(alarmTime(entry, locale(), scene().alarms() ? scene().alarms()->clockAtZero() : 0), QRectF(rtl ? width() - mark - timeWidth : mark, top, timeWidth - 6, h), size * 0.92, TextAlign::Start, ""));
+    drawText(painter, textBox(alarmTime(entry, locale(), scene().alarms() ? scene().alarms()->clockAtZero() : kSampleClock), mirrored({markWidth(), words.top(), timeWidth() - 6, words.height()}), size * 0.92, TextAlign::Start, ""));
+    if (hasKeys()) drawText(painter, textBox(stateText(entry), QRectF(words.left(), words.bottom() - 1, words.width(), h - words.height() - 5), size * 0.8, TextAlign::Start, ""));
     painter.setPen(isGone ? theme().color("muted") : inkColor(theme().color("text")));
-    drawText(painter, textBox(AlarmBook::render(entry, scene().texts(), tag()), textArea(row), size, TextAlign::Start, "", isOpen));
-    const bool canAcknowledge = !isHistory() && flag("buttons") && (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();
+    drawText(painter, textBox(AlarmBook::render(entry, scene().texts(), tag()), words, size, TextAlign::Start, "", isOpen));
+    const bool canAcknowledge = !isHistory() && hasKeys() && (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();
     if (!canAcknowledge) return;
-    const QRectF key = acknowledgeArea(row);
-    drawKey(painter, key, 4, theme().color("button"), false, theme());
-    painter.setPen(QPen(theme().color("text"), 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const QRectF key = acknowledgeArea(row).adjusted(2, 2, -2, -2);
+    drawKey(painter, key, 4, theme().color("button"), isPressed() && !m_scrolled && acknowledgeArea(row).contains(m_pressedAt), theme());
+    painter.setPen(QPen(theme().color("text"), 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(QPolygonF{key.topLeft() + QPointF(key.width() * 0.26, key.height() * 0.52), key.topLeft() + QPointF(key.width() * 0.43, key.height() * 0.68), key.topLeft() + QPointF(key.width() * 0.75, key.height() * 0.3)});
+    painter.drawPolyline(QPolygonF{key.topLeft() + QPointF(key.width() * 0.28, key.height() * 0.52), key.topLeft() + QPointF(key.width() * 0.43, key.height() * 0.67), key.topLeft() + QPointF(key.width() * 0.73, key.height() * 0.33)});
+}
+
+void AlarmListView::drawHead(QPainter& painter) {
+    painter.fillRect(QRectF(1, 1, width() - 2, headHeight() - 1), theme().color("surface"));
+    painter.setPen(QPen(theme().color("faint"), 1));
+    painter.drawLine(QPointF(0, headHeight()), QPointF(width(), headHeight()));
+    const double size = num("fontSize");
+    const auto title = [&](const QRectF& area, SystemText which, AlarmOrder sorts) {
+        const TextBox words = textBox(systemText(scene().texts(), which, tag()), area, size * 0.9, TextAlign::Start, "", order() == sorts);
+        painter.setPen(theme().color(order() == sorts ? "text" : "muted"));
+        drawText(painter, words);
+        const double end = neededSize(words).width() + 10;
+        if (order() != sorts || end > area.width() - 8) return;
+        const double x = isRightToLeft(tag()) ? area.right() - end : area.left() + end, y = area.center().y();
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme().color("text"));
+        painter.drawPolygon(QPolygonF{QPointF(x - 4, y - 2), QPointF(x + 4, y - 2), QPointF(x, y + 3)});
+    };
+    title(timeHead(), SystemText::Time, AlarmOrder::Time);
+    title(alarmHead(), SystemText::Alarm, AlarmOrder::Priority);
+    if (const QRectF all = acknowledgeAllArea(); !all.isEmpty()) {
+        drawKey(painter, all, 5, theme().color("button"), isPressed() && !m_scrolled && all.contains(m_pressedAt), theme());
+        painter.setPen(PanelTheme::inkOn(theme().color("button")));
+        drawText(painter, textBox(systemText(scene().texts(), SystemText::AcknowledgeAll, tag()), all.adjusted(8, 0, -8, 0), size, TextAlign::Center, ""));
+    }
+    const QRectF filter = filterArea();
+    if (filter.isEmpty()) return;
+    const QColor ground = theme().color(m_filter ? "accent" : "button");
+    drawKey(painter, filter, 5, ground, isPressed() && !m_scrolled && filter.contains(m_pressedAt), theme());
+    // A funnel says what the words choose.
+    const QRectF sign = isRightToLeft(tag()) ? QRectF(filter.right() - 26, filter.center().y() - 7, 14, 14) : QRectF(filter.left() + 12, filter.center().y() - 7, 14, 14);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(PanelTheme::inkOn(ground));
+    painter.drawPolygon(QPolygonF{sign.topLeft(), sign.topRight(), QPointF(sign.center().x() + 2, sign.center().y()), QPointF(sign.center().x() + 2, sign.bottom() - 2), QPointF(sign.center().x() - 2, sign.bottom()), QPointF(sign.center().x() - 2, sign.center().y())});
+    painter.setPen(PanelTheme::inkOn(ground));
+    const QRectF words = isRightToLeft(tag()) ? filter.adjusted(8, 0, -32, 0) : filter.adjusted(32, 0, -8, 0);
+    drawText(painter, textBox(filterText(), words, size, TextAlign::Start, ""));
 }
 
 void AlarmListView::draw(QPainter& painter) {
@@ -137,38 +245,24 @@ void AlarmListView::draw(QPainter& painter) {
     painter.setPen(QPen(theme().color("line"), theme().kind() == PanelThemeKind::Contrast ? 2 : 1));
     painter.setBrush(theme().color("inset"));
     painter.drawRect(box().adjusted(0.5, 0.5, -0.5, -0.5));
-    painter.fillRect(QRectF(1, 1, width() - 2, headHeight() - 1), theme().color("surface"));
-    const double size = num("fontSize"), timeWidth = size * 10.5, mark = rowHeight();
-    const bool rtl = isRightToLeft(tag());
-    painter.setPen(theme().color("muted"));
-    const auto head = [&](SystemText which) { return systemText(scene().texts(), which, tag()); };
-    drawText(painter, textBox(head(SystemText::Time), QRectF(rtl ? width() - mark - timeWidth : mark, 0, timeWidth, headHeight()), size * 0.9, TextAlign::Start, ""));
-    QRectF alarmHead = textArea(0);
-    alarmHead.setRect(alarmHead.left(), 0, alarmHead.width(), headHeight());
-    drawText(painter, textBox(head(SystemText::Alarm), alarmHead, size * 0.9, TextAlign::Start, ""));
-    const int room = std::max(1, static_cast<int>((height() - headHeight() - footHeight()) / rowHeight()));
+    drawHead(painter);
+    const double below = height() - headHeight();
+    const int room = std::max(1, static_cast<int>(below / rowHeight() + 0.06));
     m_top = std::clamp(m_top, 0, std::max(0, static_cast<int>(all.size()) - room));
     painter.save();
-    painter.setClipRect(QRectF(0, headHeight(), width(), height() - headHeight() - footHeight()), Qt::IntersectClip);
-    for (int row = 0; row < room && m_top + row < static_cast<int>(all.size()); ++row) drawRow(painter, all[static_cast<size_t>(m_top + row)], row);
+    painter.setClipRect(QRectF(0, headHeight(), width(), below), Qt::IntersectClip);
+    // A row that is cut at the lower edge tells that there is more.
+    for (int row = 0; row <= room && m_top + row < static_cast<int>(all.size()); ++row) drawRow(painter, all[static_cast<size_t>(m_top + row)], row);
     painter.restore();
     if (all.empty()) {
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(head(SystemText::NoAlarms), QRectF(0, headHeight(), width(), rowHeight() * 1.6), size, TextAlign::Center, ""));
+        drawText(painter, textBox(systemText(scene().texts(), SystemText::NoAlarms, tag()), QRectF(0, headHeight(), width(), std::min(below, rowHeight() * 1.6)), num("fontSize"), TextAlign::Center, ""));
     }
-    if (static_cast<int>(all.size()) > room) {
-        const double length = height() - headHeight() - footHeight() - 4, knob = std::max(16.0, length * room / static_cast<double>(all.size()));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme().color("off"));
-        painter.drawRoundedRect(QRectF(rtl ? 2 : width() - 6, headHeight() + 2 + (length - knob) * m_top / std::max(1.0, static_cast<double>(all.size()) - room), 4, knob), 2, 2);
-    }
-    if (footHeight() <= 0) return;
-    painter.setPen(QPen(theme().color("faint"), 1));
-    painter.drawLine(QPointF(0, height() - footHeight()), QPointF(width(), height() - footHeight()));
-    const QRectF key = acknowledgeAllArea();
-    drawKey(painter, key, 5, theme().color("button"), isPressed() && !m_scrolled && key.contains(m_pressedAt), theme());
-    painter.setPen(theme().color("text"));
-    drawText(painter, textBox(head(SystemText::AcknowledgeAll), key.adjusted(6, 0, -6, 0), size, TextAlign::Center, ""));
+    if (static_cast<int>(all.size()) <= room) return;
+    const double length = below - 4, knob = std::max(16.0, length * room / static_cast<double>(all.size()));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().color("off"));
+    painter.drawRoundedRect(mirrored({width() - 6, headHeight() + 2 + (length - knob) * m_top / std::max(1.0, static_cast<double>(all.size()) - room), 4, knob}), 2, 2);
 }
 
 void AlarmListView::press(QPointF at) {
@@ -190,12 +284,21 @@ void AlarmListView::wheel(double steps) {
 }
 
 void AlarmListView::release(QPointF at, bool inside) {
-    if (!inside || m_scrolled || isHistory() || !flag("buttons") || scene().alarmPosition()) return;
-    if (acknowledgeAllArea().contains(at)) return scene().request(AcknowledgeRequest{true, 0, classes()});
+    if (!inside || m_scrolled) return;
+    if (hasKeys() && at.y() < headHeight()) {
+        if (filterArea().contains(at)) m_filter = (m_filter + 1) % (2 + static_cast<int>(shownClasses().size()));
+        else if (timeHead().contains(at)) m_order = AlarmOrder::Time;
+        else if (alarmHead().contains(at)) m_order = AlarmOrder::Priority;
+        else if (acknowledgeAllArea().contains(at) && !scene().alarmPosition()) return scene().request(AcknowledgeRequest{true, 0, filteredClass() ? QStringList{filteredClass()->name} : classes()});
+        m_top = 0;
+        return repaint();
+    }
+    if (isHistory() || !hasKeys() || scene().alarmPosition()) return;
     const std::vector<AlarmEntry> all = entries();
     const int row = static_cast<int>((at.y() - headHeight()) / rowHeight());
-    if (at.y() < headHeight() || m_top + row >= static_cast<int>(all.size()) || !acknowledgeArea(row).adjusted(-8, -4, 8, 4).contains(at)) return;
-    scene().request(AcknowledgeRequest{false, all[static_cast<size_t>(m_top + row)].alarm, {}});
+    if (at.y() < headHeight() || m_top + row >= static_cast<int>(all.size()) || !acknowledgeArea(row).adjusted(-8, -2, 8, 2).contains(at)) return;
+    const AlarmEntry& entry = all[static_cast<size_t>(m_top + row)];
+    if (entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Returned) scene().request(AcknowledgeRequest{false, entry.alarm, {}});
 }
 
 void AlarmListView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {

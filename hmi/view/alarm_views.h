@@ -4,7 +4,9 @@
 
 namespace plc::hmi {
 
+struct AlarmClass;
 struct AlarmEntry;
+enum class AlarmOrder;
 
 class AlarmListView final : public ElementView {
 public:
@@ -24,13 +26,29 @@ private:
     std::vector<AlarmEntry> entries() const;
     QStringList classes() const;
     bool isHistory() const { return text("shows") == QStringLiteral("history"); }
+    /// Keys to acknowledge, to sort and to filter by.
+    bool hasKeys() const { return flag("buttons"); }
+    AlarmOrder order() const;
+    std::vector<const AlarmClass*> shownClasses() const;
+    const AlarmClass* filteredClass() const;
+    QString classTitle(const AlarmClass& one) const;
+    QString filterText() const;
+    QString stateText(const AlarmEntry& entry) const;
     double rowHeight() const;
     double headHeight() const;
-    double footHeight() const;
+    double timeWidth() const;
+    double markWidth() const;
+    QRectF mirrored(const QRectF& area) const;
     QRectF acknowledgeAllArea() const;
+    QRectF filterArea() const;
+    QRectF timeHead() const;
+    QRectF alarmHead() const;
     QRectF acknowledgeArea(int visibleRow) const;
     QRectF textArea(int visibleRow) const;
     void drawRow(QPainter& painter, const AlarmEntry& entry, int visibleRow);
+    void drawHead(QPainter& painter);
+    std::optional<AlarmOrder> m_order; // once the operator has touched a heading
+    int m_filter = 0;                  // 0 all, 1 not acknowledged, from 2 on the classes
     int m_top = 0, m_pressedTop = 0;
     QPointF m_pressedAt;
     bool m_scrolled = false;

@@ -5,9 +5,37 @@
 namespace plc::hmi {
 
 QString withIndex(QString expression, int index, int row, int column) {
-    expression.replace(QStringLiteral("#r"), QString::number(row));
-    expression.replace(QStringLiteral("#c"), QString::number(column));
-    return expression.replace(QStringLiteral("[#"), u'[' + QString::number(index)).replace(u'#', QString::number(index));
+    const auto isWord = [](QChar c) { return c.isLetterOrNumber() || c == u'_'; };
+    QString out;
+    int depth = 0;
+    QChar quote, before;
+    for (qsizetype i = 0; i < expression.size(); ++i) {
+        const QChar c = expression[i], next = i + 1 < expression.size() ? expression[i + 1] : QChar();
+        if (!quote.isNull()) {
+            if (c == u'$' && !next.isNull()) { // $' is no end
+                out += c;
+                out += next;
+                ++i;
+                continue;
+            }
+            if (c == quote) quote = QChar();
+        } else if (c == u'\'' || c == u'"') {
+            quote = c;
+        } else if (c == u'[' || c == u']') {
+            depth += c == u'[' ? 1 : -1;
+        } else if (c == u'#' && depth > 0 && !isWord(before)) {
+            const bool isNamed = (next == u'r' || next == u'c') && (i + 2 >= expression.size() || !isWord(expression[i + 2]));
+            if (isNamed || !isWord(next)) {
+                out += QString::number(!isNamed ? index : next == u'r' ? row : column);
+                i += isNamed;
+                before = u'0';
+                continue;
+            }
+        }
+        out += c;
+        if (!c.isSpace()) before = c;
+    }
+    return out;
 }
 
 // ---- cell grid
@@ -123,9 +151,15 @@ bool ArrayTableView::update() {
     return true;
 }
 
-double ArrayTableView::rowHeight() const { return std::max(24.0, num("fontSize") * 2.1); }
+double ArrayTableView::headHeight() const { return std::max(24.0, num("fontSize") * 2.1); }
 
-int ArrayTableView::visibleRows() const { return std::max(1, static_cast<int>((height() - rowHeight()) / rowHeight())); }
+/// Rows that are touched are high enough for a finger.
+double ArrayTableView::rowHeight() const {
+    const bool isTouched = m_selectedTarget.isBound() || std::any_of(m_columns.begin(), m_columns.end(), [](const Column& column) { return column.editable; });
+    return isTouched ? std::max(44.0, headHeight()) : headHeight();
+}
+
+int ArrayTableView::visibleRows() const { return std::max(1, static_cast<int>((height() - headHeight()) / rowHeight())); }
 
 QRectF ArrayTableView::cell(int visibleRow, size_t column) const {
     const double index = num("fontSize") * 2.6, bar = count() > visibleRows() ? 10 : 0;
@@ -135,7 +169,7 @@ QRectF ArrayTableView::cell(int visibleRow, size_t column) const {
         if (i < column) before += m_columns[i].width;
     }
     const double room = width() - index - bar;
-    return {index + room * before / total, (visibleRow + 1) * rowHeight(), room * m_columns[column].width / total, rowHeight()};
+    return {index + room * before / total, visibleRow < 0 ? 0 : headHeight() + visibleRow * rowHeight(), room * m_columns[column].width / total, visibleRow < 0 ? headHeight() : rowHeight()};
 }
 
 TextBox ArrayTableView::header(size_t column, const QString& forTag) const {
@@ -148,18 +182,18 @@ QString ArrayTableView::contents(const Value& held, const Column& column) const 
     const UnitView view = scene().texts().settings().unitFor(tag(), column.unit);
     const Value raw = view.factor == 1 && view.offset == 0 ? held : Value::ofReal(view.shown(held.toNumber()));
     const QString words = formatValue(raw, column.format, locale());
-    return view.unit.isEmpty() ? words : words + QChar(0x00A0) + view.unit;
+    return view.unit.isEmpty() ? words : leftToRight(words + QChar(0x00A0) + view.unit);
 }
 
 void ArrayTableView::draw(QPainter& painter) {
-    const double row = rowHeight();
+    const double row = rowHeight(), head = headHeight();
     painter.setPen(QPen(theme().color("line"), theme().kind() == PanelThemeKind::Contrast ? 2 : 1));
     painter.setBrush(theme().color("inset"));
     painter.drawRect(box());
-    painter.fillRect(QRectF(1, 1, width() - 2, row - 1), theme().color("surface"));
+    painter.fillRect(QRectF(1, 1, width() - 2, head - 1), theme().color("surface"));
     const int first = element().integer("first");
     for (int i = 0; i < static_cast<int>(m_cells.size()) && !m_columns.empty(); ++i) {
-        const QRectF line(1, (i + 1) * row, width() - 2, row);
+        const QRectF line(1, head + i * row, width() - 2, row);
         const bool isSelected = m_top + i == m_selected;
         if (isSelected) painter.fillRect(line, theme().color("accent"));
         else if (i % 2) painter.fillRect(line, theme().color("surface").lighter(theme().isDark() ? 92 : 103));
@@ -175,22 +209,34 @@ void ArrayTableView::draw(QPainter& painter) {
     for (size_t column = 0; column < m_columns.size(); ++column) {
         painter.setPen(QPen(theme().color("faint"), 1));
         const double x = cell(-1, column).left();
-        painter.drawLine(QPointF(x, 1), QPointF(x, std::min(height() - 1, (static_cast<double>(m_cells.size()) + 1) * row)));
+        painter.drawLine(QPointF(x, 1), QPointF(x, std::min(height() - 1, head + static_cast<double>(m_cells.size()) * row)));
         painter.setPen(theme().color("text"));
         drawText(painter, header(column, tag()));
     }
     painter.setPen(QPen(theme().color("line"), 1));
-    painter.drawLine(QPointF(0, row), QPointF(width(), row));
+    painter.drawLine(QPointF(0, head), QPointF(width(), head));
     if (count() > visibleRows()) {
-        const double room = height() - row - 4, length = std::max(16.0, room * visibleRows() / count());
+        const double room = height() - head - 4, length = std::max(16.0, room * visibleRows() / count());
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme().color("off"));
-        painter.drawRoundedRect(QRectF(width() - 8, row + 2 + (room - length) * m_top / std::max(1, count() - visibleRows()), 5, length), 2.5, 2.5);
+        painter.drawRoundedRect(QRectF(width() - 8, head + 2 + (room - length) * m_top / std::max(1, count() - visibleRows()), 5, length), 2.5, 2.5);
     }
-    if (m_columns.empty()) {
+    if (m_columns.empty()) drawSample(painter);
+}
+
+void ArrayTableView::drawSample(QPainter& painter) {
+    const double row = rowHeight(), head = headHeight(), index = num("fontSize") * 2.6, wide = (width() - index) / 2;
+    for (int column = 0; column < 2; ++column) {
+        const double x = index + column * wide;
+        painter.setPen(QPen(theme().color("faint"), 1));
+        painter.drawLine(QPointF(x, 1), QPointF(x, height() - 1));
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(QStringLiteral("[#]"), box(), num("fontSize"), TextAlign::Center, ""));
+        drawText(painter, textBox(column ? QStringLiteral("[#].b") : QStringLiteral("[#].a"), QRectF(x + 6, 0, wide - 12, head), num("fontSize"), TextAlign::Start, "", true));
+        for (int i = 0; i < std::min(visibleRows(), count()); ++i)
+            drawText(painter, textBox(QStringLiteral("– –"), QRectF(x + 6, head + i * row, wide - 12, row), num("fontSize"), TextAlign::End, ""));
     }
+    for (int i = 0; i < std::min(visibleRows(), count()); ++i)
+        drawText(painter, textBox(QString::number(element().integer("first") + i), QRectF(0, head + i * row, num("fontSize") * 2.2, row), num("fontSize") * 0.9, TextAlign::End, ""));
 }
 
 void ArrayTableView::press(QPointF at) {
@@ -219,7 +265,7 @@ void ArrayTableView::scrollTo(int top) {
 void ArrayTableView::release(QPointF at, bool inside) {
     if (!inside || m_scrolled) return;
     for (int row = 0; row < static_cast<int>(m_cells.size()); ++row) {
-        if (at.y() < (row + 1) * rowHeight() || at.y() >= (row + 2) * rowHeight()) continue;
+        if (at.y() < headHeight() + row * rowHeight() || at.y() >= headHeight() + (row + 1) * rowHeight()) continue;
         const int first = element().integer("first");
         if (m_selected != m_top + row) {
             m_selected = m_top + row;

@@ -4,7 +4,8 @@
 
 namespace plc::hmi {
 
-/// Puts an index into an expression: "[#]" or "#" alone; "#r" and "#c" are row and column.
+/// Puts an index into an expression: `#` within brackets, there also `#r` and `#c` for row and column. A `#` of a literal
+/// (T#10s, 16#FF, Mode#Auto), of a name (#local) or of a text is left alone.
 QString withIndex(QString expression, int index, int row = 0, int column = 0);
 
 class CellGridView final : public ElementView {
@@ -52,11 +53,14 @@ protected:
     void draw(QPainter& painter) override;
 
 private:
+    /// What the designer shows before there are columns.
+    void drawSample(QPainter& painter);
     struct Column {
         QString title, value, format, unit;
         bool editable;
         double width;
     };
+    double headHeight() const;
     double rowHeight() const;
     int visibleRows() const;
     int count() const { return std::max(0, element().integer("count")); }

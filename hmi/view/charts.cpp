@@ -66,7 +66,7 @@ void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const 
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         painter.setPen(theme().color("muted"));
         QString words = formatValue(Value::ofReal(step), pattern, locale());
-        if (step == steps.back() && !unitOfLast.isEmpty()) words += QChar(0x00A0) + unitOfLast;
+        if (step == steps.back() && !unitOfLast.isEmpty()) words = leftToRight(words + QChar(0x00A0) + unitOfLast);
         drawText(painter, textBox(words, QRectF(x - 50, plot.bottom() + 2, 100, size * 1.5), size, TextAlign::Center, ""));
     }
 }
@@ -124,7 +124,7 @@ void BarChartView::draw(QPainter& painter) {
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
     if (!view.unit.isEmpty()) {
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(view.unit, QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), title.isEmpty() ? TextAlign::Start : TextAlign::End, ""));
+        drawText(painter, textBox(leftToRight(view.unit), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), title.isEmpty() ? TextAlign::Start : TextAlign::End, ""));
     }
     const double pitch = area.width() / static_cast<double>(std::max<size_t>(1, m_bars.size())), thick = std::max(1.0, std::min(pitch * 0.66, 60.0));
     const double zero = area.bottom() - std::clamp(axis.share(std::clamp(0.0, std::min(axis.from, axis.to), std::max(axis.from, axis.to))), 0.0, 1.0) * area.height();
@@ -312,7 +312,7 @@ void TrendChartView::draw(QPainter& painter) {
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
     painter.setPen(theme().color("muted"));
     const QString unitText = text("unit");
-    if (!unitText.isEmpty()) drawText(painter, textBox(unitText, QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));
+    if (!unitText.isEmpty()) drawText(painter, textBox(leftToRight(unitText), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
     painter.setBrush(Qt::NoBrush);

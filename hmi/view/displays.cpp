@@ -32,7 +32,7 @@ bool NumericDisplayView::update() {
         priority = limits.priorityAt(now.toNumber());
     } else {
         words = formatValue(now, text("format"), locale());
-        if (!unit().unit.isEmpty() && now.kind() != ValueKind::Text) words += QChar(0x00A0) + unit().unit;
+        if (!unit().unit.isEmpty() && now.kind() != ValueKind::Text) words = leftToRight(words + QChar(0x00A0) + unit().unit);
     }
     const QString caption = shown(text("label"));
     const bool changed = words != m_shown || priority != m_priority || caption != m_caption;
@@ -214,7 +214,11 @@ QString MultiStateView::stateText(int state, const QString& forTag) const {
     if (!now.isNone() && !fromList.isEmpty()) return fromList;
     for (const auto& one : facts(m_value).enumValues)
         if (!now.isNone() && one.number == now.toInteger()) return one.name;
-    if (now.isNone()) return isDesigning() ? QStringLiteral("…") : QStringLiteral("– –");
+    if (now.isNone() && isDesigning()) {
+        const QString first = scene().texts().listText(text("list"), 0, forTag);
+        return first.isEmpty() ? QStringLiteral("…") : first;
+    }
+    if (now.isNone()) return QStringLiteral("– –");
     return formatValue(now, {}, localeOf(forTag));
 }
 

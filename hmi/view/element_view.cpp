@@ -240,7 +240,10 @@ QString ElementView::formatted(double raw, std::string_view format, const UnitVi
     const QString number = formatValue(Value::ofReal(unit.shown(raw)), m_element.text(format), localeOf(forTag.isEmpty() ? tag() : forTag));
     if (unit.unit.isEmpty()) return number;
     const QString words = number + QChar(0x00A0) + unit.unit;
-    // A figure with its unit reads from left to right in every script.
+    return leftToRight(words, forTag);
+}
+
+QString ElementView::leftToRight(const QString& words, const QString& forTag) const {
     return isRightToLeft(forTag.isEmpty() ? tag() : forTag) ? QChar(0x2066) + words + QChar(0x2069) : words;
 }
 

@@ -106,6 +106,8 @@ protected:
     QString tag() const;
     QLocale locale() const { return localeOf(tag()); }
     QFont font(double pixelSize, bool bold = false, const QString& tag = {}) const;
+    /// Figures with units and the like read from left to right in every script.
+    QString leftToRight(const QString& words, const QString& forTag = {}) const;
     QString shown(const QString& reference, const QString& tag = {}) const; // text filled with the element's values
     TextBox textBox(const QString& text, const QRectF& rect, double pixelSize, TextAlign align, const char* property, bool bold = false, const QString& tag = {}) const;
     UnitView unit(std::string_view property = "unit", const QString& tag = {}) const;

@@ -223,13 +223,15 @@ QPointF GaugeView::center() const { return {width() / 2, std::min(height(), widt
 double GaugeView::radius() const { return std::min(width(), height()) / 2 - 4; }
 
 TextBox GaugeView::label(const QString& forTag) const {
-    const double r = radius(), size = num("fontSize");
-    return textBox(shown(text("label"), forTag), QRectF(center().x() - r * 0.6, center().y() + r * 0.72, r * 1.2, size * 1.4), size, TextAlign::Center, "label", false, forTag);
+    // As wide as the dial is where the label ends.
+    const double r = radius(), size = std::min(num("fontSize"), r * 0.16), top = r * 0.62, bottom = top + size * 1.4;
+    const double half = std::sqrt(std::max(0.0, r * r - bottom * bottom)) * 0.96;
+    return textBox(shown(text("label"), forTag), QRectF(center().x() - half, center().y() + top, 2 * half, size * 1.4), size, TextAlign::Center, "label", false, forTag);
 }
 
 TextBox GaugeView::valueBox(const QString& words, const QString& forTag) const {
-    const double r = radius(), size = std::min(num("fontSize") * 1.35, r * 0.3);
-    return textBox(words, QRectF(center().x() - r * 0.6, center().y() + r * 0.4, r * 1.2, size * 1.4), size, TextAlign::Center, "format", true, forTag);
+    const double r = radius(), size = std::min(num("fontSize") * 1.35, r * 0.24);
+    return textBox(words, QRectF(center().x() - r * 0.6, center().y() + r * 0.33, r * 1.2, size * 1.4), size, TextAlign::Center, "format", true, forTag);
 }
 
 void GaugeView::draw(QPainter& painter) {

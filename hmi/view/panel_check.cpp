@@ -1,6 +1,7 @@
 #include "hmi/view/panel_check.h"
 
 #include "hmi/model/walk.h"
+#include "hmi/view/arrays.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -83,9 +84,9 @@ struct Checker {
         if (!input.checkBinding) return;
         forEachBinding(properties, [&](const Found& binding) {
             QString expression = binding.text;
-            if (hasIndex && expression.contains(u'#')) { // tried with the first index; elsewhere it belongs to a literal
-                const QString first = QString::number(properties.integer("first"));
-                expression.replace(QStringLiteral("#r"), first).replace(QStringLiteral("#c"), first).replace(u'#', first);
+            if (hasIndex) { // tried with the first index
+                const int first = properties.integer("first");
+                expression = withIndex(expression, first, first, first);
             }
             const QString complaint = input.checkBinding(expression, binding.hint, binding.type == PropertyType::Target);
             if (!complaint.isEmpty()) add(FindingKind::WrongBinding, true, file, id, binding.place(), complaint);

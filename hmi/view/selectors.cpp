@@ -251,6 +251,7 @@ void LanguageSelectorView::setUp() {
 QRectF LanguageSelectorView::cell(qsizetype index) const {
     if (text("style") == QStringLiteral("menu")) return box();
     const double w = width() / static_cast<double>(std::max<qsizetype>(1, tags().size()));
+    if (isRightToLeft(tag())) index = tags().size() - 1 - index; // the first one stands where reading begins
     return QRectF(static_cast<double>(index) * w, 0, w, height()).adjusted(index ? 2 : 0, 0, index + 1 < tags().size() ? -2 : 0, 0);
 }
 

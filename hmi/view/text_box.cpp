@@ -33,6 +33,13 @@ struct Lines {
             if (!line.isEmpty()) ink = std::max(ink, metrics.tightBoundingRect(line).height());
         spacing = std::max(metrics.lineSpacing(), ink);
     }
+    /// Only the lines that have room; the last one says that more would follow.
+    void keep(const TextBox& box) {
+        const qsizetype room = spacing > 0 ? static_cast<qsizetype>((box.rect.height() + 1 - ink) / spacing) + 1 : 1;
+        if (texts.size() <= std::max<qsizetype>(1, room)) return;
+        texts.resize(std::max<qsizetype>(1, room));
+        texts.back() += QChar(0x2026);
+    }
     double height() const { return ink + static_cast<double>(texts.size() - 1) * spacing; }
 
 private:
@@ -152,7 +159,8 @@ void drawText(QPainter& painter, const TextBox& box) {
     painter.setFont(box.font);
     painter.setLayoutDirection(box.rightToLeft ? Qt::RightToLeft : Qt::LeftToRight);
     const QFontMetricsF metrics(box.font);
-    const Lines lines(box);
+    Lines lines(box);
+    lines.keep(box);
     const double below = static_cast<double>(lines.texts.size() - 1) * lines.spacing;
     double y = box.rect.center().y() + (metrics.ascent() - metrics.descent() - below) / 2;
     if (box.vertical & Qt::AlignTop) y = box.rect.top() + metrics.ascent();

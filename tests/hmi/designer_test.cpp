@@ -156,6 +156,44 @@ TEST(Designer, VariablesBecomeTheElementsThatFit) {
     EXPECT_TRUE(problems.isEmpty()) << problems.join(u'\n').toStdString();
 }
 
+TEST(Designer, WordsDraggedOutOfTheCodeBecomeTheVariableThatTheyName) {
+    Studio studio;
+    const auto dropText = [&](const char* text) {
+        auto* mime = new QMimeData;
+        mime->setText(QString::fromLatin1(text));
+        studio.drop(mime, 300, 200);
+        return studio.panel().elements().size();
+    };
+    EXPECT_EQ(dropText("running"), 1u);
+    EXPECT_EQ(studio.last().kind(), ElementKind::Lamp);
+    EXPECT_EQ(studio.last().text("value").toStdString(), "Main.running");
+    EXPECT_EQ(dropText("IF running THEN"), 1u); // no variable
+    EXPECT_EQ(dropText("Main.level\nMain.name"), 3u);
+    EXPECT_EQ(studio.last().text("value").toStdString(), "Main.name");
+    EXPECT_EQ(dropText("Language"), 4u);
+}
+
+TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {
+    PanelProject project = machineProject();
+    project.panels.push_back({QStringLiteral("main"), panelOf("")});
+    DesignContext context(project);
+    PanelDesigner designer(context, QStringLiteral("main"));
+    designer.resize(1000, 620);
+    designer.show();
+    QTest::qWait(1);
+    DesignCanvas& canvas = designer.canvas();
+    const auto isWhole = [&] { return QRectF(canvas.viewport()->rect()).contains(canvas.toViewport(QRectF(0, 0, 640, 400))); };
+    EXPECT_TRUE(isWhole());
+    EXPECT_LT(canvas.zoom(), 1);
+    designer.resize(860, 520);
+    QTest::qWait(1);
+    EXPECT_TRUE(isWhole());
+    designer.action(QStringLiteral("zoom-1"))->trigger();
+    designer.resize(840, 520);
+    QTest::qWait(1);
+    EXPECT_EQ(canvas.zoom(), 1);
+}
+
 TEST(Designer, SelectsMovesWithSnappingResizesAndUndoesEachAsOneStep) {
     Studio studio(R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
     const std::string before = studio.panel().write();

@@ -53,7 +53,7 @@ TEST(Player, SaysWhyAWriteIsRefused) {
     EXPECT_EQ(machine.write("Main.start", Value::ofBool(true)).toStdString(), "Not written: the controller is not running.");
     machine.session.startThread({session::Pace::Factor, 5});
     ASSERT_TRUE(machine.waitFor("Main.count > 2"));
-    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(), "Not written: the value lies outside its limits. 300 does not fit into SINT");
+    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(), "Not written: the value lies outside its limits. -128 to 127");
     EXPECT_EQ(machine.write("Main.count + 1", Value::ofInteger(3)).toStdString(), "Not written: this is not a variable.");
     EXPECT_FALSE(machine.write("Main.cuont", Value::ofInteger(3)).isEmpty());
     machine.session.force("Main.forced", types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(1)});
@@ -66,7 +66,9 @@ TEST(Player, SaysWhyAWriteIsRefused) {
     EXPECT_TRUE(machine.write("Main.name", Value::ofText(QStringLiteral("Grød"))).isEmpty());
     EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.value("Main.name").text() == QStringLiteral("Grød"); })) << machine.value("Main.name").text().toStdString();
     EXPECT_TRUE(machine.value("Main.name = 'Grød'").toBool());
-    EXPECT_FALSE(machine.write("Main.name", Value::ofText(QStringLiteral("Too long"))).isEmpty());
+    EXPECT_EQ(machine.write("Main.name", Value::ofText(QStringLiteral("Too long"))).toStdString(), "Ikke skrevet: højst 5 tegn.");
+    EXPECT_EQ(machine.write("Main.name", Value::ofText(QStringLiteral("容器"))).toStdString(), "Ikke skrevet: Variablen kan ikke rumme et af tegnene.");
+    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(), "Ikke skrevet: Værdien ligger uden for grænserne. -128 til 127");
     EXPECT_TRUE(machine.write("Main.operation", Value::ofInteger(2)).isEmpty());
     EXPECT_TRUE(machine.waitFor("Main.operation = Mode.Auto"));
     EXPECT_TRUE(machine.write("Main.wait", Value::ofReal(2.5)).isEmpty());
@@ -93,6 +95,41 @@ TEST(Player, TheKeypadKeepsItsLimitsAndWritesTheNumber) {
     QTest::keyClick(keypad, '2');
     QTest::keyClick(keypad, Qt::Key_Return);
     EXPECT_TRUE(machine.waitFor("Main.level > 9.1 AND Main.level < 9.3"));
+}
+
+TEST(Player, TheKeypadSpeaksTheLanguage) {
+    Machine machine(R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level"},{"id":"t","kind":"textEntry","rect":[10,100,140,44],"target":"Main.name"})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 2"));
+    const auto press = [&](const QString& text) {
+        for (QPushButton* button : machine.player->overlay()->findChildren<QPushButton*>())
+            if (button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
+        ADD_FAILURE() << "no key " << text.toStdString();
+    };
+    const auto open = [&](const char* tag, int y) {
+        machine.player->setLanguage(QLatin1String(tag));
+        QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, y));
+        ASSERT_TRUE(machine.player->overlay());
+    };
+    open("ar", 30);
+    const auto keys = machine.player->overlay()->findChildren<QPushButton*>();
+    const auto placeOf = [&](const QString& text) {
+        for (const QPushButton* button : keys)
+            if (button->text() == text) return button->mapToGlobal(QPoint()).x();
+        return -1;
+    };
+    EXPECT_LT(placeOf(QStringLiteral("١")), placeOf(QStringLiteral("٣"))); // not mirrored
+    press(QStringLiteral("٩"));
+    press(QStringLiteral("٫"));
+    press(QStringLiteral("٥"));
+    press(QStringLiteral("موافق"));
+    EXPECT_TRUE(machine.waitFor("Main.level = 9.5"));
+    QTest::qWait(1);
+    open("da", 120);
+    press(QStringLiteral("æ"));
+    press(QStringLiteral("⇧"));
+    press(QStringLiteral("Å"));
+    press(QStringLiteral("OK"));
+    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.value("Main.name").text() == QStringLiteral("æÅ"); })) << machine.value("Main.name").text().toStdString();
 }
 
 TEST(Player, TheLanguageFollowsTheVariableAndIsWrittenToIt) {
@@ -122,9 +159,42 @@ TEST(Player, AnAlarmOfOneScanIsNotLostAndAcknowledgingEndsIt) {
     EXPECT_EQ(raised.state, AlarmState::Unacknowledged);
     const QString danish = AlarmBook::render(raised, machine.project.texts, QStringLiteral("da"));
     EXPECT_EQ(danish, QStringLiteral("Overbelastet ved %1").arg(raised.raised.scan + 1)); // count of that scan
-    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(560, 290)); // acknowledge all
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(560, 35)); // acknowledge all
     EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.player->alarms().unacknowledgedCount() == 0; }));
     EXPECT_EQ(machine.player->alarms().present({}, AlarmOrder::Time).size(), 1u); // overload is still there
+}
+
+TEST(Player, TheAlarmListIsSortedFilteredAndAcknowledgedByTouch) {
+    Machine machine(R"({"id":"a","kind":"alarmList","rect":[10,10,600,300]})", false);
+    machine.project.alarms = *AlarmFile::parse(R"({"classes":[{"name":"fault","title":"Fault"},{"name":"hint","title":"Hint"}],"alarms":[
+        {"id":"late","class":"hint","condition":"Main.count > 20","text":"late","priority":3},{"id":"early","class":"fault","condition":"Main.count > 10","text":"early","priority":1}]})", QString());
+    machine.player->projectChanged();
+    machine.session.runHere([](const controller::Controller& controller) { return controller.nextScan() > 40; });
+    machine.player->alarmWatch()->catchUp();
+    machine.player->frame();
+    PanelView& view = machine.player->view();
+    QStringList asked;
+    QObject::connect(&view.scene(), &PanelScene::acknowledgeRequested, &view, [&](const AcknowledgeRequest& one) { asked += one.all ? QStringLiteral("all ") + one.classes.join(u',') : machine.player->alarms().definitions()[one.alarm].id; });
+    const auto touch = [&](int x, int y) {
+        QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(x, y));
+        return std::exchange(asked, {}).join(u' ').toStdString();
+    };
+    const QPoint first(10 + 600 - 24, 10 + 50 + 23); // the key of the first row
+    const QImage byPriority = view.scene().picture();
+    touch(100, 30); // the heading of the time
+    EXPECT_NE(view.scene().picture(), byPriority);
+    EXPECT_EQ(touch(first.x(), first.y()), "late"); // the newest one is first
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->alarms().unacknowledgedCount() == 1; }));
+    EXPECT_EQ(touch(first.x(), first.y()), ""); // it was acknowledged
+    EXPECT_EQ(touch(first.x(), first.y() + 22 + 4), "early");
+    const int filter = 10 + 600 - 4 - 154 - 4 - 77;
+    touch(filter, 30); // not acknowledged
+    touch(filter, 30); // faults
+    EXPECT_EQ(touch(540, 30), "all fault");
+    touch(filter, 30); // hints
+    EXPECT_EQ(touch(540, 30), "all hint");
+    touch(filter, 30);
+    EXPECT_EQ(touch(540, 30), "all "); // all again
 }
 
 TEST(Player, FollowsTheTimeSliderAndRefusesToWriteIntoThePast) {

@@ -1,5 +1,6 @@
 // Operator texts: the table on disk, formats, placeholders, the fallback chain.
 #include "hmi/texts/catalog.h"
+#include "hmi/texts/system_texts.h"
 
 #include <gtest/gtest.h>
 
@@ -116,6 +117,24 @@ TEST(Language, TheVariableIsAPositionOrATag) {
     EXPECT_EQ(settings.tagOf(Value::ofText(QStringLiteral("en"))).toStdString(), "en-GB");
     EXPECT_TRUE(settings.tagOf(Value::ofInteger(9)).isEmpty());
     EXPECT_EQ(settings.valueOf(QStringLiteral("de"), ValueKind::Integer).toInteger(), 2);
+}
+
+TEST(Language, TheTextsOfThePanelItselfFollowTheLanguageAndTheTable) {
+    const auto said = [](const TextCatalog& texts, const char* tag) { return systemText(texts, SystemText::Cancel, QLatin1String(tag)).toStdString(); };
+    LanguageSettings settings;
+    settings.languages = QStringList{"de-AT", "da", "pl", "ar"};
+    TextCatalog texts(TextTable(), settings);
+    EXPECT_EQ(said(texts, "de-AT"), "Abbrechen");
+    EXPECT_EQ(said(texts, "da"), "Annuller");
+    EXPECT_EQ(said(texts, "ar"), "إلغاء");
+    EXPECT_EQ(said(texts, "pl"), "Abbrechen"); // the first language of the project
+    settings.fallback = QStringList{"fr"};
+    texts.setSettings(settings);
+    EXPECT_EQ(said(texts, "pl"), "Annuler");
+    texts.setTable(*TextTable::parse("key,comment,da,pl\nhmi.cancel,,Fortryd,Anuluj\n", QString()));
+    EXPECT_EQ(said(texts, "pl"), "Anuluj");
+    EXPECT_EQ(said(texts, "da"), "Fortryd");
+    EXPECT_EQ(systemText(TextCatalog(), SystemText::Cancel, QStringLiteral("xx")).toStdString(), "Cancel");
 }
 
 TEST(Language, PseudoTextIsLongerAccentedAndKeepsPlaceholders) {

@@ -57,7 +57,7 @@ TEST(PanelCheck, EachRuleHasAProjectThatBreaksIt) {
 
 TEST(PanelCheck, AsksTheFrontEndForEveryBindingWithTheTypeItNeeds) {
     CheckInput input = project(R"({"id":"a","kind":"lamp","rect":[0,0,50,50],"value":"Mian.on","visible":"Main.s = Step#Fill","when":[{"if":"Main.fault"}]},
-                                  {"id":"t","kind":"table","rect":[0,0,300,200],"columns":[{"value":"Main.r[#].v"}]})", "key,comment,en,de\n");
+                                  {"id":"t","kind":"table","rect":[0,0,300,200],"columns":[{"value":"Main.r[#].v"},{"value":"Main.times[#] + T#10s"}]})", "key,comment,en,de\n");
     QStringList asked;
     input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) -> QString {
         asked += expression + u':' + QString::fromStdString(std::string(wanted)) + (isTarget ? QStringLiteral("!") : QString());
@@ -67,7 +67,7 @@ TEST(PanelCheck, AsksTheFrontEndForEveryBindingWithTheTypeItNeeds) {
     EXPECT_EQ(kinds(found), "H1012");
     EXPECT_EQ(found[0].property.toStdString(), "value");
     EXPECT_EQ(found[0].text().toStdString(), "hmi/main.panel.json: a.value: error H1012: There is no Mian; did you mean Main?");
-    EXPECT_EQ(asked.join(u' ').toStdString(), "Main.s = Step#Fill:bool Main.fault:bool Mian.on:bool Main.r[1].v:any!");
+    EXPECT_EQ(asked.join(u' ').toStdString(), "Main.s = Step#Fill:bool Main.fault:bool Mian.on:bool Main.r[1].v:any! Main.times[1] + T#10s:any!");
 }
 
 TEST(PanelCheck, MeasuresThePseudoLanguageToo) {

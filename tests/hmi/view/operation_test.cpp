@@ -1,4 +1,5 @@
 // Operating a panel with real mouse events: what is asked for, in which order, and what is painted anew.
+#include "hmi/view/arrays.h"
 #include "hmi/view/panel_view.h"
 
 #include <QSignalSpy>
@@ -140,16 +141,28 @@ TEST(Operation, TheCellGridAndTheTableWriteTheirElements) {
     desk.view.frame();
     desk.click(50, 75);
     EXPECT_EQ(desk.said(), "write G[3] FALSE");
-    desk.click(80, 150 + 30 * 3 + 10);
+    desk.click(80, 150 + 29 + 44 * 2 + 10);
     EXPECT_EQ(desk.said(), "entry R[3].v -1..-1 ");
-    desk.click(250, 150 + 30 * 3 + 10);
+    desk.click(250, 150 + 29 + 44 * 2 + 10);
     EXPECT_EQ(desk.said(), "write R[3].on TRUE");
     QTest::mousePress(&desk.view, Qt::LeftButton, {}, QPoint(80, 300));
     QTest::mouseMove(&desk.view, QPoint(80, 180));
     QTest::mouseRelease(&desk.view, Qt::LeftButton, {}, QPoint(80, 180));
     EXPECT_EQ(desk.said(), ""); // a drag scrolls
-    desk.click(80, 150 + 30 * 1 + 10);
-    EXPECT_EQ(desk.said(), "entry R[5].v -1..-1 ");
+    desk.click(80, 150 + 29 + 10);
+    EXPECT_EQ(desk.said(), "entry R[3].v -1..-1 ");
+}
+
+TEST(Operation, AnIndexIsPutInOnlyWhereItStandsForOne) {
+    const struct {
+        const char *expression, *expected;
+    } rows[] = {
+        {"G[#]", "G[7]"},           {"G[ # ].v", "G[ 7 ].v"},       {"G[#r, #c]", "G[2, 3]"},      {"G[#-1]", "G[7-1]"},         {"G[2 * #r + #c]", "G[2 * 2 + 3]"},
+        {"T > T#10s", "T > T#10s"}, {"16#FF", "16#FF"},             {"x = INT#5", "x = INT#5"},    {"G[16#0F]", "G[16#0F]"},     {"G[Index#red]", "G[Index#red]"},
+        {"#local", "#local"},       {"G[#row].v", "G[#row].v"},     {"s = 'a[#]'", "s = 'a[#]'"},  {"G[#] = T#1s", "G[7] = T#1s"}, {"G[H[#]].v > DINT#3", "G[H[7]].v > DINT#3"},
+        {"M = Mode#running", "M = Mode#running"}, {"M = Mode#closed", "M = Mode#closed"},
+    };
+    for (const auto& row : rows) EXPECT_EQ(withIndex(QLatin1String(row.expression), 7, 2, 3).toStdString(), row.expected);
 }
 
 TEST(Frames, OnlyWhatChangedIsPaintedAndNothingWhenNothingChanged) {
@@ -167,6 +180,16 @@ TEST(Frames, OnlyWhatChangedIsPaintedAndNothingWhenNothingChanged) {
     for (int i = 0; i < 20; ++i) desk.values.set(QStringLiteral("B"), Value::ofReal(i));
     EXPECT_FALSE(desk.view.frame().isEmpty()); // twenty changes, one repaint
     EXPECT_TRUE(desk.view.frame().isEmpty());
+}
+
+TEST(Language, ASelectorBeginsWhereReadingBegins) {
+    Desk desk(R"({"id":"l","kind":"languages","rect":[0,0,200,44]})");
+    desk.click(50, 20);
+    EXPECT_EQ(desk.said(), "language en");
+    desk.view.scene().setLanguage(QStringLiteral("ar"));
+    desk.view.frame();
+    desk.click(50, 20);
+    EXPECT_EQ(desk.said(), "language de");
 }
 
 TEST(Language, SwitchesAtOnceEveryTextOfThePanel) {
