@@ -102,6 +102,7 @@ const std::vector<ActionSpec> kActions = {
     {"run.speed", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Speed…"), "", drawn(Icon::Clock), [](MainWindow& w) { w.setSpeed(); }},
     {"run.history", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Memory for the Recording…"), "", drawn(Icon::Record), [](MainWindow& w) { w.setHistoryBudget(); }},
     {"run.saveRecording", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save the Recording…"), "", drawn(Icon::Export), [](MainWindow& w) { w.saveRecording(); }},
+    {"run.openRecording", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Open a Recording…"), "", drawn(Icon::Record), [](MainWindow& w) { w.openRecording(); }},
     {"run.write", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Write Prepared Values"), "Ctrl+F7", drawn(Icon::Write), [](MainWindow& w) { w.watch().writePrepared(); }},
     {"run.force", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Force Prepared Values"), "F7", drawn(Icon::Force), [](MainWindow& w) { w.watch().forcePrepared(); }},
     {"run.releaseAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Release All Forces"), "Alt+F7", drawn(Icon::Unforce), [](MainWindow& w) { if (w.control().session()) w.control().session()->unforceAll(); }},
@@ -109,7 +110,7 @@ const std::vector<ActionSpec> kActions = {
 
     {"time.back", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "One Scan Back"), "Ctrl+Alt+Left", drawn(Icon::StepBack), [](MainWindow& w) { w.control().stepView(-1); }},
     {"time.forward", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "One Scan Forward"), "Ctrl+Alt+Right", drawn(Icon::Step), [](MainWindow& w) { w.control().stepView(1); }},
-    {"time.live", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back to Live"), "Ctrl+Alt+End", drawn(Icon::Live), [](MainWindow& w) { w.control().view(std::nullopt); }},
+    {"time.live", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back to Live"), "Ctrl+Alt+End", drawn(Icon::Live), [](MainWindow& w) { w.backToLive(); }},
     {"time.resume", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Time"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Resume From Here"), "", drawn(Icon::Resume), [](MainWindow& w) { say(w, w.control().resumeFromView()); }},
 
     {"view.palette", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Command Palette"), "Ctrl+Shift+P", drawn(Icon::Command), [](MainWindow& w) { w.openPalette(); }},

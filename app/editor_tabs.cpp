@@ -200,7 +200,7 @@ void EditorTabs::connectEditor(StEditor* editor) {
         if (!hover) return QToolTip::hideText();
         QString html = "<p style='white-space:pre'><b>" + QString::fromStdString(hover->declaration).toHtmlEscaped() + "</b></p>";
         if (!hover->comment.empty()) html += "<p>" + QString::fromStdString(hover->comment).toHtmlEscaped().replace('\n', "<br>") + "</p>";
-        if (m_control.isOnline() && !hover->path.empty()) {
+        if (m_control.hasValues() && !hover->path.empty()) {
             const auto shown = m_control.valueIn(QString::fromStdString(hover->path), hover->isRelative ? QString::fromStdString(hover->pou) : QString());
             if (!shown.text.isEmpty()) html += "<p>= " + shown.text.left(400).toHtmlEscaped() + "</p>";
         }
@@ -245,7 +245,7 @@ void EditorTabs::showChart(const QString& file, const QString& unit) {
 editor::OnlineValues EditorTabs::onlineValues() {
     return [this](const std::vector<std::pair<QString, QString>>& names) {
         std::vector<editor::OnlineValue> out;
-        if (!m_control.isOnline()) return out;
+        if (!m_control.hasValues()) return out;
         for (const auto& [name, pou] : names) {
             const auto shown = m_control.valueIn(name, pou);
             const auto* program = m_control.imageProgram();
@@ -341,7 +341,9 @@ bool EditorTabs::closePage(int index) {
             m_workspace.revert(page->file());
         }
     }
-    if (!closing->close()) return false;
+    if (m_mayClose && !qobject_cast<StPage*>(closing) && !m_mayClose(closing)) return false;
+    index = indexOf(closing); // the question may have changed the row
+    if (index < 0 || !closing->close()) return false;
     removeTab(index);
     closing->deleteLater();
     return true;
@@ -361,7 +363,7 @@ bool EditorTabs::closeAll() {
         }
     }
     for (int i = 0; i < count(); ++i)
-        if (!qobject_cast<StPage*>(widget(i)) && !widget(i)->close()) return false;
+        if (!qobject_cast<StPage*>(widget(i)) && m_mayClose && !m_mayClose(widget(i))) return false;
     return true;
 }
 

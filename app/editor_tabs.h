@@ -13,6 +13,7 @@
 #include <QTabWidget>
 
 #include <deque>
+#include <functional>
 
 namespace plc::app {
 
@@ -67,6 +68,8 @@ public:
     [[nodiscard]] QWidget* pageByKey(const QString& key) const;
     bool closePage(int index);
     bool closeAll(); // asks for unsaved files; false = cancelled
+    /// Asked before a page closes that is no ST file; false keeps it.
+    void setMayClose(std::function<bool(QWidget*)> mayClose) { m_mayClose = std::move(mayClose); }
     void saveCurrent();
     void saveAll();
     void applySettings();
@@ -99,6 +102,7 @@ private:
     Settings& m_settings;
     std::deque<Visited> m_back, m_forward;
     bool m_isApplying = false;
+    std::function<bool(QWidget*)> m_mayClose;
 };
 
 } // namespace plc::app

@@ -9,6 +9,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace plc::app {
 
 LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent) : QObject(parent), m_workspace(workspace), m_control(control) {
@@ -55,6 +57,8 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
     });
     connect(m_slider, &trace::TimeSlider::message, this, [this](const QString& text) { emit message(text, false); });
     connect(m_trace, &trace::TraceView::positionActivated, this, [this](quint64 position) { m_control.view(position); });
+    connect(m_trace, &trace::TraceView::recordingShown, this, &LiveViews::recordingShown);
+    connect(&control, &editor::RunControl::recordedMustClose, this, &LiveViews::closeRecording);
     connect(m_trace, &trace::TraceView::failed, this, [this](const QString& text) { emit message(text, true); });
     const auto complete = [this](const QString& text, int cursor) {
         std::vector<kit::Completion> out;
@@ -77,6 +81,8 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
 }
 
 LiveViews::~LiveViews() {
+    if (m_trace) m_trace->disconnect(this);
+    if (m_slider) m_slider->disconnect(this);
     if (m_slider) m_slider->setRecording(nullptr);
     if (m_trace) m_trace->setRecording(nullptr);
     delete m_player; // its dock outlives the panels
@@ -89,6 +95,7 @@ void LiveViews::projectOpened() {
 }
 
 void LiveViews::projectClosed() {
+    closeRecording();
     emit designsMustClose();
     delete m_player;
     m_design.reset();
@@ -125,6 +132,9 @@ void LiveViews::reloadPanels() {
     for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
     m_design = std::make_shared<hmi::DesignContext>(m_panels);
     m_design->setCompletions(m_complete);
+    connect(m_design.get(), &hmi::DesignContext::textsChanged, this, &LiveViews::designEdited);
+    connect(m_design.get(), &hmi::DesignContext::alarmsChanged, this, &LiveViews::designEdited);
+    connect(m_design.get(), &hmi::DesignContext::programChanged, this, &LiveViews::designEdited);
     m_design->setSession(m_control.session());
     if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors) m_design->setChecked(m_workspace.model()->checked());
     m_emptyPanel->setVisible(m_panels.panels.empty());
@@ -144,6 +154,7 @@ void LiveViews::showPanel(const QString& name) {
 }
 
 void LiveViews::sessionChanged() {
+    closeRecording(); // a new controller is what one wants to see
     m_slider->setRecording(nullptr);
     m_trace->setRecording(nullptr);
     m_recording.reset();
@@ -157,6 +168,21 @@ void LiveViews::sessionChanged() {
     m_trace->programChanged();
     m_slider->setRecording(m_recording.get());
 }
+
+void LiveViews::recordingShown() {
+    const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording());
+    if (!opened) {
+        m_slider->setRecording(m_recording.get());
+        if (m_control.showsRecorded()) m_control.showRecorded(std::nullopt);
+        return;
+    }
+    m_slider->setRecording(opened.get());
+    m_control.showRecorded(editor::RecordedRun{m_trace->openedName(), &opened->history(),
+                                               [file = opened.get()](const std::string& text, const std::string& scope, const image::CompiledProgram& program) { return file->expression(text, scope, program); }, opened});
+}
+
+Result<void> LiveViews::openRecording(const QString& path) { return m_trace->openRecording(path); }
+void LiveViews::closeRecording() { m_trace->closeRecording(); }
 
 void LiveViews::viewedChanged() {
     const auto viewed = m_control.viewed();
@@ -172,8 +198,37 @@ Result<void> LiveViews::addPanel(const QString& name) {
     QDir().mkpath(m_workspace.folder() + "/hmi");
     if (auto saved = hmi::savePanel(m_panels, {name, {}}); !saved) return saved;
     if (auto read = m_workspace.rereadProject(); !read) return read;
-    reloadPanels();
+    if (!m_design || m_panels.panels.empty()) { // the first panel: texts and languages come into being with it
+        reloadPanels();
+        return {};
+    }
+    // Beside the others, so that designers that are open keep what was drawn in them.
+    const auto at = std::find_if(m_panels.panels.begin(), m_panels.panels.end(), [&](const hmi::NamedPanel& each) { return each.name > name; });
+    m_panels.panels.insert(at, hmi::NamedPanel{name, {}});
+    m_panelChoice->clear();
+    for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
+    if (m_player) m_player->projectChanged();
+    emit panelsChanged();
     return {};
+}
+
+void LiveViews::discardPanel(const QString& name) {
+    const hmi::PanelProject onDisk = hmi::loadPanelProject(m_workspace.project());
+    const hmi::NamedPanel* stored = onDisk.find(name);
+    hmi::NamedPanel* here = m_panels.find(name);
+    if (!stored || !here) return;
+    here->panel = stored->panel;
+    if (m_player) m_player->projectChanged();
+    emit designEdited();
+}
+
+void LiveViews::discardTables() {
+    hmi::PanelProject onDisk = hmi::loadPanelProject(m_workspace.project());
+    if (!m_design) return;
+    if (m_design->areTextsChanged()) m_panels.texts = std::move(onDisk.texts);
+    if (m_design->areAlarmsChanged()) m_panels.alarms = std::move(onDisk.alarms);
+    if (m_player) m_player->projectChanged();
+    emit designEdited();
 }
 
 Result<void> LiveViews::saveRecording(const QString& path) {

@@ -39,16 +39,24 @@ public:
     /// A new, empty panel on disk.
     Result<void> addPanel(const QString& name);
     Result<void> saveRecording(const QString& path);
+    /// A recording from a file in all views; `closeRecording` goes back to the controller.
+    Result<void> openRecording(const QString& path);
+    void closeRecording();
+    /// Takes the panel as it stands on disk again; open designers of it close.
+    void discardPanel(const QString& name);
+    void discardTables(); // texts and alarms
 
 signals:
     void message(const QString& text, bool isError);
     void panelsChanged();
+    void designEdited(); // panels, texts or alarms: findings are looked for anew
     void designsMustClose(); // the panels are read anew: open designers, text and alarm editors close first
 
 private:
     void projectOpened();
     void projectClosed();
     void sessionChanged();
+    void recordingShown();
     void viewedChanged();
 
     editor::Workspace& m_workspace;

@@ -36,16 +36,23 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     QApplication::setApplicationVersion("0.1.0");
     plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols());
     plc::app::Settings settings;
-    plc::app::installTranslation(application, settings.language());
     plc::kit::Theme::install(application, settings.theme());
-    plc::app::MainWindow window;
-    window.show();
+    QString folder;
     if (!words.empty()) {
-        QFileInfo path(QString::fromStdString(words[0]));
-        window.openProject(path.isDir() ? path.absoluteFilePath() : path.absolutePath());
+        const QFileInfo path(QString::fromStdString(words[0]));
+        folder = path.isDir() ? path.absoluteFilePath() : path.absolutePath();
     }
-    if (!settings.sawTour()) QTimer::singleShot(400, &window, &plc::app::MainWindow::startTour);
-    return QApplication::exec();
+    for (;;) { // once, and again for each change of the language
+        plc::app::installTranslation(application, settings.language());
+        plc::app::MainWindow window;
+        if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window.restoreGeometry(geometry);
+        window.show();
+        if (!folder.isEmpty()) window.openProject(folder);
+        if (!settings.sawTour()) QTimer::singleShot(400, &window, &plc::app::MainWindow::startTour);
+        const int code = QApplication::exec();
+        if (!window.wantsRestart()) return code;
+        folder = window.folderToReopen();
+    }
 }
 
 } // namespace

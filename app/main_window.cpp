@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/design_findings.h"
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/problems_view.h"
@@ -109,6 +110,15 @@ void MainWindow::makeDocks() {
     timeBar->setObjectName("timeToolBar");
     timeBar->setMovable(false);
     m_live->slider().setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_recordingButton = new QToolButton(timeBar);
+    m_recordingButton->setObjectName("recordingShown");
+    m_recordingButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_recordingButton->setIcon(kit::icon(kit::Icon::Record));
+    m_recordingButton->setToolTip(tr("All values are of a recording from a file. A click goes back to the controller."));
+    connect(m_recordingButton, &QToolButton::clicked, this, &MainWindow::backToLive);
+    QAction* recordingShown = timeBar->addWidget(m_recordingButton);
+    recordingShown->setObjectName("recordingShownAction");
+    recordingShown->setVisible(false);
     timeBar->addWidget(&m_live->slider());
     addToolBar(Qt::BottomToolBarArea, timeBar);
     timeBar->hide();
@@ -249,6 +259,10 @@ void MainWindow::connectParts() {
         }
     });
     connect(m_live, &LiveViews::message, this, &MainWindow::say);
+    m_findings = new DesignFindings(*m_live, *m_problems, this);
+    connect(m_workspace, &editor::Workspace::saved, m_findings, &DesignFindings::schedule);
+    connect(m_problems, &ProblemsView::elementRequested, this, &MainWindow::openDesignPlace);
+    m_tabs->setMayClose([this](QWidget* page) { return maySwitchAway(page); });
     connect(m_watch, &editor::WatchView::traceRequested, this, [this](const QString& expression) {
         m_live->traceView().addChannel(expression);
         showDock("trace");
@@ -333,6 +347,10 @@ void MainWindow::updateStatus() {
         }
         if (past) state = tr("PAST"), ground = c.info, ink = c.base;
     }
+    const bool recorded = m_control->showsRecorded();
+    if (recorded) state = tr("RECORDING"), ground = c.info, ink = c.base;
+    if (auto* shown = findChild<QAction*>("recordingShownAction")) shown->setVisible(recorded);
+    m_recordingButton->setText(tr("%1 – back to live").arg(m_control->recordedName()));
     m_stateLabel->setText(state);
     const QString look = QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }").arg(ground.name(), ink.name());
     if (m_stateLabel->styleSheet() != look) m_stateLabel->setStyleSheet(look);
@@ -354,14 +372,14 @@ void MainWindow::updateStatus() {
     const int errors = m_problems->errorCount(), warnings = m_problems->warningCount();
     m_problemButton->setIcon(kit::icon(errors ? kit::Icon::Error : warnings ? kit::Icon::Warning : kit::Icon::Good));
     m_problemButton->setText(errors || warnings ? QString("%1 / %2").arg(errors).arg(warnings) : tr("no problems"));
-    if (QAction* live = action("time.live")) live->setEnabled(past);
-    if (QAction* resume = action("time.resume")) resume->setEnabled(past);
+    if (QAction* live = action("time.live")) live->setEnabled(past || recorded);
+    if (QAction* resume = action("time.resume")) resume->setEnabled(past && !recorded);
     for (const char* id : {"run.stepIn", "run.stepOver", "run.stepOut"})
         if (QAction* each = action(id)) each->setEnabled(online && status.state == State::Halted);
     for (const char* id : {"run.pause", "run.stop", "run.change"})
         if (QAction* each = action(id)) each->setEnabled(m_control->isRunning());
     for (const char* id : {"time.back", "time.forward"})
-        if (QAction* each = action(id)) each->setEnabled(online);
+        if (QAction* each = action(id)) each->setEnabled(online || recorded);
 }
 
 void MainWindow::say(const QString& text, bool isError) {
@@ -387,6 +405,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         if (!m_tabs->closeAll()) return event->ignore();
         m_workspace->discardRecovery();
     }
+    m_settings.setWindowGeometry(saveGeometry());
     event->accept();
 }
 

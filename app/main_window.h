@@ -33,6 +33,7 @@ class WatchView;
 
 namespace plc::app {
 
+class DesignFindings;
 class EditorTabs;
 class LiveViews;
 class ProblemsView;
@@ -101,6 +102,13 @@ public:
     void openDesigner(const QString& panel);
     void openTexts();
     void openAlarms();
+    /// A place in a panel, in the texts or in the alarms: where a finding lies.
+    void openDesignPlace(const QString& file, const QString& element);
+    void openRecording();
+    void backToLive();
+    void restartForLanguage();
+    [[nodiscard]] bool wantsRestart() const { return m_wantsRestart; }
+    [[nodiscard]] const QString& folderToReopen() const { return m_folderToReopen; }
     void saveDocument(); // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();
@@ -120,6 +128,7 @@ private:
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
     void updateActions();
     void updateStatus();
+    bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
     void saveProjectState();
     void restoreProjectState();
     void offerRecovery();
@@ -153,6 +162,10 @@ private:
     QElapsedTimer m_sinceStatus;
     QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;
     QProgressBar* m_progress = nullptr;
+    QToolButton* m_recordingButton = nullptr; // says that a recording from a file is shown; a click goes back
+    DesignFindings* m_findings = nullptr;
+    bool m_wantsRestart = false;
+    QString m_folderToReopen;
     std::thread m_tester; // runs the project's tests
     bool m_isTesting = false;
 };

@@ -22,12 +22,15 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace plc::app {
 
@@ -68,8 +71,15 @@ void MainWindow::closeProject() {
 
 void MainWindow::saveProjectState() {
     const QString folder = m_workspace->folder();
-    m_settings.setProjectValue(folder, "tabs", m_tabs->openFiles());
-    m_settings.setProjectValue(folder, "current", m_tabs->currentPage() ? m_tabs->currentPage()->file() : QString());
+    // Every page with its place: "src/main.st|120|Chart", "panel:overview".
+    QStringList pages;
+    for (int i = 0; i < m_tabs->count(); ++i) {
+        if (auto* page = qobject_cast<StPage*>(m_tabs->widget(i)))
+            pages << QStringList{page->file(), QString::number(page->first().cursorOffset()), page->chart() && page->chart()->isVisible() ? page->chart()->unit() : QString()}.join('|');
+        else if (const QString key = m_tabs->widget(i)->property("pageKey").toString(); !key.startsWith("library:")) pages << key;
+    }
+    m_settings.setProjectValue(folder, "pages", pages);
+    m_settings.setProjectValue(folder, "currentPage", m_tabs->currentIndex());
     m_settings.setProjectValue(folder, "watches", m_watch->expressions());
     m_settings.setProjectValue(folder, "layout", saveState());
     QStringList breakpoints;
@@ -82,11 +92,22 @@ void MainWindow::restoreProjectState() {
     const QString folder = m_workspace->folder();
     if (const QByteArray layout = m_settings.projectValue(folder, "layout").toByteArray(); !layout.isEmpty()) restoreState(layout);
     else restoreState(m_defaultLayout);
-    QStringList tabs = m_settings.projectValue(folder, "tabs").toStringList();
+    const QStringList pages = m_settings.projectValue(folder, "pages").toStringList();
+    QStringList tabs;
+    for (const QString& page : pages) {
+        if (page.startsWith("panel:")) openDesigner(page.mid(6));
+        else if (page == "texts") openTexts();
+        else if (page == "alarms") openAlarms();
+        else if (StPage* opened = m_tabs->openFile(page.section('|', 0, 0))) {
+            opened->first().goTo(page.section('|', 1, 1).toUInt());
+            if (const QString unit = page.section('|', 2); !unit.isEmpty()) opened->showChart(unit);
+        }
+    }
+    if (m_tabs->count() > 0) m_tabs->setCurrentIndex(std::clamp(m_settings.projectValue(folder, "currentPage").toInt(), 0, m_tabs->count() - 1));
     if (tabs.isEmpty() && m_workspace->files().contains("src/main.st")) tabs << "src/main.st";
     if (tabs.isEmpty() && !m_workspace->files().isEmpty()) tabs << m_workspace->files().first();
-    for (const QString& file : tabs) m_tabs->openFile(file);
-    if (const QString current = m_settings.projectValue(folder, "current").toString(); !current.isEmpty()) m_tabs->openFile(current);
+    if (m_tabs->count() == 0)
+        for (const QString& file : tabs) m_tabs->openFile(file);
     m_watch->setExpressions(m_settings.projectValue(folder, "watches").toStringList());
     std::vector<editor::EditorBreakpoint> breakpoints;
     for (const QString& text : m_settings.projectValue(folder, "breakpoints").toStringList()) {
@@ -307,7 +328,7 @@ void MainWindow::openSettings() {
     changeTheme(m_settings.theme());
     m_tabs->applySettings();
     if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
-    if (dialog.languageChanged()) QMessageBox::information(this, tr("Language"), tr("The language changes when the studio is started the next time."));
+    if (dialog.languageChanged()) restartForLanguage();
 }
 
 void MainWindow::setSpeed() {
@@ -376,6 +397,53 @@ void MainWindow::saveDocument() {
     if (m_live->design())
         if (auto saved = m_live->design()->save(); !saved) return say(QString::fromStdString(saved.error().text()), true);
     m_tabs->saveCurrent();
+}
+
+void MainWindow::openDesignPlace(const QString& file, const QString& element) {
+    if (file.endsWith(".csv")) return openTexts();
+    if (!file.endsWith(".panel.json")) return openAlarms();
+    const QString panel = QFileInfo(file).fileName().chopped(QString(".panel.json").size());
+    openDesigner(panel);
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->pageByKey("panel:" + panel));
+    if (designer && designer->document().panel().find(element)) designer->selection().set({element});
+}
+
+bool MainWindow::maySwitchAway(QWidget* page) {
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(page);
+    const bool isTexts = qobject_cast<hmi::TextEditor*>(page) != nullptr, isAlarms = qobject_cast<hmi::AlarmEditor*>(page) != nullptr;
+    hmi::DesignContext* design = m_live->design();
+    const bool changed = (designer && designer->isModified()) || (design && isTexts && design->areTextsChanged()) || (design && isAlarms && design->areAlarmsChanged());
+    if (!changed) return true;
+    const QString name = designer ? tr("Panel %1").arg(designer->panelName()) : isTexts ? tr("Texts") : tr("Alarms");
+    const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(name), QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    if (answer == QMessageBox::Cancel) return false;
+    Result<void> saved;
+    if (answer == QMessageBox::Save) saved = designer ? designer->save() : design->save();
+    else if (designer) m_live->discardPanel(designer->panelName());
+    else m_live->discardTables();
+    if (!saved) say(QString::fromStdString(saved.error().text()), true);
+    return static_cast<bool>(saved);
+}
+
+void MainWindow::openRecording() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a Recording"), m_workspace->folder(), tr("Recordings (*.rec)"));
+    if (path.isEmpty()) return;
+    if (auto opened = m_live->openRecording(path); !opened) return say(QString::fromStdString(opened.error().text()), true);
+    showDock("trace");
+}
+
+void MainWindow::backToLive() {
+    if (m_control->showsRecorded()) m_live->closeRecording();
+    m_control->view(std::nullopt);
+}
+
+void MainWindow::restartForLanguage() {
+    const auto answer = QMessageBox::question(this, tr("Language"), tr("The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?"));
+    if (answer != QMessageBox::Yes) return;
+    m_folderToReopen = m_workspace->isOpen() ? m_workspace->folder() : QString();
+    m_settings.setWindowGeometry(saveGeometry());
+    m_wantsRestart = true;
+    if (!close()) m_wantsRestart = false;
 }
 
 void MainWindow::saveRecording() {

@@ -35,6 +35,8 @@ bool Settings::changeOnSave() const { return m_store.value("run/changeOnSave", t
 void Settings::setChangeOnSave(bool on) { m_store.setValue("run/changeOnSave", on); }
 bool Settings::sawTour() const { return m_store.value("sawTour", false).toBool(); }
 void Settings::setSawTour() { m_store.setValue("sawTour", true); }
+QByteArray Settings::windowGeometry() const { return m_store.value("geometry").toByteArray(); }
+void Settings::setWindowGeometry(const QByteArray& geometry) { m_store.setValue("geometry", geometry); }
 int Settings::historyMegabytes() const { return m_store.value("run/historyMegabytes", 256).toInt(); }
 void Settings::setHistoryMegabytes(int megabytes) { m_store.setValue("run/historyMegabytes", megabytes); }
 

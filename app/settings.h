@@ -24,6 +24,8 @@ public:
     void setChangeOnSave(bool on);
     [[nodiscard]] bool sawTour() const;
     void setSawTour();
+    [[nodiscard]] QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
     [[nodiscard]] int historyMegabytes() const;
     void setHistoryMegabytes(int megabytes);
 

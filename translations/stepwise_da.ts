@@ -1873,10 +1873,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Sprog</translation>
     </message>
     <message>
-        <source>The language changes when the studio is started the next time.</source>
-        <translation>Sproget skifter, næste gang studiet startes.</translation>
-    </message>
-    <message>
         <source>Real time</source>
         <translation>Realtid</translation>
     </message>
@@ -2311,6 +2307,42 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Tour</source>
         <translation>Rundtur</translation>
+    </message>
+    <message>
+        <source>Open a Recording…</source>
+        <translation>Åbn en optagelse…</translation>
+    </message>
+    <message>
+        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <translation>Alle værdier er fra en gemt optagelse. Et klik fører tilbage til styringen.</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>OPTAGELSE</translation>
+    </message>
+    <message>
+        <source>%1 – back to live</source>
+        <translation>%1 – tilbage til styringen</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ikke-gemte ændringer</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 blev ændret. Skal det gemmes?</translation>
+    </message>
+    <message>
+        <source>Open a Recording</source>
+        <translation>Åbn en optagelse</translation>
+    </message>
+    <message>
+        <source>The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?</source>
+        <translation>Vinduet bygges op på ny på det andet sprog; projektet åbnes igen, hvor det var, og en kørende styring stopper. Skal det ske nu?</translation>
     </message>
 </context>
 <context>
@@ -3237,6 +3269,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>did not exist in this scan</source>
         <translation>fandtes ikke i dette scan</translation>
+    </message>
+    <message>
+        <source>A recording from a file can not be written; go back to the running controller first</source>
+        <translation>En gemt optagelse kan ikke skrives; gå først tilbage til den kørende styring</translation>
+    </message>
+    <message>
+        <source>The past can not be written; resume from here first</source>
+        <translation>Fortiden kan ikke skrives; fortsæt først herfra</translation>
+    </message>
+    <message>
+        <source>A recording from a file can not be resumed; only what the controller itself recorded</source>
+        <translation>En gemt optagelse kan ikke fortsættes; kun det, styringen selv har optaget</translation>
     </message>
 </context>
 <context>

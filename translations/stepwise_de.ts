@@ -1873,10 +1873,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>The language changes when the studio is started the next time.</source>
-        <translation>Die Sprache wechselt beim nächsten Start des Studios.</translation>
-    </message>
-    <message>
         <source>Real time</source>
         <translation>Echtzeit</translation>
     </message>
@@ -2311,6 +2307,42 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Tour</source>
         <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Open a Recording…</source>
+        <translation>Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>All values are of a recording from a file. A click goes back to the controller.</source>
+        <translation>Alle Werte stammen aus einer gespeicherten Aufzeichnung. Ein Klick führt zurück zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>AUFZEICHNUNG</translation>
+    </message>
+    <message>
+        <source>%1 – back to live</source>
+        <translation>%1 – zurück zur Steuerung</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 was changed. Save it?</source>
+        <translation>%1 wurde geändert. Speichern?</translation>
+    </message>
+    <message>
+        <source>Open a Recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?</source>
+        <translation>Das Fenster wird in der anderen Sprache neu aufgebaut; das Projekt öffnet sich wieder, wo es war, und eine laufende Steuerung hält an. Jetzt ausführen?</translation>
     </message>
 </context>
 <context>
@@ -3237,6 +3269,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>did not exist in this scan</source>
         <translation>gab es in diesem Zyklus nicht</translation>
+    </message>
+    <message>
+        <source>A recording from a file can not be written; go back to the running controller first</source>
+        <translation>Eine gespeicherte Aufzeichnung kann nicht beschrieben werden; erst zur laufenden Steuerung zurückkehren</translation>
+    </message>
+    <message>
+        <source>The past can not be written; resume from here first</source>
+        <translation>Die Vergangenheit kann nicht beschrieben werden; erst von hier fortsetzen</translation>
+    </message>
+    <message>
+        <source>A recording from a file can not be resumed; only what the controller itself recorded</source>
+        <translation>Eine gespeicherte Aufzeichnung kann nicht fortgesetzt werden; nur, was die Steuerung selbst aufgezeichnet hat</translation>
     </message>
 </context>
 <context>

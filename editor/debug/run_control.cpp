@@ -96,9 +96,32 @@ void RunControl::disconnectSession() {
     emit refreshed();
 }
 
+// ------------------------------------------------------------------ a recording in the place of the controller
+
+void RunControl::showRecorded(std::optional<RecordedRun> recorded) {
+    m_recorded = std::move(recorded);
+    m_recordedExpressions.clear();
+    m_viewed.reset();
+    m_image.clear();
+    m_imageProgram.reset();
+    refreshImage();
+    emit viewedChanged();
+    emit statusChanged();
+    emit refreshed();
+}
+
+const history::History* RunControl::shownHistory() const { return m_recorded ? m_recorded->history : m_session ? &m_session->history() : nullptr; }
+
+void RunControl::leaveRecorded() {
+    if (!m_recorded) return;
+    emit recordedMustClose();
+    if (m_recorded) showRecorded(std::nullopt);
+}
+
 // ------------------------------------------------------------------ commands
 
 void RunControl::start() {
+    leaveRecorded();
     view(std::nullopt);
     if (m_session && m_status.state == controller::State::Halted) return resume();
     if (m_session && m_status.state == controller::State::Paused) return m_session->start();
@@ -118,11 +141,13 @@ void RunControl::resume() {
     if (m_session) m_session->resume();
 }
 void RunControl::reset(controller::ResetKind kind) {
+    leaveRecorded();
     view(std::nullopt);
     if (m_session) m_session->reset(kind);
 }
 
 void RunControl::singleScan() {
+    leaveRecorded();
     view(std::nullopt);
     if (m_session && isRunning()) return m_session->singleScan();
     build([this](bool good) {
@@ -208,7 +233,7 @@ void RunControl::tick() {
     const bool stateChanged = before != m_status.state;
     if (m_status.state == controller::State::Halted) m_frames = m_session->haltFrames();
     else m_frames.clear();
-    if (!m_viewed) refreshImage();
+    if (!m_viewed && !m_recorded) refreshImage();
     if (stateChanged) {
         emit statusChanged();
         if (m_status.state == controller::State::Halted) emit halted();
@@ -219,6 +244,11 @@ void RunControl::tick() {
 }
 
 void RunControl::refreshImage() {
+    if (m_recorded) {
+        const history::Statistics statistics = m_recorded->history->statistics();
+        if (statistics.end > statistics.first) m_image = m_recorded->history->seek(m_viewed.value_or(statistics.end - 1), &m_imageProgram);
+        return;
+    }
     if (!m_session) return;
     if (m_viewed) {
         m_image = m_session->history().seek(*m_viewed, &m_imageProgram);
@@ -232,15 +262,30 @@ void RunControl::refreshImage() {
 
 RunControl::Shown RunControl::value(const QString& expression, const QString& scope, types::NumberFormat format) const {
     Shown shown;
-    if (!m_session || m_image.empty() || !m_imageProgram) return shown;
-    const auto compiled = m_session->expression(expression.toStdString(), scope.toStdString());
-    if (!compiled) {
-        shown.reason = text(compiled.error().message);
-        return shown;
+    if (!hasValues() || m_image.empty() || !m_imageProgram) return shown;
+    expression::Expression present;
+    if (m_recorded) {
+        const std::string key = scope.toStdString() + "\n" + expression.toStdString() + "\n" + std::to_string(m_imageProgram->version);
+        auto known = m_recordedExpressions.find(key);
+        if (known == m_recordedExpressions.end()) {
+            const auto compiled = m_recorded->compile(expression.toStdString(), scope.toStdString(), *m_imageProgram);
+            if (!compiled) {
+                shown.reason = text(compiled.error().message);
+                return shown;
+            }
+            known = m_recordedExpressions.emplace(key, *compiled).first;
+        }
+        present = known->second;
+    } else {
+        const auto compiled = m_session->expression(expression.toStdString(), scope.toStdString());
+        if (!compiled) {
+            shown.reason = text(compiled.error().message);
+            return shown;
+        }
+        // A recorded image of an older version has another layout: the expression is made anew for it.
+        present = *compiled;
+        if (m_imageProgram->version != m_session->program()->version) present = m_session->recompile(expression.toStdString(), scope.toStdString())(*m_imageProgram);
     }
-    // A recorded image of an older version has another layout: the expression is made anew for it.
-    expression::Expression present = *compiled;
-    if (m_imageProgram->version != m_session->program()->version) present = m_session->recompile(expression.toStdString(), scope.toStdString())(*m_imageProgram);
     if (!present.isValid()) {
         shown.reason = tr("did not exist in this scan");
         return shown;
@@ -256,7 +301,7 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     shown.isBool = present.types().storageKind(present.type()) == types::TypeKind::Bool;
     shown.isTrue = shown.isBool && outcome.value.isTrue();
     const std::string path = scope.isEmpty() ? expression.toStdString() : scope.toStdString() + "." + expression.toStdString();
-    shown.isForced = m_forced.contains(foldCase(path)) || m_forced.contains(foldCase(expression.toStdString()));
+    shown.isForced = !m_recorded && (m_forced.contains(foldCase(path)) || m_forced.contains(foldCase(expression.toStdString())));
     return shown;
 }
 
@@ -309,7 +354,7 @@ QString RunControl::preferredInstance(const QString& pou) const {
 }
 
 RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) const {
-    if (!m_frames.empty() && !m_viewed) // halted: the locals of a frame of this POU come first
+    if (!m_frames.empty() && !m_viewed && !m_recorded) // halted: the locals of a frame of this POU come first
         for (size_t i = 0; i < m_frames.size(); ++i) {
             if (text(m_frames[i].function).compare(pou, Qt::CaseInsensitive) != 0) continue;
             for (const auto& [local, value] : m_session->frameVariables(i))
@@ -338,12 +383,14 @@ Result<types::Value> RunControl::parse(const QString& path, const QString& value
 Result<void> RunControl::write(const QString& path, const QString& valueText) {
     const auto value = parse(path, valueText);
     if (!value) return value.error();
-    if (m_viewed) return Error{"The past can not be written; resume from here first", path.toStdString()};
+    if (m_recorded) return Error{tr("A recording from a file can not be written; go back to the running controller first").toStdString(), path.toStdString()};
+    if (m_viewed) return Error{tr("The past can not be written; resume from here first").toStdString(), path.toStdString()};
     m_session->write(path.toStdString(), *value);
     return {};
 }
 
 Result<void> RunControl::force(const QString& path, const QString& valueText) {
+    if (m_recorded) return Error{tr("A recording from a file can not be written; go back to the running controller first").toStdString(), path.toStdString()};
     const auto value = parse(path, valueText);
     if (!value) return value.error();
     m_session->force(path.toStdString(), *value);
@@ -358,8 +405,8 @@ void RunControl::unforce(const QString& path) {
 
 void RunControl::view(std::optional<history::Position> position) {
     if (m_viewed == position) return;
-    if (position && m_session) {
-        const history::Statistics statistics = m_session->history().statistics();
+    if (const history::History* history = shownHistory(); position && history) {
+        const history::Statistics statistics = history->statistics();
         if (statistics.end == statistics.first) return;
         position = std::clamp(*position, statistics.first, statistics.end - 1);
     }
@@ -370,17 +417,19 @@ void RunControl::view(std::optional<history::Position> position) {
 }
 
 void RunControl::stepView(int scans) {
-    if (!m_session) return;
-    const history::Statistics statistics = m_session->history().statistics();
+    const history::History* history = shownHistory();
+    if (!history) return;
+    const history::Statistics statistics = history->statistics();
     if (statistics.end == statistics.first) return;
     const auto from = static_cast<int64_t>(m_viewed.value_or(statistics.end - 1));
     const int64_t to = from + scans;
     if (to >= static_cast<int64_t>(statistics.end)) return view(std::nullopt);
-    if (!m_viewed && isRunning() && m_status.state == controller::State::Running) pause();
+    if (!m_viewed && !m_recorded && isRunning() && m_status.state == controller::State::Running) pause();
     view(static_cast<history::Position>(std::max<int64_t>(to, static_cast<int64_t>(statistics.first))));
 }
 
 Result<void> RunControl::resumeFromView() {
+    if (m_recorded) return Error{tr("A recording from a file can not be resumed; only what the controller itself recorded").toStdString(), ""};
     if (!m_session || !m_viewed) return {};
     const history::Position from = *m_viewed;
     if (auto resumed = m_session->resumeFrom(from); !resumed) return resumed;

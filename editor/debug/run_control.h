@@ -26,6 +26,14 @@ struct EditorBreakpoint {
     bool operator==(const EditorBreakpoint&) const = default;
 };
 
+/// A recording from a file, looked at in the place of the running controller.
+struct RecordedRun {
+    QString name;
+    const history::History* history = nullptr;
+    std::function<Result<expression::Expression>(const std::string& text, const std::string& scope, const image::CompiledProgram& program)> compile;
+    std::shared_ptr<const void> owner; // keeps the history alive
+};
+
 class RunControl : public QObject {
     Q_OBJECT
 public:
@@ -39,6 +47,13 @@ public:
     [[nodiscard]] bool isOnline() const { return m_session != nullptr; }
     [[nodiscard]] bool isEnding() const { return m_isEnding; }
     [[nodiscard]] bool isRunning() const;
+
+    /// All views show a recording from a file (nothing can be written then); nothing: the controller again.
+    void showRecorded(std::optional<RecordedRun> recorded);
+    [[nodiscard]] bool showsRecorded() const { return m_recorded.has_value(); }
+    [[nodiscard]] QString recordedName() const { return m_recorded ? m_recorded->name : QString(); }
+    /// There are values to show: of a controller or of a recording.
+    [[nodiscard]] bool hasValues() const { return isOnline() || showsRecorded(); }
 
     // commands
     void build(std::function<void(bool)> then = {}); // makes a session, keeps it stopped
@@ -97,6 +112,7 @@ signals:
     void refreshed();             // 30 times a second while something may have changed
     void viewedChanged();
     void halted();
+    void recordedMustClose();     // a command to the controller came while a recording is shown
     void breakpointsChanged();
     void messageAdded(const QString& text, bool isError);
     void onlineChangeFinished(const QString& summary);
@@ -107,6 +123,8 @@ private:
     void postBreakpoints();
     void refreshImage();
     void endSession();
+    [[nodiscard]] const history::History* shownHistory() const;
+    void leaveRecorded();
     [[nodiscard]] QString retainFile() const;
 
     Workspace& m_workspace;
@@ -119,6 +137,8 @@ private:
     mutable std::map<QString, std::vector<QString>> m_instances; // found, by POU, of m_instancesOf
     mutable std::shared_ptr<const image::CompiledProgram> m_instancesOf;
     std::optional<history::Position> m_viewed;
+    std::optional<RecordedRun> m_recorded;
+    mutable std::map<std::string, expression::Expression> m_recordedExpressions; // by scope, text and version
     std::vector<std::byte> m_image;
     std::shared_ptr<const image::CompiledProgram> m_imageProgram;
     std::set<std::string> m_forced; // folded paths

@@ -64,6 +64,12 @@ Result<expression::Expression> FileRecording::compile(const std::string& text) c
     return expression;
 }
 
+Result<expression::Expression> FileRecording::expression(const std::string& text, const std::string& scope, const image::CompiledProgram& program) const {
+    for (const Version& version : m_versions)
+        if (version.program->version == program.version) return driver::compileExpression(version.checked, text, scope);
+    return Error{"The recording holds no program", ""};
+}
+
 history::Recompile FileRecording::recompile(const std::string& text) const {
     return [this, text](const image::CompiledProgram& program) -> expression::Expression {
         for (const Version& version : m_versions)

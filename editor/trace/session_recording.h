@@ -48,6 +48,8 @@ public:
     std::shared_ptr<const image::CompiledProgram> program() const override;
     Result<void> save(const std::string& path) const override { return m_history->save(path); }
     [[nodiscard]] const history::History& history() const { return *m_history; }
+    /// For images of that version, as seen from `scope`.
+    Result<expression::Expression> expression(const std::string& text, const std::string& scope, const image::CompiledProgram& program) const;
 
 private:
     struct Version {

@@ -31,6 +31,8 @@ public:
     Result<void> openRecording(const QString& path);
     void closeRecording();
     bool showsFile() const { return m_opened != nullptr; }
+    std::shared_ptr<const Recording> openedRecording() const { return m_opened; }
+    const QString& openedName() const { return m_openedName; }
     /// The recording that is drawn: the opened file's, else the running one.
     const Recording* recording() const { return m_recording; }
     /// The program has changed: names and completion follow, expressions are tried again.

@@ -1,0 +1,32 @@
+// What the panel check says about panels, texts and alarms, kept up to date in the list of problems: a moment after the last edit, one
+// panel per turn of the event loop, so that typing never waits. Owned by the main window; GUI thread (fonts are measured).
+#pragma once
+#include "app/problems_view.h"
+#include "hmi/view/panel_check.h"
+
+#include <QObject>
+#include <QTimer>
+
+namespace plc::app {
+
+class LiveViews;
+
+class DesignFindings : public QObject {
+    Q_OBJECT
+public:
+    DesignFindings(LiveViews& live, ProblemsView& problems, QObject* parent);
+    void schedule() { m_pause.start(); }
+
+private:
+    void begin();
+    void continueCheck();
+
+    LiveViews& m_live;
+    ProblemsView& m_problems;
+    QTimer m_pause, m_turn;
+    hmi::CheckInput m_input;
+    std::vector<hmi::Finding> m_found;
+    size_t m_next = 0;
+};
+
+} // namespace plc::app

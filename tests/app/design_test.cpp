@@ -1,0 +1,129 @@
+// Panels in the studio's window: opened from the tree, drawn, undone, live, saved, and what is wrong with them in the list of problems.
+#include "app/live_views.h"
+#include "app/problems_view.h"
+#include "app/project_tree.h"
+#include "hmi/designer/panel_designer.h"
+#include "hmi/player/panel_player.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDropEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QTimer>
+
+#include "editor/kit/variable_picker.h"
+
+namespace plc::app {
+namespace {
+
+class DesignTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("hmi/overview.panel.json", "{\n  \"elements\": [\n    {\n      \"kind\": \"number\",\n      \"id\": \"count\",\n      \"rect\": [40, 40, 120, 40],\n      \"value\": \"Main.counter\"\n    }\n  ]\n}\n");
+        StudioTest::SetUp();
+    }
+    void TearDown() override {
+        if (window && window->workspace().isOpen()) answerNext(QMessageBox::Discard), window->closeProject();
+        StudioTest::TearDown();
+    }
+    /// The next question is answered with that button, when there comes one.
+    static void answerNext(QMessageBox::StandardButton button) {
+        QTimer::singleShot(150, qApp, [button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) return;
+            if (QAbstractButton* found = box->button(button)) found->click();
+            else box->reject();
+        });
+    }
+    hmi::PanelDesigner* openFromTree(const QString& name) {
+        QTreeWidget& tree = window->projectTree().tree();
+        if (!waitFor([&] { return !tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive).isEmpty(); })) return nullptr;
+        QTreeWidgetItem* item = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive).first();
+        tree.scrollToItem(item);
+        QTest::mouseClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, tree.visualItemRect(item).center());
+        return qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
+    }
+    static void drop(hmi::PanelDesigner& designer, const QString& variable, QPointF at) {
+        const QPointF point = designer.canvas().toViewport(at);
+        std::unique_ptr<QMimeData> mime(kit::makeVariableMime({variable}));
+        QDragEnterEvent enter(point.toPoint(), Qt::CopyAction, mime.get(), Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(designer.canvas().viewport(), &enter);
+        QDropEvent event(point, Qt::CopyAction, mime.get(), Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(designer.canvas().viewport(), &event);
+    }
+    [[nodiscard]] QStringList problemPlaces() const {
+        QStringList out;
+        for (int i = 0; i < window->problems().list().topLevelItemCount(); ++i) out << window->problems().list().topLevelItem(i)->text(2) + ": " + window->problems().list().topLevelItem(i)->text(0);
+        return out;
+    }
+};
+
+TEST_F(DesignTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {
+    hmi::PanelDesigner* designer = openFromTree("overview");
+    ASSERT_NE(designer, nullptr);
+    const size_t before = designer->document().panel().elements().size();
+    drop(*designer, "Main.done", {300, 200});
+    EXPECT_EQ(designer->document().panel().elements().size(), before + 1);
+    EXPECT_TRUE(designer->isModified());
+    QTest::keyClick(designer->canvas().viewport(), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(designer->document().panel().elements().size(), before);
+    EXPECT_FALSE(designer->isModified());
+    QTest::keyClick(designer->canvas().viewport(), Qt::Key_Y, Qt::ControlModifier);
+    EXPECT_EQ(designer->document().panel().elements().size(), before + 1);
+
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().scans > 3; }));
+    designer->setLive(true);
+    ASSERT_NE(designer->preview(), nullptr);
+    EXPECT_TRUE(designer->preview()->isVisible());
+    designer->setLive(false);
+
+    window->action("file.save")->trigger();
+    EXPECT_FALSE(designer->isModified());
+    QFile file(folder.path() + "/hmi/overview.panel.json");
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().contains("Main.done"));
+}
+
+TEST_F(DesignTest, AClosedTabAsksForWhatWasDrawn) {
+    hmi::PanelDesigner* designer = openFromTree("overview");
+    ASSERT_NE(designer, nullptr);
+    drop(*designer, "Main.done", {300, 200});
+    answerNext(QMessageBox::Cancel);
+    window->action("file.closeTab")->trigger();
+    EXPECT_EQ(window->tabs().currentWidget(), designer) << "cancelled: it stays";
+    answerNext(QMessageBox::Save);
+    window->action("file.closeTab")->trigger();
+    EXPECT_EQ(window->tabs().pageByKey("panel:overview"), nullptr);
+    QFile file(folder.path() + "/hmi/overview.panel.json");
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().contains("Main.done"));
+}
+
+TEST_F(DesignTest, ABindingThatBreaksInTheCodeIsAProblemThatLeadsToTheElement) {
+    ASSERT_TRUE(waitFor([&] { return window->live().design() != nullptr; }));
+    QTest::qWait(900);
+    EXPECT_TRUE(problemPlaces().filter("overview.panel.json").isEmpty()) << problemPlaces().join('\n').toStdString();
+    // The variable gets another name in the code alone, as by hand.
+    std::string text = editor().utf8();
+    for (size_t at = 0; (at = text.find("counter", at)) != std::string::npos; at += 5) text.replace(at, 7, "ticks");
+    editor().applyEdits({{{FileId(), 0, static_cast<uint32_t>(editor().utf8().size())}, text}});
+    ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("overview.panel.json").isEmpty(); })) << problemPlaces().join('\n').toStdString();
+    QTreeWidget& list = window->problems().list();
+    window->showDock("problems");
+    for (int i = 0; i < list.topLevelItemCount(); ++i)
+        if (list.topLevelItem(i)->text(2).contains("overview.panel.json")) {
+            QTest::qWait(20);
+            list.scrollToItem(list.topLevelItem(i));
+            QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier, list.visualItemRect(list.topLevelItem(i)).center());
+            break;
+        }
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
+    ASSERT_NE(designer, nullptr);
+    EXPECT_TRUE(designer->selection().contains("count"));
+}
+
+} // namespace
+} // namespace plc::app

@@ -1,0 +1,140 @@
+// kill -9 in the middle of a save: every file the studio writes is the whole old or the whole new one. A second process saves without end
+// and is killed at moments from a seed; the files are compared with the two texts it writes in turn.
+#include "editor/analysis/workspace.h"
+#include "editor/trace/trace_setup.h"
+#include "hmi/player/panel_project.h"
+#include "projects/session/session.h"
+#include "projects/storage/project_file.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdio>
+#include <random>
+
+namespace plc::app {
+namespace {
+
+/// Everything the studio writes into a project, in two forms.
+class Writers {
+public:
+    explicit Writers(const QString& folder) : m_folder(folder) {
+        QDir().mkpath(folder + "/src");
+        for (const char* part : {"hmi", "traces", "expected"}) QDir().mkpath(folder + "/" + part);
+        QFile main(folder + "/src/main.st");
+        if (!main.exists() && main.open(QIODevice::WriteOnly)) main.write("PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n");
+        QFile project(folder + "/project.json");
+        if (!project.exists() && project.open(QIODevice::WriteOnly)) project.write("{\n  \"name\": \"A\"\n}\n");
+        main.close();
+        project.close();
+        EXPECT_TRUE(m_workspace.open(folder));
+        for (const char* example : {"gravel", "agv"}) {
+            const auto opened = projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + example});
+            m_panels.push_back(hmi::loadPanelProject(*opened));
+            m_panels.back().folder = folder;
+        }
+        for (int scans : {200, 300}) {
+            session::Settings settings;
+            settings.retainFile = (folder + "/retain.json").toStdString();
+            QFile::remove(folder + "/retain.json");
+            driver::BuildInput input;
+            input.files.push_back({"src/main.st", "PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n"});
+            m_sessions.push_back(std::make_unique<session::Session>(driver::build(input), settings));
+            m_sessions.back()->runHere([&](const controller::Controller& c) { return c.nextScan() >= static_cast<uint64_t>(scans); });
+        }
+    }
+
+    static QStringList files() { return {"src/main.st", "project.json", "hmi/overview.panel.json", "hmi/texts.csv", "hmi/alarms.json", "traces/one.trace.json", "run.rec", "retain.json"}; }
+
+    bool save(const QString& file, int form) {
+        const hmi::PanelProject& panels = m_panels[static_cast<size_t>(form)];
+        if (file.endsWith(".st")) {
+            std::string text = "PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\n";
+            for (int i = 0; i < 2000; ++i) text += form ? "n := n + 2; // the second form\n" : "n := n + 1; // the first\n";
+            m_workspace.setText(file, text + "END_PROGRAM\n");
+            return static_cast<bool>(m_workspace.save(file));
+        }
+        if (file == "project.json") {
+            projects::Project project = m_workspace.project();
+            project.json["name"] = std::string(form ? 4000 : 3000, form ? 'b' : 'a');
+            return static_cast<bool>(projects::saveProjectFile(project));
+        }
+        if (file.endsWith(".panel.json")) return static_cast<bool>(hmi::savePanel(panels, {"overview", panels.panels.front().panel}));
+        if (file.endsWith(".csv")) return static_cast<bool>(hmi::saveTexts(panels));
+        if (file == "hmi/alarms.json") return static_cast<bool>(hmi::saveAlarms(panels));
+        if (file.endsWith(".trace.json")) return static_cast<bool>(trace::saveSetup(trace::setupOf(form ? std::vector<std::string>{"Main.n", "Main.n * 2"} : std::vector<std::string>{"Main.n"}), (m_folder + "/" + file).toStdString()));
+        if (file.endsWith(".rec")) return static_cast<bool>(m_sessions[static_cast<size_t>(form)]->history().save((m_folder + "/" + file).toStdString()));
+        return static_cast<bool>(m_sessions[static_cast<size_t>(form)]->saveRetained());
+    }
+
+private:
+    QString m_folder;
+    editor::Workspace m_workspace;
+    std::vector<hmi::PanelProject> m_panels;
+    std::vector<std::unique_ptr<session::Session>> m_sessions;
+};
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+QString expected(const QString& folder, const QString& file, int form) { return folder + "/expected/" + QString(file).replace('/', '_') + (form ? ".b" : ".a"); }
+
+/// The process that is killed; not a test of its own.
+TEST(KilledSave, DISABLED_SavesWithoutEnd) {
+    const QString folder = qEnvironmentVariable("STEPWISE_SAVE_FOLDER");
+    ASSERT_FALSE(folder.isEmpty());
+    Writers writers(folder);
+    for (const QString& file : Writers::files())
+        for (int form : {0, 1}) {
+            ASSERT_TRUE(writers.save(file, form)) << file.toStdString();
+            QFile::remove(expected(folder, file, form));
+            QFile::copy(folder + "/" + file, expected(folder, file, form));
+        }
+    std::printf("ready\n");
+    std::fflush(stdout);
+    for (int turn = 0;; ++turn)
+        for (const QString& file : Writers::files()) (void)writers.save(file, turn % 2);
+}
+
+TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
+    QTemporaryDir folder;
+    std::mt19937 random(20261121);
+    QMap<QString, QSet<int>> seen;
+    for (int round = 0; round < 12; ++round) {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("STEPWISE_SAVE_FOLDER", folder.path());
+        environment.insert("QT_QPA_PLATFORM", "offscreen");
+        process.setProcessEnvironment(environment);
+        process.start(QCoreApplication::applicationFilePath(), {"--gtest_also_run_disabled_tests", "--gtest_filter=KilledSave.DISABLED_SavesWithoutEnd"});
+        ASSERT_TRUE(process.waitForStarted());
+        QByteArray output;
+        while (!output.contains("ready\n") && process.waitForReadyRead(60'000)) output += process.readAll();
+        ASSERT_TRUE(output.contains("ready\n")) << output.toStdString();
+        QTest::qSleep(static_cast<int>(random() % 40));
+        ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+        process.waitForFinished();
+        for (const QString& file : Writers::files()) {
+            const QByteArray now = contentOf(folder.path() + "/" + file);
+            const QByteArray forms[2] = {contentOf(expected(folder.path(), file, 0)), contentOf(expected(folder.path(), file, 1))};
+            ASSERT_FALSE(forms[0].isEmpty()) << file.toStdString();
+            ASSERT_NE(forms[0], forms[1]) << file.toStdString() << ": the test needs two forms";
+            EXPECT_TRUE(now == forms[0] || now == forms[1]) << file.toStdString() << " is neither, with " << now.size() << " bytes; " << forms[0].size() << " or " << forms[1].size() << " were written";
+            seen[file].insert(now == forms[1]);
+        }
+    }
+    int both = 0;
+    for (const QSet<int>& forms : seen) both += forms.size() == 2;
+    EXPECT_GT(both, 0) << "no kill hit another moment than the others";
+}
+
+} // namespace
+} // namespace plc::app
