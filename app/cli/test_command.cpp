@@ -47,7 +47,7 @@ void printText(const ProjectReport& project, bool coverage) {
         plc += std::chrono::duration<double>(result.plcTime).count();
     }
     const char* verdict = project.report.hasErrors ? "does not build" : failed ? "FAILED" : "ok";
-    std::snprintf(line, sizeof line, "%-24s %-14s %3zu passed %3zu failed   %8.1f s of plant time in %.0f ms\n", project.name.c_str(), verdict, all - failed, failed, plc, ms);
+    std::snprintf(line, sizeof line, "%-50s %-14s %3zu passed %3zu failed   %8.1f s of plant time in %.0f ms\n", project.name.c_str(), verdict, all - failed, failed, plc, ms);
     std::cout << line;
     for (const std::string& text : project.report.diagnostics) std::cerr << text;
     for (const testing::TestResult& result : project.report.results) {

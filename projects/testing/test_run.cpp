@@ -91,6 +91,7 @@ Result<Report> runTests(const projects::Project& project, const Options& options
         result.scans = session.controller().nextScan();
         result.plcTime = session.controller().lastTime();
         result.wallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        if (options.finished) options.finished(session);
         if (options.progress) options.progress(result);
         report.results.push_back(std::move(result));
     }

@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace plc::session {
+class Session;
+}
+
 namespace plc::testing {
 
 struct Failure {
@@ -53,6 +57,7 @@ struct Options {
     bool colours = false;
     std::string recordingFolder;  // where a failing test leaves its recording; empty = none
     std::function<void(const TestResult&)> progress;
+    std::function<void(session::Session&)> finished; // after each test, with the recording of its scans
 };
 
 [[nodiscard]] Result<Report> runTests(const projects::Project& project, const Options& options);

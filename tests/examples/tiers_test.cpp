@@ -1,30 +1,20 @@
 // Every example runs a while in quick and in optimised code side by side: after each scan the two images must be the same bytes.
+#include "tests/examples/example_names.h"
+
 #include "projects/storage/project_file.h"
-#include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstring>
-#include <filesystem>
 
 namespace plc {
 namespace {
 
-std::vector<std::string> examples() {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/projects/examples"))
-        if (std::filesystem::exists(entry.path() / "project.json")) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-class BothTiers : public testing::TestWithParam<std::string> {};
+class BothTiers : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BothTiers, LeaveTheSameImageAfterEveryScan) {
-    jit::setRuntimeSymbols(controller::runtimeSymbols());
-    const auto project = projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + GetParam()});
+    const auto project = projects::openProject({exampleFolder(GetParam())});
     ASSERT_TRUE(project) << project.error().text();
     const driver::Built quick = driver::build(project->buildInput());
     ASSERT_TRUE(quick.program) << quick.failure;
@@ -52,7 +42,7 @@ TEST_P(BothTiers, LeaveTheSameImageAfterEveryScan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, BothTiers, testing::ValuesIn(examples()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Examples, BothTiers, ::testing::ValuesIn(exampleNames()), [](const auto& info) { return info.param; });
 
 } // namespace
 } // namespace plc

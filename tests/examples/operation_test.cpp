@@ -1,0 +1,184 @@
+// Whoever opens an example sees a machine at work: it is whole (texts, pictures, trace, tests), its panels are without findings in
+// every language, and in a minute of plant time with its start actions nothing faults and the panel moves.
+#include "tests/examples/example_names.h"
+
+#include "app/cli/command.h"
+#include "app/cli/timed_write.h"
+#include "hmi/model/walk.h"
+#include "hmi/player/panel_commands.h"
+#include "hmi/player/plc_values.h"
+#include "projects/storage/project_file.h"
+#include "projects/testing/test_run.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace plc {
+namespace {
+
+using std::chrono::nanoseconds;
+
+std::string textOf(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> filesWith(const std::string& folder, const std::string& ending) {
+    std::vector<std::string> out;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().string().ends_with(ending)) out.push_back(entry.path().filename().string());
+    return out;
+}
+
+/// The words of a line of docs/pictures.txt: `panel …` and `trace …` say what starts the machine and when its picture is taken,
+/// `elements NUMBER` how many elements of its panels must then change.
+std::vector<std::string> pictureOptions(const std::string& folder, const std::string& kind) {
+    std::istringstream file(textOf(folder + "/docs/pictures.txt"));
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        if (word != kind) continue;
+        std::vector<std::string> out;
+        while (words >> word) out.push_back(word);
+        return out;
+    }
+    return {};
+}
+
+class Example : public ::testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override {
+        auto opened = projects::openProject({folder});
+        ASSERT_TRUE(opened) << opened.error().text();
+        project = std::move(*opened);
+        panels = hmi::loadPanelProject(project);
+        if (panels.panels.empty()) GTEST_SKIP() << "has no panel yet";
+    }
+    const std::string folder = exampleFolder(GetParam());
+    projects::Project project;
+    hmi::PanelProject panels;
+};
+
+TEST_P(Example, HasReadmeWithPicturesPanelTraceTestsAndFourLanguages) {
+    EXPECT_FALSE(project.panels.empty());
+    EXPECT_NE(panels.find(panels.startPanel), nullptr) << "start panel \"" << panels.startPanel.toStdString() << "\"";
+    EXPECT_FALSE(filesWith(folder + "/traces", ".trace.json").empty());
+    EXPECT_FALSE(filesWith(folder + "/tests", ".st").empty());
+    EXPECT_GE(project.languages.size(), 4u);
+    for (const std::string needed : {"en", "de", "da"})
+        EXPECT_TRUE(std::any_of(project.languages.begin(), project.languages.end(), [&](const std::string& tag) { return tag == needed || tag.starts_with(needed + "-"); })) << needed;
+    EXPECT_FALSE(pictureOptions(folder, "panel").empty()) << "docs/pictures.txt says how the machine is started";
+    EXPECT_FALSE(pictureOptions(folder, "trace").empty());
+
+    const std::string readme = textOf(folder + "/README.md");
+    EXPECT_TRUE(readme.starts_with("# "));
+    EXPECT_NE(readme.find("## What to try"), std::string::npos);
+    std::set<std::string> pictures;
+    const std::regex picture(R"(!\[[^\]]+\]\(([^)]+)\))");
+    for (std::sregex_iterator at(readme.begin(), readme.end(), picture), end; at != end; ++at) pictures.insert((*at)[1]);
+    EXPECT_TRUE(pictures.count("docs/panel.png") && pictures.count("docs/trace.png"));
+    for (const std::string& path : pictures) EXPECT_FALSE(QImage(QString::fromStdString(folder + "/" + path)).isNull()) << path;
+}
+
+/// Each alarm of a project comes in one of its tests at least.
+TEST_P(Example, TestsTheConditionsOfItsAlarms) {
+    std::map<std::string, bool> came;
+    for (const hmi::AlarmDefinition& alarm : panels.alarms.definitions()) came[alarm.condition.toStdString()] = false;
+    if (came.empty()) return;
+    plc::testing::Options options;
+    options.finished = [&](session::Session& session) {
+        const history::History& history = session.history();
+        for (auto& [condition, isThere] : came) {
+            if (isThere) continue;
+            const auto expression = session.expression(condition);
+            ASSERT_TRUE(expression) << condition << ": " << expression.error().message;
+            isThere = expression->isTrue(history.seek(history.statistics().first)) ||
+                      history.find(*expression, session.recompile(condition), history.statistics().first, history::History::Direction::Forward).has_value();
+        }
+    };
+    const auto report = plc::testing::runTests(project, options);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->failed(), 0u);
+    for (const auto& [condition, isThere] : came) EXPECT_TRUE(isThere) << "no test of the project in which " << condition;
+}
+
+TEST_P(Example, SpeaksEveryLanguageAndItsPanelsAreWithoutFindings) {
+    for (const Error& problem : panels.problems) ADD_FAILURE() << problem.text();
+    const driver::Checked checked = driver::check(project.buildInput());
+    EXPECT_FALSE(checked.analysis->hasErrors);
+    for (const hmi::Finding& finding : hmi::checkPanels(panels, checked)) ADD_FAILURE() << finding.text().toStdString();
+}
+
+/// What an element shows: the values of its expressions, changed or not, whatever they move, fill, light or hide.
+struct Shown {
+    std::vector<hmi::BindingId> bindings;
+    std::set<std::string> looks;
+};
+
+TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
+    driver::Built built = driver::build(project.buildInput());
+    ASSERT_TRUE(built.program) << built.failure;
+    const auto arguments = cli::Arguments::parse(cli::panelCommand().spec, pictureOptions(folder, "panel"));
+    ASSERT_TRUE(arguments) << arguments.error().text();
+    nanoseconds length = std::chrono::minutes(1);
+    if (const auto text = arguments->value("--at")) {
+        const auto time = cli::parseDuration(*text);
+        ASSERT_TRUE(time) << time.error().text();
+        length = std::max(length, *time);
+    }
+    session::Settings settings;
+    settings.historyBudget = size_t(1) << 30;
+    session::Session session(std::move(built), settings);
+    const auto ran = cli::runProject(*arguments, session.built(), session, length, "");
+    ASSERT_TRUE(ran) << ran.error().text();
+    EXPECT_EQ(session.controller().state(), controller::State::Running);
+    EXPECT_FALSE(session.controller().fault()) << session.controller().fault()->message;
+    EXPECT_FALSE(session.controller().simulationFault()) << session.controller().simulationFault()->message;
+    EXPECT_GE(session.controller().lastTime() + std::chrono::seconds(2), length);
+
+    hmi::PlcValues values(session);
+    std::map<std::string, Shown> elements;
+    for (const hmi::NamedPanel& panel : panels.panels)
+        for (const hmi::Element& element : panel.panel.elements())
+            hmi::forEachBinding(element, [&](const hmi::Found& found) {
+                if (found.type != hmi::PropertyType::Target) elements[(panel.name + "/" + element.caption()).toStdString()].bindings.push_back(values.bind(found.text));
+            });
+    for (nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
+        values.setPosition(session.history().positionAt(at));
+        values.refresh();
+        for (auto& [name, shown] : elements) {
+            std::string look;
+            for (const hmi::BindingId binding : shown.bindings) {
+                const hmi::Value& value = values.value(binding);
+                ASSERT_FALSE(value.isNone()) << name << " shows nothing: " << value.text().toStdString();
+                look += value.toLiteral().toStdString() + " ";
+            }
+            shown.looks.insert(look);
+        }
+    }
+    size_t moved = 0;
+    std::string still;
+    for (const auto& [name, shown] : elements) {
+        if (shown.looks.size() > 1) ++moved;
+        else still += " " + name;
+    }
+    std::cout << GetParam() << ": " << moved << " of " << elements.size() << " elements with values change\n";
+    const std::vector<std::string> named = pictureOptions(folder, "elements");
+    ASSERT_EQ(named.size(), 1u) << "docs/pictures.txt has no line `elements NUMBER`: how many elements of the panel move";
+    EXPECT_GE(std::stoul(named[0]), 2u);
+    EXPECT_GE(moved, std::stoul(named[0])) << "still:" << still;
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Example, ::testing::ValuesIn(exampleNames()), [](const auto& info) { return info.param; });
+
+} // namespace
+} // namespace plc
