@@ -39,7 +39,7 @@ std::vector<std::string> filesWith(const std::string& folder, const std::string&
 }
 
 /// The words of a line of docs/pictures.txt: `panel …` and `trace …` say what starts the machine and when its picture is taken,
-/// `elements NUMBER` how many elements of its panels must then change.
+/// `elements NUMBER` how many elements of its panels must then change (5 where it does not say).
 std::vector<std::string> pictureOptions(const std::string& folder, const std::string& kind) {
     std::istringstream file(textOf(folder + "/docs/pictures.txt"));
     for (std::string line; std::getline(file, line);) {
@@ -173,9 +173,9 @@ TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     }
     std::cout << GetParam() << ": " << moved << " of " << elements.size() << " elements with values change\n";
     const std::vector<std::string> named = pictureOptions(folder, "elements");
-    ASSERT_EQ(named.size(), 1u) << "docs/pictures.txt has no line `elements NUMBER`: how many elements of the panel move";
-    EXPECT_GE(std::stoul(named[0]), 2u);
-    EXPECT_GE(moved, std::stoul(named[0])) << "still:" << still;
+    const size_t wanted = named.empty() ? 5 : std::stoul(named[0]);
+    EXPECT_GE(wanted, 2u);
+    EXPECT_GE(moved, wanted) << "still:" << still;
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Example, ::testing::ValuesIn(exampleNames()), [](const auto& info) { return info.param; });
