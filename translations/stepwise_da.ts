@@ -443,6 +443,14 @@
         <source>{0} is a word of the language and can not be a name</source>
         <translation>{0} er et ord i sproget og kan ikke være et navn</translation>
     </message>
+    <message>
+        <source>This loop never ends; the controller would stop in it</source>
+        <translation>Denne løkke slutter aldrig; styringen ville standse i den</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method of this name</source>
+        <translation>{0} er mærket OVERRIDE, men ingen basis har en metode med dette navn</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>

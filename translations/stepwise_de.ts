@@ -443,6 +443,14 @@
         <source>{0} is a word of the language and can not be a name</source>
         <translation>{0} ist ein Wort der Sprache und kann kein Name sein</translation>
     </message>
+    <message>
+        <source>This loop never ends; the controller would stop in it</source>
+        <translation>Diese Schleife endet nie; die Steuerung bliebe darin stehen</translation>
+    </message>
+    <message>
+        <source>{0} is marked OVERRIDE, but no base has a method of this name</source>
+        <translation>{0} ist mit OVERRIDE bezeichnet, aber keine Basis hat eine Methode dieses Namens</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>

@@ -226,8 +226,10 @@ public:
     struct Loop {
         bool hasExit = false;
         bool resultSetAtExit = true;
+        bool isLeft = false; // by RETURN or JMP
     };
     std::vector<Loop> loops;
+    bool insideUnreachable = false; // said already
     std::vector<const Variable*> loopVariables;
     struct Label {
         tree::LabelId id;

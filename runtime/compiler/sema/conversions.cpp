@@ -218,7 +218,7 @@ Operand Checker::converted(Operand operand, TypeId to) {
         if ((target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface || target.kind == TypeKind::Reference) && !isReal && value.integer() == 0)
             return constant({to, int64_t(0)}, range);
         if (operand.isFlexible) operand = settled(operand);
-        if (types.isText(to)) {
+        if (types.isText(to) || types.isAggregate(to) || isKind(to, TypeKind::Block)) {
             mismatch(range, operand.type(), to);
             return unknown(range);
         }

@@ -133,6 +133,23 @@ SourceRange implementsRange(const Unit& unit) {
 
 } // namespace
 
+namespace {
+
+/// The fix that writes a property of an interface, with the accessors it wants, before END_FUNCTION_BLOCK.
+void addProperty(const World& world, const Unit& unit, const Property& property, diagnostics::Diagnostic& diagnostic) {
+    constexpr std::string_view end = "END_FUNCTION_BLOCK";
+    const std::string_view whole = world.textOf(unit.pou->range);
+    if (!unit.pou->hasEnd || whole.size() <= end.size() || !equalsIgnoringCase(whole.substr(whole.size() - end.size()), end)) return;
+    if (std::any_of(unit.properties.begin(), unit.properties.end(), [&](const Property* own) { return own->id == property.id; })) return; // one accessor is there
+    std::string text = "PROPERTY " + property.name + " : " + world.nameOf(property.type) + "\n";
+    if (property.get) text += "GET\n;\nEND_GET\n";
+    if (property.set) text += "SET\n;\nEND_SET\n";
+    const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
+    diagnostic.fixes.push_back({"Add the property " + property.name, {{{unit.range.file, place, place}, text + "END_PROPERTY\n"}}});
+}
+
+} // namespace
+
 void World::checkInheritance(Unit& unit) {
     for (Unit* method : unit.methods) {
         Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
@@ -144,7 +161,7 @@ void World::checkInheritance(Unit& unit) {
             std::vector<std::string> candidates;
             for (Unit* at = unit.base; at; at = at->base)
                 for (const Unit* other : at->methods) candidates.push_back(other->name);
-            suggest(emit(method->range, Kind::UnknownMember, {unit.base ? unit.base->name : unit.name, method->name}), method->range, method->name, candidates);
+            suggest(emit(method->range, Kind::OverridesNothing, {method->name}), method->range, method->name, candidates);
         }
         if (method->isAbstract && unit.kind == UnitKind::Block && !unit.isAbstract) emit(method->range, Kind::NotAllowedHere, {"ABSTRACT", unit.name + ", which is not abstract itself"});
     }
@@ -157,7 +174,10 @@ void World::checkInheritance(Unit& unit) {
             Unit* made = methodNamed(unit, wanted->id);
             const SourceRange at = implementsRange(unit);
             if (!made || made->isAbstract) {
-                auto& diagnostic = emit(at, Kind::NotInterfaceImplemented, {unit.name, wanted->name, interface->name});
+                const Property* property = wanted->property;
+                if (property && wanted == property->set && property->get && !methodNamed(unit, property->get->id)) continue; // told with GET
+                auto& diagnostic = emit(at, Kind::NotInterfaceImplemented, {unit.name, property ? property->name : wanted->name, interface->name});
+                if (property && !made) addProperty(*this, unit, *property, diagnostic);
                 if (!made && wanted->kind == UnitKind::Method && unit.pou->hasEnd && unit.pou->range.file.isValid()) {
                     std::string text = "METHOD " + wanted->name + (wanted->pou->result ? " : " + std::string(textOf(wanted->pou->result->range)) : std::string()) + "\n";
                     for (const syntax::VarSection* section : wanted->pou->sections) text += std::string(textOf(section->range)) + "\n";

@@ -78,6 +78,10 @@ Operand Checker::foldFlexible(BinaryOp op, Operand a, Operand b, SourceRange ran
             emit(range, Kind::OperatorNotForType, {"MOD", "REAL"});
             return unknown(range);
         }
+        if (op == BinaryOp::Divide && right.real() == 0) {
+            emit(b.expr->range, Kind::DivisionByConstantZero);
+            return unknown(range);
+        }
         const library::Evaluated folded = library::evaluateBinary(types, op, elementary(TypeKind::Lreal), left, right);
         if (!folded.value.hasValue()) return unknown(range);
         return constant(folded.value, range, !isCompare(op));

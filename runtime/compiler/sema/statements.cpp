@@ -30,11 +30,13 @@ void Checker::statements(const syntax::Block& block, std::vector<tree::Stmt*>& o
     for (size_t i = 0; i < block.size(); ++i) {
         const syntax::Stmt& stmt = *block[i];
         if (!flow.isReachable && stmt.kind == StmtKind::Label) flow.isReachable = true;
-        if (!flow.isReachable && !reported && stmt.kind != StmtKind::Empty && stmt.range.file.isValid() && block.back()->range.file == stmt.range.file && !stmt.origin) {
+        if (!flow.isReachable && !reported && !insideUnreachable && stmt.kind != StmtKind::Empty && stmt.range.file.isValid() && block.back()->range.file == stmt.range.file && !stmt.origin) {
             emit(stmt.range, Kind::UnreachableCode);
             reported = true;
         }
+        const bool outer = std::exchange(insideUnreachable, insideUnreachable || (reported && !flow.isReachable));
         statement(stmt, out);
+        insideUnreachable = outer;
     }
 }
 
@@ -340,6 +342,7 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
         // a limit of a wider type is compared as it is
         return operand.isFlexible || operand.isConstant() ? converted(operand, wanted) : converted(operand, wanted);
     };
+    if (by.isConstant() && std::holds_alternative<int64_t>(by.expr->value.data) && by.expr->value.integer() == 0) emit(by.expr->range, Kind::EndlessLoop);
     from = limit(from, counted);
     to = limit(to, counted);
     by = good ? converted(by, counted) : by;
@@ -375,7 +378,9 @@ void Checker::whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>&
     loops.pop_back();
     const bool endless = made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.isTrue();
     flow = before;
-    if (endless) {
+    if (endless && !loop.hasExit && !loop.isLeft && before.isReachable) {
+        emit(stmt.value->range, Kind::EndlessLoop);
+    } else if (endless) {
         flow.isReachable = before.isReachable && loop.hasExit;
         flow.isResultSet = before.isResultSet || loop.resultSetAtExit;
     }
@@ -391,12 +396,14 @@ void Checker::repeatStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>
     loops.pop_back();
     const bool set = flow.isResultSet && (!loop.hasExit || loop.resultSetAtExit);
     if (stmt.value) made->a = condition(*stmt.value);
+    if (made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.hasValue() && !made->a->value.isTrue() && !loop.hasExit && !loop.isLeft && flow.isReachable) emit(stmt.value->range, Kind::EndlessLoop);
     flow.isReachable = before.isReachable && (flow.isReachable || loop.hasExit || before.isReachable);
     flow.isResultSet = before.isResultSet || set;
     if (made->a) out.push_back(made);
 }
 
 void Checker::returnStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    for (Loop& loop : loops) loop.isLeft = true;
     if (stmt.value) {
         Unit* unit = scope.unit;
         if (!unit || !unit->resultVariable) {
@@ -446,6 +453,7 @@ void Checker::labelStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>&
 }
 
 void Checker::jumpStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
+    for (Loop& loop : loops) loop.isLeft = true;
     const auto it = labels.find(world.key(stmt.name.text));
     tree::Expr* when = stmt.value ? condition(*stmt.value) : nullptr;
     if (it == labels.end()) {
