@@ -382,7 +382,8 @@ Pou* Parser::parseInterface() {
         else if (atDeclaration() || atStatementEnd()) break;
         else {
             expected("METHOD, PROPERTY or END_INTERFACE");
-            while (!atEnd() && !atStatementEnd() && !atPouMember() && !atDeclaration()) advance();
+            do advance(); // an ACTION is a member too, but not of an interface
+            while (!atEnd() && !atStatementEnd() && !atPouMember() && !atDeclaration());
             m_lastErrorAt = SIZE_MAX;
         }
     }
