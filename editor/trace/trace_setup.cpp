@@ -1,6 +1,7 @@
 #include "editor/trace/trace_setup.h"
 
 #include "projects/storage/project_file.h"
+#include "runtime/base/read_json.h"
 
 #include <cmath>
 #include <set>
@@ -261,15 +262,9 @@ void mendReferences(TraceSetup& setup) {
 } // namespace
 
 Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) {
-        try {
-            const Json again = Json::parse(text);
-        } catch (const Json::parse_error& error) {
-            const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<ptrdiff_t>(std::min(text.size(), error.byte)), '\n');
-            return Error{"The trace set-up is not JSON (see line " + std::to_string(line) + ")", place};
-        }
-    }
+    const JsonText<Json> read = readJson<Json>(text);
+    if (!read.isGood()) return Error{"The trace set-up is not JSON (see line " + std::to_string(read.line) + ")", place};
+    const Json& json = read.value;
     if (!json.is_object()) return Error{"A trace set-up must be a JSON object", place};
     TraceSetup setup;
     setup.origin = json;

@@ -1,13 +1,15 @@
 #include "hmi/alarms/alarm_file.h"
 
+#include "runtime/base/read_json.h"
+
 #include <QSet>
 
 namespace plc::hmi {
 
 Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place) {
     const auto fail = [&](const QString& message) { return Error{message.toStdString(), place.toStdString()}; };
-    const Json root = Json::parse(utf8, nullptr, false);
-    if (root.is_discarded() || !root.is_object()) return fail(QStringLiteral("The alarms are not valid JSON."));
+    const Json root = readJson<Json>(utf8).value;
+    if (!root.is_object()) return fail(QStringLiteral("The alarms are not valid JSON."));
     AlarmFile file;
     file.m_fields = root;
     for (const char* key : {"classes", "alarms"}) {

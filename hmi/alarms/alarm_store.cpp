@@ -1,5 +1,7 @@
 #include "hmi/alarms/alarm_store.h"
 
+#include "runtime/base/read_json.h"
+
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QUuid>
@@ -127,7 +129,7 @@ std::vector<AlarmRecord> AlarmStore::query(const AlarmQuery& wanted) const {
         record.kind = static_cast<AlarmEventKind>(std::clamp(query.value(2).toInt(), 0, 2));
         record.at = {query.value(3).toULongLong(), query.value(4).toULongLong(), Nanoseconds(query.value(5).toLongLong())};
         record.wallTime = query.value(6).toLongLong();
-        const Json values = Json::parse(query.value(7).toString().toStdString(), nullptr, false);
+        const Json values = readJson<Json>(query.value(7).toString().toStdString()).value;
         if (values.is_object())
             for (const auto& [name, value] : values.items()) record.values.emplace_back(QString::fromStdString(name), valueFromJson(value));
         record.user = query.value(8).toString();

@@ -4,6 +4,7 @@
 #include "editor/kit/variable_picker.h"
 #include "hmi/designer/palette.h"
 #include "hmi/view/containers.h"
+#include "runtime/base/read_json.h"
 
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -707,7 +708,7 @@ QStringList DesignCanvas::droppedVariables(const QMimeData* mime) const {
 void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
     QSizeF size(140, 40);
     if (event->mimeData()->hasFormat(kElementMime)) {
-        const Json list = Json::parse(event->mimeData()->data(kElementMime).toStdString(), nullptr, false);
+        const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
         if (list.is_array() && !list.empty()) size = Element(list[0]).rect().size();
     }
     const QPointF at = toPanel(event->position());
@@ -734,7 +735,7 @@ void DesignCanvas::dropEvent(QDropEvent* event) {
     m_dropRect.reset();
     m_guides.clear();
     if (event->mimeData()->hasFormat(kElementMime)) {
-        const Json list = Json::parse(event->mimeData()->data(kElementMime).toStdString(), nullptr, false);
+        const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
         if (list.is_array()) insertElements(list, at);
     } else {
         insertVariables(droppedVariables(event->mimeData()), at, event->modifiers() & Qt::ShiftModifier);

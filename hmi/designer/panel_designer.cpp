@@ -8,6 +8,7 @@
 #include "hmi/designer/palette.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/panel_player.h"
+#include "runtime/base/read_json.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -266,7 +267,7 @@ void PanelDesigner::cut() {
 void PanelDesigner::paste() {
     const QMimeData* mime = QApplication::clipboard()->mimeData();
     if (!mime || !mime->hasFormat(kElementMime)) return;
-    const Json elements = Json::parse(mime->data(kElementMime).toStdString(), nullptr, false);
+    const Json elements = readJson<Json>(mime->data(kElementMime).toStdString()).value;
     ElementIds added;
     m_document.perform(tr("Paste"), pasted(m_document.panel(), elements, std::nullopt, &added));
     m_selection.set(added);

@@ -1,5 +1,7 @@
 #include "hmi/model/panel.h"
 
+#include "runtime/base/read_json.h"
+
 #include <QSet>
 #include <cmath>
 
@@ -138,13 +140,9 @@ Error errorAt(const QString& place, const QString& message) { return Error{messa
 
 Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
     const std::string_view text = utf8.starts_with("\xEF\xBB\xBF") ? std::string_view(utf8).substr(3) : utf8;
-    Json root;
-    try {
-        root = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-        const auto line = std::count(text.begin(), text.begin() + static_cast<long>(std::min(error.byte, text.size())), '\n') + 1;
-        return errorAt(place + u':' + QString::number(line), QStringLiteral("The panel is not valid JSON."));
-    }
+    JsonText<Json> json = readJson<Json>(text);
+    if (!json.isGood()) return errorAt(place + u':' + QString::number(json.line), QStringLiteral("The panel is not valid JSON."));
+    Json& root = json.value;
     if (!root.is_object()) return errorAt(place, QStringLiteral("A panel is a JSON object."));
     if (root.contains("version") && root["version"].is_number() && root["version"].get<double>() > 1)
         return errorAt(place, QStringLiteral("The panel was written by a newer version of the studio."));

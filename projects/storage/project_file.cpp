@@ -1,5 +1,6 @@
 #include "projects/storage/project_file.h"
 
+#include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -138,13 +139,9 @@ Result<Project> openFolder(const fs::path& folder) {
     if (std::error_code ignored; fs::exists(file, ignored)) {
         const auto text = readFile(file.string());
         if (!text) return text.error();
-        try {
-            project.json = Json::parse(*text);
-        } catch (const Json::parse_error& problem) {
-            const size_t at = std::min<size_t>(problem.byte, text->size());
-            const auto line = 1 + std::count(text->begin(), text->begin() + static_cast<std::ptrdiff_t>(at), '\n');
-            return Error{"project.json is not valid JSON; look for a missing comma, quote or bracket", file.string() + ":" + std::to_string(line)};
-        }
+        JsonText<Json> json = readJson<Json>(*text);
+        if (!json.isGood()) return Error{"project.json is not valid JSON; look for a missing comma, quote or bracket", file.string() + ":" + std::to_string(json.line)};
+        project.json = std::move(json.value);
         if (!project.json.is_object()) return Error{"project.json must hold one JSON object", file.string()};
     } else {
         std::error_code none;

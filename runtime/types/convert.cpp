@@ -24,16 +24,17 @@ int64_t unitOf(TypeKind kind) {
 bool isTime(Family family) { return family == Family::Duration || family == Family::Date || family == Family::TimeOfDay || family == Family::DateTime; }
 bool isUnsigned64(TypeKind kind) { return kind == TypeKind::Ulint || kind == TypeKind::Lword; }
 
-int64_t startOfDay(int64_t nanoseconds) {
+/// From the last midnight, also before 1970.
+int64_t sinceMidnight(int64_t nanoseconds) {
     const int64_t rest = nanoseconds % kDay;
-    return nanoseconds - rest - (rest < 0 ? kDay : 0);
+    return rest < 0 ? rest + kDay : rest;
 }
 
 /// Any instant or duration as a value of `to`: dates begin their day, times of day stay within it.
 int64_t fitTime(TypeKind to, int64_t nanoseconds) {
     const Family family = familyOf(to);
-    if (family == Family::Date) return startOfDay(nanoseconds);
-    if (family == Family::TimeOfDay) return nanoseconds - startOfDay(nanoseconds);
+    if (family == Family::Date) return static_cast<int64_t>(static_cast<uint64_t>(nanoseconds) - static_cast<uint64_t>(sinceMidnight(nanoseconds))); // wraps on the first day there is
+    if (family == Family::TimeOfDay) return sinceMidnight(nanoseconds);
     return nanoseconds;
 }
 

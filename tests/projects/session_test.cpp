@@ -63,7 +63,7 @@ Value dint(int64_t number) { return Value{TypeTable::of(TypeKind::Dint), number}
 Value boolean(bool value) { return Value{TypeTable::of(TypeKind::Bool), int64_t(value)}; }
 
 template <class Condition> bool eventually(Condition condition) {
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < 60'000; ++i) { // long enough for a sanitizer on a busy machine
         if (condition()) return true;
         std::this_thread::sleep_for(1ms);
     }

@@ -118,8 +118,8 @@ private:
                 uint32_t end = m_items[line.last - 1].end;
                 std::string_view rest = m_text.substr(end);
                 rest = rest.substr(0, rest.find('\n'));
-                if (rest.ends_with('\r')) rest.remove_suffix(1);
                 std::string_view raw = slice(begin, end + static_cast<uint32_t>(rest.size()));
+                while (raw.ends_with('\r')) raw.remove_suffix(1); // belongs to the line's end
                 if (line.first == 0 && raw.starts_with("\xEF\xBB\xBF")) raw.remove_prefix(3);
                 m_code.emplace_back(raw);
                 m_trailing.emplace_back();

@@ -1,9 +1,11 @@
 #include "runtime/compiler/lower/builder.h"
 
 #include "runtime/base/assert.h"
+#include "runtime/compiler/lex/token.h"
 #include "runtime/compiler/parse/parser.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace plc::lower {
 
@@ -11,11 +13,28 @@ namespace {
 constexpr std::string_view kHole = "__hole";
 }
 
+namespace {
+bool isOneToken(std::string_view text, TokenKind kind) {
+    diagnostics::Sink sink;
+    const lex::TokenList list = lex::tokenize(FileId(), text, sink);
+    return sink.all().empty() && list.comments.empty() && list.tokens.size() == 2 && list.tokens[0].kind == kind && list.tokens[0].begin == 0 && list.tokens[0].end == text.size();
+}
+} // namespace
+
 std::string spelled(std::string_view name) {
-    const bool plain = !name.empty() && !(name[0] >= '0' && name[0] <= '9') && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || static_cast<unsigned char>(c) >= 0x80;
-    });
-    return plain ? std::string(name) : "\"" + std::string(name) + "\"";
+    if (isOneToken(name, TokenKind::Identifier)) return std::string(name);
+    std::string quoted = "\"" + std::string(name) + "\"";
+    // A quote that is never closed makes names that nothing can spell; the lexer has complained about it.
+    return name.empty() || isOneToken(quoted, TokenKind::WstringLiteral) ? quoted : "__unspellable";
+}
+
+std::string identifierFrom(std::string_view name) {
+    std::string out;
+    for (char c : name) out += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80 ? c : '_';
+    if (isOneToken("_" + out, TokenKind::Identifier)) return out;
+    for (char& c : out)
+        if (static_cast<unsigned char>(c) >= 0x80) c = '_';
+    return out;
 }
 
 void Builder::setHeight(Expr& e) {
@@ -114,10 +133,12 @@ void Builder::settle(Expr*& e, SourceRange place, const std::vector<Expr*>& hole
     if (!e) return;
     if (e->kind == ExprKind::NameRef && e->name.text.starts_with(kHole)) {
         size_t index = 0;
-        for (char c : e->name.text.substr(kHole.size())) index = index * 10 + static_cast<size_t>(c - '0');
-        PLC_ASSERT(index < holes.size(), return);
-        e = holes[index];
-        return;
+        const std::string_view digits = e->name.text.substr(kHole.size());
+        const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), index);
+        if (end.ec == std::errc() && end.ptr == digits.data() + digits.size() && index < holes.size()) { // else the user's own name
+            e = holes[index];
+            return;
+        }
     }
     e->range = e->operatorRange = e->name.range = e->prefix.range = place;
     settle(e->base, place, holes);

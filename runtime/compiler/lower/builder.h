@@ -53,5 +53,7 @@ private:
 
 /// A name as ST writes it: in quotes when it is not an identifier.
 [[nodiscard]] std::string spelled(std::string_view name);
+/// The name as a part of an identifier.
+[[nodiscard]] std::string identifierFrom(std::string_view name);
 
 } // namespace plc::lower

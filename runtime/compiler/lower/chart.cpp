@@ -311,7 +311,7 @@ private:
                     Control control;
                     control.name = a.action;
                     control.isAction = m_unit.actions.contains(key);
-                    control.variable = "__action_" + plain(a.action.text) + (m_number == "0" ? "" : "_" + m_number);
+                    control.variable = "__action_" + identifierFrom(a.action.text) + (m_number == "0" ? "" : "_" + m_number);
                     m_controls.push_back(std::move(control));
                 }
                 associate(m_controls[it->second], *s, a);
@@ -320,12 +320,6 @@ private:
             m_builder.declare(m_unit.section, m_builder.name(control.variable, control.name.range), "SFC_ACTION");
         }
     }
-    static std::string plain(std::string_view name) {
-        std::string out;
-        for (char c : name) out += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80 ? c : '_';
-        return out;
-    }
-
     /// The inputs of the action control block (2.6.4.5, figures 14 and 15). L, D and DS need no timer: the step has one.
     void associate(Control& control, const StepDecl& s, const ActionAssociation& a) {
         const std::string q = foldCase(a.qualifier.text);
@@ -346,7 +340,7 @@ private:
         else if (q == "d") control.non.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
         else if (q == "ds") control.stored.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
         else if (q == "sd" || q == "sl") {
-            const std::string variable = "__timed_" + plain(a.action.text) + "_" + m_number + "_" + std::to_string(m_timed++);
+            const std::string variable = "__timed_" + identifierFrom(a.action.text) + "_" + m_number + "_" + std::to_string(m_timed++);
             m_builder.declare(m_unit.section, m_builder.name(variable, a.range), q == "sd" ? "SFC_STORED_DELAY" : "SFC_STORED_LIMIT");
             control.holes.push_back(m_builder.clone(a.time));
             control.timed.push_back({variable, active, control.holes.size() - 1});

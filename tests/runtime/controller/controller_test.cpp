@@ -54,7 +54,7 @@ struct Plain {
 };
 constexpr uint32_t kCount = 112, kOrder = 120, kMode = 128;
 
-void append(std::byte* image, int digit) { at<int64_t>(image, kOrder) = at<int64_t>(image, kOrder) * 10 + digit; }
+void append(std::byte* image, int digit) { at<uint64_t>(image, kOrder) = at<uint64_t>(image, kOrder) * 10 + static_cast<unsigned>(digit); } // wraps in long runs
 void countUp(RuntimeContext*, std::byte* image, uint32_t) {
     ++at<int32_t>(image, kCount);
     image[80] |= std::byte{1};

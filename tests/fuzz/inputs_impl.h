@@ -1,0 +1,132 @@
+// The bodies, included once per program. Broken promises abort: libFuzzer and the test runner both see that.
+#pragma once
+#include "tests/fuzz/inputs.h"
+
+#include "editor/trace/session_recording.h"
+#include "editor/trace/trace_setup.h"
+#include "hmi/alarms/alarm_file.h"
+#include "hmi/texts/text_table.h"
+#include "hmi/view/panel_check.h"
+#include "hmi/view/panel_scene.h"
+#include "projects/storage/project_file.h"
+#include "runtime/controller/retain.h"
+
+#include <QImage>
+#include <QPainter>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace plc::fuzz {
+
+inline void mustHold(bool kept) {
+    if (!kept) std::abort();
+}
+
+/// A folder of this process, removed at its end; in memory where there is such a place.
+class Scratch {
+public:
+    Scratch() : m_folder((std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) / ("stepwise_inputs_" + std::to_string(::getpid()))) {
+        std::filesystem::create_directories(m_folder / "src");
+        write("src/main.st", "PROGRAM Main VAR x : INT; END_VAR x := x + 1; END_PROGRAM\n");
+    }
+    ~Scratch() {
+        std::error_code none;
+        std::filesystem::remove_all(m_folder, none);
+    }
+    std::string write(const char* name, const std::string& bytes) const {
+        std::ofstream(m_folder / name, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return (m_folder / name).string();
+    }
+    std::string path() const { return m_folder.string(); }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+inline const Scratch& scratch() {
+    static const Scratch folder;
+    return folder;
+}
+
+void readPanel(const std::string& bytes) {
+    const auto panel = hmi::Panel::parse(bytes, QStringLiteral("p"));
+    if (!panel) return;
+    const std::string written = panel->write();
+    const auto again = hmi::Panel::parse(written, QStringLiteral("p"));
+    mustHold(bool(again) && again->write() == written);
+    for (const hmi::Element& element : panel->elements()) {
+        (void)panel->withDescendants(element.id());
+        (void)panel->childrenOf(element.id());
+        (void)element.rect();
+    }
+    hmi::PanelScene scene;
+    hmi::HeldValues values;
+    scene.setValues(&values);
+    scene.setPanel(*panel);
+    scene.refresh(0);
+    scene.refresh(500);
+    QImage image(320, 240, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    scene.paint(painter, QRectF(image.rect()));
+    painter.end();
+    for (const QPointF at : {QPointF(20, 20), QPointF(160, 120)}) {
+        scene.press(at);
+        scene.move(at + QPointF(5, 5));
+        scene.release(at);
+    }
+    hmi::CheckInput input;
+    input.panels.push_back({QStringLiteral("p"), *panel});
+    (void)hmi::checkPanels(input);
+}
+
+void readTexts(const std::string& bytes) {
+    const auto table = hmi::TextTable::parse(bytes, QStringLiteral("texts.csv"));
+    if (!table) return;
+    const std::string written = table->write();
+    const auto again = hmi::TextTable::parse(written, QStringLiteral("texts.csv"));
+    mustHold(bool(again) && again->write() == written);
+    (void)table->listPrefixes();
+}
+
+void readAlarms(const std::string& bytes) {
+    const auto file = hmi::AlarmFile::parse(bytes, QStringLiteral("alarms.json"));
+    if (!file) return;
+    (void)file->definitions();
+    (void)file->classes();
+    const std::string written = file->write();
+    const auto again = hmi::AlarmFile::parse(written, QStringLiteral("alarms.json"));
+    mustHold(bool(again) && again->write() == written);
+}
+
+void readTraceSetup(const std::string& bytes) {
+    const auto setup = trace::readSetup(bytes, "t");
+    if (!setup) return;
+    const std::string written = trace::writeSetup(*setup);
+    const auto again = trace::readSetup(written, "t");
+    mustHold(bool(again) && trace::writeSetup(*again) == written);
+}
+
+void readProjectFile(const std::string& bytes) {
+    scratch().write("project.json", bytes);
+    const auto project = projects::openProject({scratch().path()});
+    if (!project) return;
+    scratch().write("project.json", project->json.dump(2));
+    mustHold(bool(projects::openProject({scratch().path()})));
+}
+
+void readRecording(const std::string& bytes) {
+    const auto recording = trace::FileRecording::open(scratch().write("a.stwrec", bytes));
+    if (!recording) return;
+    const auto [first, end] = (*recording)->extent();
+    (void)(*recording)->samples("Main.x", first, std::min(end, first + 1000));
+    (void)(*recording)->history().seek(first);
+    (void)(*recording)->stamp(end);
+    (void)(*recording)->marks();
+}
+
+void readRetainFile(const std::string& bytes) { (void)controller::loadRetain(scratch().write("a.retain", bytes)); }
+
+} // namespace plc::fuzz
