@@ -105,7 +105,7 @@ void MainWindow::makeDocks() {
     resizeDocks({dock("project")}, {230}, Qt::Horizontal);
     resizeDocks({watch}, {440}, Qt::Horizontal);
     resizeDocks({trace}, {340}, Qt::Vertical);
-    resizeDocks({watch, panel}, {220, 400}, Qt::Vertical);
+    resizeDocks({watch, panel}, {360, 360}, Qt::Vertical);
     auto* timeBar = new QToolBar(tr("Time"), this);
     timeBar->setObjectName("timeToolBar");
     timeBar->setMovable(false);
@@ -124,6 +124,7 @@ void MainWindow::makeDocks() {
     timeBar->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea); // a watch wants rows
 }
 
 QDockWidget* MainWindow::dock(const QString& name) const { return findChild<QDockWidget*>(name); }
@@ -392,6 +393,7 @@ void MainWindow::openPalette() { m_palette->open(); }
 void MainWindow::resetLayout() {
     restoreState(m_defaultLayout);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
+    findChild<QToolBar*>("timeToolBar")->setVisible(m_workspace->isOpen());
 }
 
 void MainWindow::changeTheme(kit::ThemeChoice choice) {

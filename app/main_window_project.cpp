@@ -27,6 +27,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -374,6 +375,9 @@ void MainWindow::openDesigner(const QString& panel) {
     if (QWidget* open = m_tabs->pageByKey(key)) return m_tabs->setCurrentWidget(open);
     auto* designer = new hmi::PanelDesigner(*m_live->design(), panel, m_tabs);
     addDesignPage(designer, panel, static_cast<int>(kit::Icon::Panel), key);
+    QTimer::singleShot(0, designer, [designer] { // once it has its size: the whole panel
+        if (auto* fit = designer->findChild<QAction*>("zoom-fit")) fit->trigger();
+    });
     connect(designer, &hmi::PanelDesigner::modifiedChanged, this, [this, designer, panel](bool modified) { m_tabs->setTabText(m_tabs->indexOf(designer), panel + (modified ? " ●" : "")); });
 }
 

@@ -203,7 +203,7 @@ std::vector<AxisSpec> PlotRenderer::valueAxes(const PlotModel& model, PlotPane& 
         if (title.isEmpty() && users.size() == 1) title = users[0]->name;
         const double room = height - metrics.horizontalAdvance(unit) * 1.1 - 30;
         if (metrics.horizontalAdvance(title) * 1.1 > room) // rather the unit alone than a torn name
-            title = unit.isEmpty() || room > 90 ? metrics.elidedText(title, Qt::ElideMiddle, std::max(40.0, room * 0.9)) : QString();
+            title = room > 90 ? metrics.elidedText(title, Qt::ElideMiddle, room * 0.9) : QString(); // and rather none than its first letter
         spec.title = title.isEmpty() ? unit : unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
         if (users.size() == 1 && pane.axes.size() > 1) spec.color = users[0]->color;
         const bool named = !users.empty() && !users[0]->valueNames.empty() && users[0]->scale == 1 && users[0]->offset == 0 &&
@@ -212,7 +212,8 @@ std::vector<AxisSpec> PlotRenderer::valueAxes(const PlotModel& model, PlotPane& 
             for (const auto& [value, name] : users[0]->valueNames)
                 spec.ticks.push_back({static_cast<double>(value), metrics.elidedText(name, Qt::ElideRight, 140)});
         } else {
-            spec.ticks = numberTicks(range.low, range.high, ticks);
+            // One number says nothing about the scale: rather two that stand close.
+            for (int most = ticks; spec.ticks.size() < 2 && most <= ticks + 4; ++most) spec.ticks = numberTicks(range.low, range.high, most);
         }
         specs.push_back(std::move(spec));
     }
@@ -264,7 +265,9 @@ void PlotRenderer::placeTimeAxis(const PlotModel& model, double width) {
     spec.low = 0;
     spec.high = static_cast<double>(model.to - model.from) / 1e9;
     m_timeTitle = model.origin == 0 || !model.trigger ? PlotText::tr("Time [%1]").arg(ticks.unit) : PlotText::tr("Time from the trigger [%1]").arg(ticks.unit);
+    if (m_isLow) m_timeTitle.clear();
     for (const auto& [time, label] : ticks.ticks) spec.ticks.push_back({static_cast<double>(time - model.from) / 1e9, label});
+    if (m_isLow && !spec.ticks.empty()) spec.ticks.back().label += QLatin1Char(' ') + ticks.unit;
     for (size_t i = 0; i < m_panes.size(); ++i) m_parts[i]->axes.setTimeAxis(spec, i + 1 == m_panes.size());
 }
 
@@ -276,7 +279,13 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
     const QRectF inner = rect.adjusted(Pad, Pad, -Pad, -Pad);
     double top = inner.top(), bottom = inner.bottom();
     m_titleRect = m_tableRect = QRectF();
-    if (!model.title.isEmpty()) {
+    // A low picture is for the curves: the title goes first, then that of the time axis, whose unit then stands at its last number.
+    const double line = QFontMetricsF(m_font).height();
+    double wanted = 4 * line;
+    for (const PlotPane& pane : m_panes) wanted += pane.isLanes ? laneHeightFor(m_font) * static_cast<double>(pane.curves.size()) + 2 * line : 7 * line;
+    if (model.hasTable && (model.cursorA || model.cursorB)) wanted += measureTableHeight(model, m_font);
+    m_isLow = inner.height() < wanted;
+    if (!model.title.isEmpty() && !m_isLow) {
         m_titleRect = QRectF(inner.left(), top, inner.width(), QFontMetricsF(m_font).height() * 1.5 + 4);
         top = m_titleRect.bottom() + 2;
     }
@@ -285,7 +294,7 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         m_tableRect = QRectF(inner.left(), bottom - height, inner.width(), height);
         bottom = m_tableRect.top() - 8;
     }
-    bottom -= QFontMetricsF(m_font).height(); // the time axis' title
+    if (!m_isLow) bottom -= line; // the time axis' title
     for (size_t i = 0; i < m_panes.size(); ++i) {
         m_parts[i]->axes.setFont(m_font);
         m_parts[i]->axes.setGridVisible(model.hasGrid);

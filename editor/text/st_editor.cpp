@@ -23,6 +23,27 @@ enum Marker { kBreakpoint = 0, kBreakpointOff = 1, kExecuted = 2, kErrorMark = 3
 enum Indicator { kErrorSquiggle = 8, kWarningSquiggle = 9, kInfoDots = 10, kSameWord = 11, kBlockWords = 12, kFound = 13, kUnused = 14 };
 constexpr int kListId = 1;
 using S = QsciScintillaBase;
+/// Before a completion in the list.
+kit::Icon iconOf(analysis::ItemKind kind) {
+    using analysis::ItemKind;
+    switch (kind) {
+    case ItemKind::Keyword: return kit::Icon::Command;
+    case ItemKind::Snippet: return kit::Icon::Lightbulb;
+    case ItemKind::Variable: return kit::Icon::Variable;
+    case ItemKind::Constant: return kit::Icon::Constant;
+    case ItemKind::EnumValue: return kit::Icon::Enumeration;
+    case ItemKind::Type: return kit::Icon::Type;
+    case ItemKind::Function: return kit::Icon::Function;
+    case ItemKind::Block: return kit::Icon::Block;
+    case ItemKind::Program: return kit::Icon::Program;
+    case ItemKind::Method: return kit::Icon::Method;
+    case ItemKind::Property: return kit::Icon::Property;
+    case ItemKind::Parameter: return kit::Icon::Input;
+    case ItemKind::Namespace: return kit::Icon::Namespace;
+    }
+    return kit::Icon::Variable;
+}
+
 } // namespace
 
 StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer(this)) {
@@ -44,8 +65,6 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     markerDefine(Circle, kBreakpointOff);
     markerDefine(Background, kExecuted);
     markerDefine(RightArrow, kExecutedArrow);
-    markerDefine(SmallRectangle, kErrorMark);
-    markerDefine(SmallRectangle, kWarningMark);
     markerDefine(FullRectangle, kChangedLine);
     markerDefine(FullRectangle, kAddedLine);
     indicatorDefine(SquiggleIndicator, kErrorSquiggle);
@@ -125,10 +144,11 @@ void StEditor::applyTheme() {
     setMarkerBackgroundColor(c.current, kExecuted);
     setMarkerBackgroundColor(c.warning, kExecutedArrow);
     setMarkerForegroundColor(c.text, kExecutedArrow);
-    setMarkerBackgroundColor(c.bad, kErrorMark);
-    setMarkerForegroundColor(c.bad, kErrorMark);
-    setMarkerBackgroundColor(c.warning, kWarningMark);
-    setMarkerForegroundColor(c.warning, kWarningMark);
+    const auto drawn = [](kit::Icon which) { return kit::icon(which).pixmap(QSize(14, 14), 1.0).toImage(); };
+    markerDefine(drawn(kit::Icon::Error), kErrorMark);
+    markerDefine(drawn(kit::Icon::Warning), kWarningMark);
+    clearRegisteredImages();
+    for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind) registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
     setMarkerBackgroundColor(c.warning, kChangedLine);
     setMarkerBackgroundColor(c.good, kAddedLine);
     for (int marker = int(SC_MARKNUM_FOLDEREND); marker <= int(SC_MARKNUM_FOLDEROPEN); ++marker) {

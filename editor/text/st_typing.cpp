@@ -78,7 +78,7 @@ void StEditor::triggerCompletion() {
         if (label == typed && m_completion.items.size() == 1) break; // nothing to add
         if (shown++ == 200) break;
         if (!list.empty()) list += '\n';
-        list += label;
+        list += label + '\x1f' + std::to_string(static_cast<int>(item.kind)); // the icon's number
     }
     if (list.empty()) {
         SendScintilla(S::SCI_AUTOCCANCEL);

@@ -558,7 +558,7 @@ void TraceView::showTable() {
     m_table->resizeRowsToContents();
     int height = m_table->horizontalHeader()->sizeHint().height() + 4;
     for (int r = 0; r < std::min(6, m_table->rowCount()); ++r) height += m_table->rowHeight(r);
-    m_table->setMinimumHeight(height);
+    m_table->setMinimumHeight(std::min(height, std::max(90, this->height() / 3))); // the charts come first
     m_table->setMaximumHeight(std::max(height, 300));
     m_table->setToolTip(table.headline);
 }

@@ -1,12 +1,15 @@
 // Makes docs/pictures: drives the real window on the shipped examples and saves what it shows, light and dark. Run by
 // docs/make_pictures.sh under Xvfb.
 #include "app/editor_tabs.h"
+#include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/problems_view.h"
 #include "app/settings.h"
 #include "app/start_page.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
+#include "editor/graph/chart_view.h"
+#include "editor/kit/plot_view.h"
 #include "editor/kit/theme.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/controller/controller.h"
@@ -19,7 +22,9 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTemporaryDir>
+#include <QDockWidget>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <cstdio>
 #include <functional>
@@ -54,16 +59,9 @@ void save(QWidget& window, const QString& name) {
     else std::printf("%s\n", qPrintable(file));
 }
 
-void takeAll(const QString& examples) {
-    QTemporaryDir scratch;
-    copyProject(examples + "/pid_pt1", scratch.path() + "/pid_pt1");
-    app::MainWindow window;
-    window.resize(1440, 900);
-    window.show();
-    (void)QTest::qWaitForWindowExposed(&window);
-    save(window, "start_page");
-
-    window.openProject(scratch.path() + "/pid_pt1");
+/// The pictures on the PID example: text, values, watch, trace, breakpoint, panel.
+void takeLoop(app::MainWindow& window, const QString& project) {
+    window.openProject(project);
     waitFor([&] { return window.workspace().model() != nullptr; });
     auto* page = window.tabs().openFile("src/main.st");
     editor::StEditor& editor = page->first();
@@ -72,7 +70,13 @@ void takeAll(const QString& examples) {
     editor.goTo(offset("ControlError := SetPoint"));
     QTest::keyClicks(editor.viewport(), "Rin := TRUE;");
     QTest::keyClick(editor.viewport(), Qt::Key_Return);
-    waitFor([&] { return window.problems().errorCount() > 0; });
+    QTest::keyClicks(editor.viewport(), "SetPoint := Sine;");
+    QTest::keyClick(editor.viewport(), Qt::Key_Escape);
+    QTest::keyClick(editor.viewport(), Qt::Key_Return);
+    waitFor([&] { return window.problems().errorCount() > 1; });
+    window.showDock("problems");
+    QTest::qWait(300);
+    save(window, "problems");
     QTest::keyClicks(editor.viewport(), "pid.q");
     waitFor([&] { return editor.isListActive(); }, 1500);
     save(window, "editor_completion");
@@ -81,11 +85,26 @@ void takeAll(const QString& examples) {
     waitFor([&] { return window.problems().errorCount() == 0; });
 
     window.showDock("watch");
-    window.watch().setExpressions({"Main.SetPoint", "Main.ControlError", "Main.pid", "IO.Drive", "Plant.OpenLoop * 2.0"});
+    window.showDock("trace");
+    window.watch().setExpressions({"Main.SetPoint", "Main.ControlError", "Main.Kp", "Main.parameters", "IO.Drive", "Plant.OpenLoop * 2.0", "Main.Run AND NOT Main.Manual"});
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 60; }, 8000);
     editor.goTo(offset("generator(MODE"));
     save(window, "online_values");
+
+    (void)window.control().force("Main.Kp", "2.5");
+    QTreeWidget& tree = window.watch().tree();
+    tree.topLevelItem(3)->setExpanded(true);
+    tree.topLevelItem(0)->setText(3, "50.0");
+    window.resizeDocks({window.dock("watch"), window.dock("panel")}, {560, 160}, Qt::Vertical);
+    window.resizeDocks({window.dock("watch")}, {560}, Qt::Horizontal);
+    window.showDock("tasks");
+    QTest::qWait(700);
+    save(window, "watch");
+    window.control().unforce("Main.Kp");
+    tree.topLevelItem(0)->setText(3, QString());
+    tree.topLevelItem(3)->setExpanded(false);
+    window.resetLayout();
 
     window.showDock("tasks");
     QTest::qWait(600);
@@ -94,10 +113,79 @@ void takeAll(const QString& examples) {
     const int line = static_cast<int>(editor.SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset("SetPoint := INT_TO_REAL")))) + 1;
     window.control().toggleBreakpoint("src/main.st", line);
     waitFor([&] { return window.control().status().state == controller::State::Halted; });
+    window.showDock("callPath");
     QTest::qWait(300);
     save(window, "breakpoint");
     window.control().setBreakpoints({});
+    window.control().start();
+
+    // The trace with cursors and the measuring table, large.
+    window.resetLayout();
+    window.showDock("trace");
+    window.dock("watch")->hide();
+    for (const char* side : {"forces", "callPath", "breakpoints", "panel"}) window.dock(side)->hide();
+    window.resizeDocks({window.dock("trace")}, {620}, Qt::Vertical);
+    waitFor([&] { return window.control().status().time > std::chrono::seconds(6); }, 9000);
+    trace::TraceView& trace = window.live().traceView();
+    trace.plot()->setFollowing(false);
+    trace.plot()->setRange(4'400'000'000, 5'600'000'000);
+    trace.plot()->setCursorsShown(true);
+    trace.plot()->setCursor(0, 4'500'000'000);
+    trace.plot()->setCursor(1, 4'950'000'000);
+    for (QAction* action : trace.findChildren<QAction*>())
+        if (action->text() == "Measure" && !action->isChecked()) action->trigger();
+    QTest::qWait(400);
+    save(window, "trace");
+
+    // Back in time: every window shows that scan.
+    for (QAction* action : trace.findChildren<QAction*>())
+        if (action->text() == "Measure" && action->isChecked()) action->trigger();
+    trace.plot()->setCursorsShown(false);
+    window.resetLayout();
+    window.control().pause();
+    QTest::qWait(200);
+    trace.plot()->setRange(3'000'000'000, 7'000'000'000);
+    const auto position = window.live().traceView().recording()->positionAt(5'100'000'000);
+    window.live().slider().variable()->setText("Main.SetPoint");
+    window.live().slider().setPosition(position);
+    QTest::qWait(400);
+    save(window, "time_slider");
     window.control().disconnectSession();
+    QTest::qWait(100);
+
+    for (const char* side : {"watch", "forces", "callPath", "breakpoints", "panel", "trace", "problems", "search", "tasks", "log"}) window.dock(side)->hide();
+    window.openDesigner("loop");
+    QTest::qWait(600);
+    save(window, "panel_designer_studio");
+}
+
+/// A chart that runs: the active step is marked.
+void takeChart(app::MainWindow& window, const QString& project) {
+    window.resetLayout();
+    window.openProject(project);
+    waitFor([&] { return window.workspace().model() != nullptr; });
+    auto* page = window.tabs().openFile("src/main.st");
+    page->first().goTo(static_cast<uint32_t>(page->first().utf8().find("INITIAL_STEP")));
+    page->showChart("Main");
+    for (const char* side : {"forces", "callPath", "breakpoints", "panel", "watch"}) window.dock(side)->hide();
+    window.resizeDocks({window.dock("trace")}, {200}, Qt::Vertical);
+    window.action("run.start")->trigger();
+    waitFor([&] { return window.control().status().time > std::chrono::seconds(3); }, 8000);
+    save(window, "chart");
+    window.control().disconnectSession();
+}
+
+void takeAll(const QString& examples) {
+    QTemporaryDir scratch;
+    copyProject(examples + "/pid_pt1", scratch.path() + "/pid_pt1");
+    copyProject(examples + "/agv", scratch.path() + "/agv");
+    app::MainWindow window;
+    window.resize(1440, 900);
+    window.show();
+    (void)QTest::qWaitForWindowExposed(&window);
+    save(window, "start_page");
+    takeLoop(window, scratch.path() + "/pid_pt1");
+    takeChart(window, scratch.path() + "/agv");
 }
 
 } // namespace
