@@ -103,6 +103,7 @@ void LiveViews::projectClosed() {
     m_panelChoice->clear();
     m_emptyPanel->show();
     m_trace->setSetup({});
+    m_slider->variable()->clear();
 }
 
 void LiveViews::openTrace(const QString& name) {

@@ -40,6 +40,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
     m_live = new LiveViews(*m_workspace, *m_control, this);
+    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)}) page->setMinimumSize(240, 120); // the page in the back does not keep docks small
     m_stack->addWidget(m_startPage);
     m_stack->addWidget(m_tabs);
     setCentralWidget(m_stack);

@@ -36,15 +36,15 @@ QString summaryOf(const QString& folder) {
     QFile file(folder + "/README.md");
     if (!file.open(QIODevice::ReadOnly)) return {};
     for (const QString& line : QString::fromUtf8(file.readAll()).split('\n')) {
-        const QString text = line.trimmed();
-        if (!text.isEmpty() && !text.startsWith('#') && !text.startsWith('!')) return text;
+        QString text = line.trimmed();
+        if (!text.isEmpty() && !text.startsWith('#') && !text.startsWith('!')) return text.remove('`').remove("**");
     }
     return {};
 }
 
 QPixmap pictureOf(const QString& folder) {
     for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"})
-        if (const QPixmap picture(folder + name); !picture.isNull()) return picture;
+        if (const QPixmap picture(folder + name); !picture.isNull()) return picture.scaledToWidth(2 * kCard.width(), Qt::SmoothTransformation); // lines stay lines
     return {};
 }
 
@@ -69,6 +69,7 @@ public:
         if (!picture.isNull()) {
             const QSizeF scaled = QSizeF(picture.size()).scaled(pictureArea.size(), Qt::KeepAspectRatioByExpanding);
             const QRectF target(pictureArea.center().x() - scaled.width() / 2, pictureArea.top(), scaled.width(), scaled.height());
+            painter->setClipRect(pictureArea, Qt::IntersectClip);
             painter->drawPixmap(target, picture, picture.rect());
         } else {
             kit::paintIcon(painter, QRectF(pictureArea.center() - QPointF(22, 22), QSizeF(44, 44)), kit::Icon::Project, true);

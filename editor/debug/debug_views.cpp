@@ -91,6 +91,7 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
     auto* splitter = new QSplitter(this);
     splitter->addWidget(m_frames);
     splitter->addWidget(m_values);
+    for (int column : {0, 1}) m_frames->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents); // the line in sight
     stack(this, {splitter});
     connect(&control, &RunControl::halted, this, &CallPathView::refresh);
     connect(&control, &RunControl::statusChanged, this, [this] {

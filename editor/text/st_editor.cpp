@@ -64,7 +64,6 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     markerDefine(Circle, kBreakpoint);
     markerDefine(Circle, kBreakpointOff);
     markerDefine(Background, kExecuted);
-    markerDefine(RightArrow, kExecutedArrow);
     markerDefine(FullRectangle, kChangedLine);
     markerDefine(FullRectangle, kAddedLine);
     indicatorDefine(SquiggleIndicator, kErrorSquiggle);
@@ -142,11 +141,10 @@ void StEditor::applyTheme() {
     setMarkerBackgroundColor(c.window, kBreakpointOff);
     setMarkerForegroundColor(c.breakpoint, kBreakpointOff);
     setMarkerBackgroundColor(c.current, kExecuted);
-    setMarkerBackgroundColor(c.warning, kExecutedArrow);
-    setMarkerForegroundColor(c.text, kExecutedArrow);
     const auto drawn = [](kit::Icon which) { return kit::icon(which).pixmap(QSize(14, 14), 1.0).toImage(); };
     markerDefine(drawn(kit::Icon::Error), kErrorMark);
     markerDefine(drawn(kit::Icon::Warning), kWarningMark);
+    markerDefine(drawn(kit::Icon::CurrentLine), kExecutedArrow);
     clearRegisteredImages();
     for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind) registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
     setMarkerBackgroundColor(c.warning, kChangedLine);

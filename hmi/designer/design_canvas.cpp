@@ -102,7 +102,7 @@ void DesignCanvas::setZoom(double zoom, std::optional<QPointF> about) {
 
 void DesignCanvas::zoomToFit() {
     const QSizeF panel = m_scene.size();
-    const double room = 2 * 16 + kRuler;
+    const double room = 2 * kMargin + kRuler + 2;
     setZoom(std::min({(viewport()->width() - room) / panel.width(), (viewport()->height() - room) / panel.height(), 1.0}));
     m_keepsFit = true;
 }

@@ -168,8 +168,10 @@ void takeChart(app::MainWindow& window, const QString& project) {
     page->first().goTo(static_cast<uint32_t>(page->first().utf8().find("INITIAL_STEP")));
     page->showChart("Main");
     for (const char* side : {"forces", "callPath", "breakpoints", "panel", "watch"}) window.dock(side)->hide();
-    window.resizeDocks({window.dock("trace")}, {200}, Qt::Vertical);
+    window.resizeDocks({window.dock("trace")}, {240}, Qt::Vertical);
     window.action("run.start")->trigger();
+    waitFor([&] { return window.control().status().scans > 20; }, 8000);
+    (void)window.control().force("IO.SinglePb", "TRUE");
     waitFor([&] { return window.control().status().time > std::chrono::seconds(3); }, 8000);
     save(window, "chart");
     window.control().disconnectSession();
