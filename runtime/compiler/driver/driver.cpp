@@ -101,7 +101,7 @@ Checked check(const BuildInput& input) {
         const std::string_view text = (*sources)[id].text();
         auto file = parse::parseFile(id, text, sink);
         file->library = libraryOf[i];
-        lower::lowerFile(*file, sink);
+        lower::lowerFile(*file, sink, input.keepsEveryResult ? lower::Keep::Every : lower::Keep::Needed);
         files.push_back(std::move(file));
     }
     Checked checked;

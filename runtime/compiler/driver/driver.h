@@ -20,6 +20,7 @@ struct BuildInput {
     std::vector<std::string> libraries; // "toolbox", …; the standard is always there
     bool strict = false;
     std::vector<std::string> companions{}; // texts of panels, alarms, traces, tests: a variable they name is used
+    bool keepsEveryResult = true;       // of each line of an instruction list, for online values
     bool threadSanitizer = false;       // instruments the generated code (tests of the thread contract)
 };
 

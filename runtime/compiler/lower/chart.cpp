@@ -258,6 +258,8 @@ private:
                 Block& inner = whole[0]->branches[0].body;
                 inner.insert(inner.begin(), before.begin(), before.end());
             }
+            // where a breakpoint at the transition stops: only when it is taken
+            whole[0]->branches[0].body.back()->branches[0].body[0]->range.end = std::min(t.range.end, t.range.begin + static_cast<uint32_t>(std::string_view("TRANSITION").size()));
             append(out, std::move(whole));
         }
         if (!tip.empty()) append(out, m_builder.statements(tip + " := SFCTip;", m_place));
@@ -267,6 +269,12 @@ private:
     Block stepCalls() {
         Block out;
         for (const StepDecl* s : m_steps) append(out, m_builder.statements(step(*s) + "();", s->name.range));
+        // where a breakpoint at the step stops: only when it became active; the statement changes nothing
+        for (const StepDecl* s : m_steps) {
+            Block activated = m_builder.statements("IF " + step(*s) + ".on THEN " + step(*s) + ".enter := FALSE; END_IF", s->name.range);
+            activated[0]->branches[0].body[0]->range = {s->range.file, s->range.begin, s->name.range.end};
+            append(out, std::move(activated));
+        }
         return out;
     }
 

@@ -5,7 +5,10 @@
 #include "runtime/compiler/lower/print.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace plc::lower {
 
@@ -110,7 +113,38 @@ void rename(Block& block, const std::map<std::string, std::string_view>& names) 
 
 } // namespace
 
-Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& pou, const Body& body, const TypeNamer& typeOf) {
+namespace {
+
+/// The comments of a body, given out in order of place.
+class Comments {
+public:
+    Comments(const syntax::SyntaxFile& file, const Body& body, std::string_view text) : m_text(text) {
+        if (text.empty()) return;
+        for (const lex::Comment& comment : file.tokens.comments)
+            if (comment.begin >= body.range.begin && comment.end <= body.range.end) m_all.push_back(comment);
+    }
+    /// Those that begin before the end of the line of `at`, one a line.
+    std::string upToLineOf(uint32_t at) {
+        if (m_all.empty()) return {};
+        while (at < m_text.size() && m_text[at] != '\n') ++at;
+        return before(at);
+    }
+    std::string before(uint32_t at) {
+        std::string out;
+        for (; m_next < m_all.size() && m_all[m_next].begin < at; ++m_next) out += std::string(m_text.substr(m_all[m_next].begin, m_all[m_next].end - m_all[m_next].begin)) + "\n";
+        return out;
+    }
+    std::string rest() { return before(UINT32_MAX); }
+
+private:
+    std::string_view m_text;
+    std::vector<lex::Comment> m_all;
+    size_t m_next = 0;
+};
+
+} // namespace
+
+Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& pou, const Body& body, const TypeNamer& typeOf, std::string_view text) {
     if (body.language != syntax::BodyLanguage::Il) return Error{"This body is no instruction list.", {}};
     Builder builder(file);
     syntax::VarSection section;
@@ -128,18 +162,29 @@ Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& p
     types.add(section);
     ConvertedBody out;
     std::map<std::string, std::string_view> names;
-    int number = 1;
+    std::set<std::string> taken;
+    for (const syntax::VarSection* s : pou.sections)
+        for (const syntax::VarDecl* decl : s->declarations)
+            for (const Name& name : decl->names) taken.insert(foldCase(name.text));
+    int number = 0;
+    std::map<std::pair<uint32_t, uint32_t>, size_t> kept;
     for (const syntax::VarDecl* decl : section.declarations) {
         const Expr& source = *decl->type->inferredFrom;
-        std::string type = typeOf ? typeOf(source) : std::string();
+        std::string type = typeOf ? typeOf(decl->range, kept[{decl->range.begin, decl->range.end}]++) : std::string();
         if (type.empty()) type = types.of(source);
         if (type.empty()) return Error{"The type of " + print(source) + " is not known here.", {}};
-        const std::string_view name = builder.keep("result" + std::to_string(number++));
+        while (taken.contains("result" + std::to_string(++number))) {}
+        const std::string_view name = builder.keep("result" + std::to_string(number));
         names[std::string(decl->names[0].text)] = name;
         out.declarations += std::string(name) + " : " + type + ";\n";
     }
     rename(list.statements, names);
-    out.body = print(list.statements, 0);
+    Comments comments(file, body, text);
+    for (Stmt* statement : list.statements) {
+        if (statement->origin) out.body += comments.upToLineOf(statement->origin->range.end);
+        out.body += print(Block{statement}, 0);
+    }
+    out.body += comments.rest();
     return out;
 }
 
@@ -148,17 +193,22 @@ namespace {
 /// ST to instructions. An error leaves a reason and stops.
 class ListWriter {
 public:
-    
+    explicit ListWriter(Comments comments) : m_comments(std::move(comments)) {}
 
     std::string reason;
     std::string text;
 
     void block(const Block& list) {
-        for (const Stmt* s : list)
-            if (reason.empty()) statement(*s);
+        for (const Stmt* s : list) {
+            if (!reason.empty()) return;
+            const bool simple = s->branches.empty() && s->arms.empty() && s->body.empty();
+            text += simple ? m_comments.upToLineOf(s->range.end) : m_comments.before(s->range.begin);
+            statement(*s);
+        }
     }
     void finish() {
         if (!m_label.empty()) line("RET", "");
+        text += m_comments.rest();
     }
 
 private:
@@ -315,7 +365,7 @@ private:
         case StmtKind::Label: return label(std::string(s.name.text));
         case StmtKind::Jump: return line("JMP", std::string(s.name.text));
         case StmtKind::Block: return block(s.body);
-        case StmtKind::For: return fail("FOR");
+        case StmtKind::For: return count(s);
         case StmtKind::Il:
         case StmtKind::Run:
         case StmtKind::Assert:
@@ -323,6 +373,39 @@ private:
         case StmtKind::Release:
         case StmtKind::Compare: return fail("This statement");
         }
+    }
+    /// A constant from -127 to 127: what every integer type that can count holds, or nearly.
+    static std::optional<int> smallConstant(const Expr* e) {
+        if (!e) return 1;
+        const bool negative = e->kind == ExprKind::Unary && e->op == TokenKind::Minus;
+        const Expr* literal = negative ? e->base : e;
+        if (literal->kind != ExprKind::Literal || literal->op != TokenKind::IntegerLiteral || literal->text.size() > 3) return std::nullopt;
+        int value = 0;
+        for (const char c : literal->text) {
+            if (c < '0' || c > '9') return std::nullopt;
+            value = value * 10 + (c - '0');
+        }
+        if (value > 127) return std::nullopt;
+        return negative ? -value : value;
+    }
+    /// A counted loop whose end and step are constants, so that nothing has to be kept and the count can not run over its type.
+    void count(const Stmt& s) {
+        const auto to = smallConstant(s.to), by = smallConstant(s.by);
+        if (!to || !by || *by == 0 || *to + *by < 0 || *to + *by > 127) return fail("FOR with this end or step");
+        const std::string again = freshLabel(), next = freshLabel(), end = freshLabel();
+        load(*s.from);
+        line("ST", print(*s.target));
+        label(again);
+        line("LD", print(*s.target));
+        line(*by > 0 ? "GT" : "LT", print(*s.to));
+        line("JMPC", end);
+        loop(s.body, next, end);
+        label(next);
+        line("LD", print(*s.target));
+        line(*by > 0 ? "ADD" : "SUB", std::to_string(std::abs(*by)));
+        line("ST", print(*s.target));
+        line("JMP", again);
+        label(end);
     }
     void loop(const Block& body, const std::string& again, const std::string& end) {
         m_agains.push_back(again);
@@ -368,6 +451,7 @@ private:
         label(end);
     }
 
+    Comments m_comments;
     std::string m_label;
     int m_labels = 0;
     std::vector<std::string> m_agains, m_ends;
@@ -375,9 +459,9 @@ private:
 
 } // namespace
 
-Result<ConvertedBody> stAsInstructionList(const Body& body) {
+Result<ConvertedBody> stAsInstructionList(const syntax::SyntaxFile& file, const Body& body, std::string_view text) {
     if (body.language != syntax::BodyLanguage::St) return Error{"This body is not ST.", {}};
-    ListWriter writer;
+    ListWriter writer(Comments(file, body, text));
     writer.block(body.statements);
     writer.finish();
     if (!writer.reason.empty()) return Error{writer.reason, {}};

@@ -208,6 +208,7 @@ private:
             }
             acc = instruction(il, acc, origin, live, outermost);
             if (acc && m_keep == Keep::Every && defines(il)) acc = capture(acc, origin);
+            origin->il->result = acc && (isSimple(acc) || isConstant(acc)) ? m_builder.clone(acc) : nullptr;
         }
         return acc;
     }

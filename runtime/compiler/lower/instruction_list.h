@@ -2,6 +2,7 @@
 // compiler variable only where it is needed twice or meets another way at a label. One body, one use.
 #pragma once
 #include "runtime/compiler/lower/builder.h"
+#include "runtime/compiler/lower/lower.h"
 
 namespace plc::lower {
 
@@ -9,9 +10,6 @@ struct LoweredList {
     Block statements;
     Expr* result = nullptr; // the current result at the end, when wanted
 };
-
-/// Every: each line's current result is kept in a variable whose declaration stands at that line, for online values.
-enum class Keep : uint8_t { Needed, Every };
 
 struct ListContext {
     Builder& builder;

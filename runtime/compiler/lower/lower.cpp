@@ -18,7 +18,7 @@ namespace {
 
 class FileLowering {
 public:
-    FileLowering(syntax::SyntaxFile& file, diagnostics::Sink& sink) : m_file(file), m_builder(file), m_sink(sink) {}
+    FileLowering(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results) : m_file(file), m_builder(file), m_sink(sink), m_results(results) {}
 
     void run() {
         collectBlocks(m_file.declarations);
@@ -74,8 +74,9 @@ private:
     void body(Body& body, Pou& pou, ChartUnit& charts) {
         if (body.language == BodyLanguage::Il) {
             const bool isStatic = pou.kind == PouKind::Program || pou.kind == PouKind::FunctionBlock;
-            const ListContext context{m_builder, pou.sections, m_blocks, charts.section, charts.instructionVariables, m_sink, isStatic ? Keep::Every : Keep::Needed};
-            body.statements = lowerInstructions(body.statements, context, false).statements;
+            const ListContext context{m_builder, pou.sections, m_blocks, charts.section, charts.instructionVariables, m_sink, isStatic ? m_results : Keep::Needed};
+            body.instructions = std::move(body.statements);
+            body.statements = lowerInstructions(body.instructions, context, false).statements;
         } else if (body.language == BodyLanguage::Sfc && body.chart) {
             if (pou.kind != PouKind::Program && pou.kind != PouKind::FunctionBlock) {
                 m_sink.emit(pou.name.range, diagnostics::Kind::NotAllowedHere, {"A chart", pou.kind == PouKind::Function ? "a FUNCTION" : "a METHOD"});
@@ -90,11 +91,12 @@ private:
     syntax::SyntaxFile& m_file;
     Builder m_builder;
     diagnostics::Sink& m_sink;
+    Keep m_results;
     std::vector<std::string> m_blocks;
 };
 
 } // namespace
 
-void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink) { FileLowering(file, sink).run(); }
+void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results) { FileLowering(file, sink, results).run(); }
 
 } // namespace plc::lower

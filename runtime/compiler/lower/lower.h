@@ -16,8 +16,10 @@
 
 namespace plc::lower {
 
-/// Lowers every IL and SFC body of the file in place.
-void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink);
+/// Every: each line's current result is kept in a variable whose declaration stands at that line, for online values.
+enum class Keep : uint8_t { Needed, Every };
 
+/// Lowers every IL and SFC body of the file in place. `results`: of programs and blocks; functions keep what they need.
+void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results = Keep::Every);
 
 } // namespace plc::lower

@@ -186,6 +186,7 @@ struct IlInstruction {
     Expr* operand = nullptr;       // first operand, may be null
     std::vector<Argument> arguments; // further operands and formal lists: CAL fb(IN := a, Q => b)
     Block body;                    // deferred operations
+    Expr* result = nullptr;        // lowering: the current result behind this line, a compiler variable or a constant; null: unknown
 };
 
 struct Stmt {
@@ -241,6 +242,7 @@ struct SfcBody;
 struct Body {
     BodyLanguage language = BodyLanguage::None;
     Block statements;            // St; Il: one Il statement each
+    Block instructions;          // lowering: the Il statements as they were written
     SfcBody* chart = nullptr;    // Sfc
     SourceRange range;           // from the first to the last statement (empty: where it would stand)
 };

@@ -18,7 +18,7 @@ std::string asSt(const std::string& list) {
 }
 std::string asList(const std::string& statements) {
     Parsed parsed(unit(statements));
-    const auto out = lower::stAsInstructionList(parsed.file->declarations[0]->pou->body);
+    const auto out = lower::stAsInstructionList(*parsed.file, parsed.file->declarations[0]->pou->body);
     return out ? out->body : out.error().message;
 }
 
@@ -35,7 +35,10 @@ TEST(Conversion, ShowsStAsAList) {
     EXPECT_EQ(asList("d := a AND (b OR NOT c);"), "          LD      a\n          AND(\n          LD      b\n          ORN     c\n          )\n          ST      d\n");
     EXPECT_EQ(asList("IF a THEN i := 1; ELSE i := -2; END_IF\nt(IN := b);"),
               "          LD      a\n          JMPCN   l2\n          LD      1\n          ST      i\n          JMP     l1\nl2:       LD      -2\n          ST      i\nl1:       CAL     t(IN := b)\n");
-    EXPECT_EQ(asList("FOR i := 1 TO 3 DO ; END_FOR"), "FOR has no like in an instruction list.");
+    EXPECT_EQ(asList("FOR i := 1 TO j DO ; END_FOR"), "FOR with this end or step has no like in an instruction list.");
+    EXPECT_EQ(asList("FOR i := 1 TO 3 DO j := i; END_FOR"),
+              "          LD      1\n          ST      i\nl1:       LD      i\n          GT      3\n          JMPC    l3\n          LD      i\n          ST      j\n"
+              "l2:       LD      i\n          ADD     1\n          ST      i\n          JMP     l1\nl3:       RET\n");
 }
 
 /// There and back: the statements mean the same, so the list of the list is the same list.

@@ -90,7 +90,7 @@ TEST(ChartLowering, DeclaresWhatAChartNeeds) {
               "IF (NOT __chart0) {__chart0 := TRUE; A.enter := TRUE} else {"
               "IF (A.X AND (NOT A.leave)) {IF go {A.leave := TRUE; B.enter := TRUE; __fired0[0] := TRUE}}; "
               "IF (B.X AND (NOT B.leave)) {IF (NOT go) {B.leave := TRUE; A.enter := TRUE; __fired0[1] := TRUE}}}; "
-              "A(); B(); "
+              "A(); B(); IF A.on {A.enter := FALSE}; IF B.on {B.enter := FALSE}; "
               "__action_x(N := A.X, S := FALSE, R := FALSE, P1 := FALSE, P0 := FALSE); "
               "__timed_y_0_0(X := B.X, R := FALSE, PT := T#1s); __action_y(N := __timed_y_0_0.Q, S := FALSE, R := FALSE, P1 := FALSE, P0 := FALSE); "
               "__action_run(N := FALSE, S := FALSE, R := FALSE, P1 := B.on, P0 := FALSE); "
