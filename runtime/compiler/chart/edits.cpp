@@ -292,6 +292,16 @@ Result<Edits> ChartEditor::moveTransition(TransitionId transition, Place place, 
     return finish(std::move(edits));
 }
 
+Result<Edits> ChartEditor::moveParallel(TransitionId transition, size_t from, size_t to) const {
+    const auto& list = m_chart[transition].decl->to;
+    if (from >= list.size() || to >= list.size()) return Error{"There is no branch at this place.", {}};
+    std::vector<std::string> names = texts(list);
+    const std::string name = names[from];
+    names.erase(names.begin() + static_cast<std::ptrdiff_t>(from));
+    names.insert(names.begin() + static_cast<std::ptrdiff_t>(to), name);
+    return finish({setNames(list, names)});
+}
+
 Result<Edits> ChartEditor::setCondition(TransitionId transition, std::string_view condition) const {
     const syntax::TransitionDecl& t = *m_chart[transition].decl;
     if (condition.find_first_not_of(" \t\r\n") == std::string_view::npos) return Error{"A transition needs a condition.", {}};

@@ -35,6 +35,8 @@ public:
     [[nodiscard]] Result<Edits> deleteTransition(TransitionId transition) const;
     /// Left to right is the order in the text.
     [[nodiscard]] Result<Edits> moveTransition(TransitionId transition, Place place, TransitionId anchor) const;
+    /// Of the steps that a transition activates, or those that it ends: another order from left to right.
+    [[nodiscard]] Result<Edits> moveParallel(TransitionId transition, size_t from, size_t to) const;
     [[nodiscard]] Result<Edits> setCondition(TransitionId transition, std::string_view condition) const;
     [[nodiscard]] Result<Edits> setPriority(TransitionId transition, int priority) const; // 0: none
     [[nodiscard]] Result<Edits> setTarget(TransitionId transition, StepId from, StepId to) const;

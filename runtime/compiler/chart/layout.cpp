@@ -49,6 +49,7 @@ public:
             m_layout.rows = std::max(m_layout.rows, region.bottom);
         }
         m_layout.columns = column;
+        joinExits();
         return std::move(m_layout);
     }
 
@@ -60,6 +61,12 @@ private:
     struct Exit {
         uint32_t node; // the stop it leads to
         int column, row;
+        uint32_t from; // what leads there
+    };
+    /// From a branch down to the bar that closes it.
+    struct Join {
+        Exit exit;
+        size_t bar;
     };
 
     std::vector<uint32_t> roots(uint32_t network) const {
@@ -112,7 +119,7 @@ private:
         uint32_t best = kNoNode;
         ++m_round;
         for (uint32_t b = 0; b < branches.size(); ++b) {
-            if (m_placed[branches[b]]) continue;
+            if (m_placed[branches[b]] || m_isStop[branches[b]] > 0) continue;
             std::vector<uint32_t> open{branches[b]};
             std::vector<uint32_t> seen{branches[b]};
             const auto visit = [&](uint32_t node) {
@@ -128,7 +135,7 @@ private:
                 const uint32_t node = open.back();
                 open.pop_back();
                 for (uint32_t next : m_next[node])
-                    if (!isBack(node, next) && !m_placed[next] && visit(next)) open.push_back(next);
+                    if (!isBack(node, next) && !m_placed[next] && m_isStop[next] == 0 && visit(next)) open.push_back(next); // a stop closes a bar further out
             }
         }
         return best;
@@ -167,7 +174,7 @@ private:
     /// True when `target` comes directly below; else an exit, a jump or a link was noted.
     bool follow(uint32_t node, uint32_t target, int column, int above, int row, std::vector<Exit>& exits, Region& region) {
         if (m_isStop[target] > 0 && !isBack(node, target)) {
-            exits.push_back({target, column, above});
+            exits.push_back({target, column, above, node});
             return false;
         }
         if (!m_placed[target] && !isBack(node, target)) return true;
@@ -223,7 +230,7 @@ private:
         Bar close{meet < m_steps ? BarKind::AlternativeClose : BarKind::SimultaneousClose, closeRow, column, column, column, {}, {}};
         for (const Exit& exit : toMeet) {
             close.lastColumn = std::max(close.lastColumn, exit.column);
-            line(exit.column, exit.row, closeRow);
+            m_joins.push_back({exit, m_layout.bars.size()});
         }
         if (meet < m_steps) close.step = StepId(meet);
         else close.transition = TransitionId(meet - m_steps);
@@ -233,8 +240,73 @@ private:
         return meet;
     }
 
+    /// What stands in a column, and the bars that cross it.
+    bool isFree(int column, int fromRow, int toRow) const {
+        const auto inside = [&](int row) { return row > fromRow && row < toRow; };
+        const auto stands = [&](const Cell& cell) { return cell.column == column && inside(cell.row); };
+        return std::none_of(m_layout.steps.begin(), m_layout.steps.end(), stands) && std::none_of(m_layout.transitions.begin(), m_layout.transitions.end(), stands) &&
+               std::none_of(m_layout.jumps.begin(), m_layout.jumps.end(), [&](const Jump& jump) { return stands(jump.at); }) &&
+               std::none_of(m_layout.bars.begin(), m_layout.bars.end(), [&](const Bar& bar) { return inside(bar.row) && column >= bar.firstColumn && column <= bar.lastColumn; });
+    }
+
+    /// A way to a bar further out goes down its column where nothing else stands there; else it becomes a jump (or a link to a join).
+    void joinExits() {
+        std::vector<Exit> jumps;
+        std::vector<std::vector<int>> kept(m_layout.bars.size());
+        std::vector<bool> isClosing(m_layout.bars.size(), false);
+        for (const Join& join : m_joins) {
+            isClosing[join.bar] = true;
+            const int row = m_layout.bars[join.bar].row;
+            if (isFree(join.exit.column, join.exit.row, row)) {
+                line(join.exit.column, join.exit.row, row);
+                kept[join.bar].push_back(join.exit.column);
+            } else {
+                jumps.push_back(join.exit);
+            }
+        }
+        if (jumps.empty()) return;
+        for (size_t i = 0; i < m_layout.bars.size(); ++i) {
+            Bar& bar = m_layout.bars[i];
+            if (!isClosing[i]) continue;
+            bar.firstColumn = bar.lastColumn = bar.trunk;
+            for (const int column : kept[i]) {
+                bar.firstColumn = std::min(bar.firstColumn, column);
+                bar.lastColumn = std::max(bar.lastColumn, column);
+            }
+            if (kept[i].empty()) std::erase_if(m_layout.lines, [&](const Line& l) { return l.column == bar.trunk && l.fromRow == bar.row; });
+        }
+        size_t next = 0;
+        std::erase_if(m_layout.bars, [&](const Bar&) {
+            const size_t i = next++;
+            return isClosing[i] && kept[i].empty();
+        });
+        // Each arrow gets a row of its own below what it comes from.
+        std::vector<int> rows;
+        for (const Exit& exit : jumps)
+            if (exit.from >= m_steps) rows.push_back(exit.row);
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        const auto moved = [&](int row) { return row + static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()); };
+        for (Cell& cell : m_layout.steps) cell.row = moved(cell.row);
+        for (Cell& cell : m_layout.transitions) cell.row = moved(cell.row);
+        for (Jump& jump : m_layout.jumps) jump.at.row = moved(jump.at.row);
+        for (Bar& bar : m_layout.bars) bar.row = moved(bar.row);
+        for (Line& l : m_layout.lines) l.fromRow = moved(l.fromRow), l.toRow = moved(l.toRow);
+        for (const Exit& exit : jumps) {
+            if (exit.from < m_steps) {
+                m_layout.links.push_back({StepId(exit.from), TransitionId(exit.node - m_steps)});
+                continue;
+            }
+            const int row = moved(exit.row) + 1;
+            m_layout.jumps.push_back({{exit.column, row}, TransitionId(exit.from - m_steps), StepId(exit.node)});
+            line(exit.column, row - 1, row);
+        }
+        m_layout.rows += static_cast<int>(rows.size());
+    }
+
     const Chart& m_chart;
     uint32_t m_steps, m_count;
+    std::vector<Join> m_joins;
     std::vector<std::vector<uint32_t>> m_next;
     std::vector<bool> m_placed;
     std::vector<int> m_isStop;

@@ -142,6 +142,17 @@ TEST(ChartLayout, LetsABranchJumpAndSkip) {
     EXPECT_GT(layout.steps[2].row, layout.steps[1].row);
 }
 
+TEST(ChartLayout, KeepsAWayOutApartFromWhatStandsBelow) {
+    // B leads to the common D or aside to E; C leads to D: the way from B to D must not run through E
+    const Opened opened(program(steps({"A", "B", "C", "D", "E"}) + way("A", "B") + way("A", "C") + way("B", "D") + way("B", "E") + way("C", "D") + way("D", "E") + way("E", "A")));
+    const Layout layout = computeLayout(opened.chart);
+    const Cell d = layout.steps[3], e = layout.steps[4];
+    EXPECT_FALSE(d.column == e.column && e.row < d.row) << "E stands in the way to D";
+    const auto close = std::find_if(layout.bars.begin(), layout.bars.end(), [&](const Bar& bar) { return bar.kind == BarKind::AlternativeClose && bar.step == opened.step("D"); });
+    ASSERT_NE(close, layout.bars.end());
+    EXPECT_EQ(std::count_if(layout.lines.begin(), layout.lines.end(), [&](const Line& line) { return line.toRow == close->row; }), 2) << "from B and from C";
+}
+
 TEST(ChartLayout, NeverPutsTwoThingsInOnePlace) {
     uint32_t state = 7;
     const auto random = [&](uint32_t limit) {
@@ -172,6 +183,18 @@ TEST(ChartLayout, NeverPutsTwoThingsInOnePlace) {
         }
         std::sort(cells.begin(), cells.end());
         EXPECT_EQ(std::adjacent_find(cells.begin(), cells.end()), cells.end()) << body;
+        // a line goes through no element on its way, and a way to a bar crosses no other bar
+        for (const Line& line : layout.lines)
+            for (const auto& [column, row] : cells) EXPECT_FALSE(column == line.column && row > line.fromRow && row < line.toRow) << body;
+        for (const Line& line : layout.lines)
+            for (const Bar& bar : layout.bars) EXPECT_FALSE(bar.row > line.fromRow && bar.row < line.toRow && line.column >= bar.firstColumn && line.column <= bar.lastColumn) << body;
+        // every transition leads on: by a line or an arrow below it
+        for (size_t i = 0; i < layout.transitions.size(); ++i) {
+            if (opened.chart.transitions[i].to.empty()) continue;
+            const Cell at = layout.transitions[i];
+            const bool goesOn = std::any_of(layout.lines.begin(), layout.lines.end(), [&](const Line& line) { return line.column == at.column && line.fromRow == at.row; });
+            EXPECT_TRUE(goesOn) << "transition " << i << "\n" << body;
+        }
         // a bar lies across no element
         for (const Bar& bar : layout.bars)
             for (const auto& [column, row] : cells) EXPECT_FALSE(row == bar.row && column >= bar.firstColumn && column <= bar.lastColumn) << body;
