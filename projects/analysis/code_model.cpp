@@ -96,11 +96,17 @@ bool isElementaryTypeName(std::string_view text) {
 
 } // namespace
 
+std::vector<AccumulatorPlace> CodeModel::accumulators(FileId file) const {
+    const auto& files = m_checked.analysis->files;
+    return file.index() < files.size() ? accumulatorPlaces(*files[file.index()]) : std::vector<AccumulatorPlace>();
+}
+
 std::vector<ColouredToken> CodeModel::colours(FileId file) const {
     std::vector<ColouredToken> out;
     const sema::Analysis& analysis = *m_checked.analysis;
     if (file.index() >= analysis.files.size()) return out;
     const syntax::SyntaxFile& tree = *analysis.files[file.index()];
+    const std::vector<uint32_t> operators = operatorPlaces(tree);
     const std::string_view text = (*m_checked.sources)[file].text();
     auto reference = std::lower_bound(analysis.references.begin(), analysis.references.end(), file, [](const sema::Reference& r, FileId f) { return r.range.file < f; });
     for (const lex::Token& token : tree.tokens.tokens) {
@@ -117,6 +123,7 @@ std::vector<ColouredToken> CodeModel::colours(FileId file) const {
                 coloured.kind = TokenClass::Keyword;
             }
         }
+        if (std::binary_search(operators.begin(), operators.end(), token.begin)) coloured.kind = TokenClass::Keyword;
         if (token.kind != TokenKind::EndOfFile) out.push_back(coloured);
     }
     for (const lex::Comment& comment : tree.tokens.comments) out.push_back({comment.begin, comment.end, TokenClass::Comment});

@@ -1,6 +1,7 @@
 // What the editor asks about a project's text: colours, hover, definition, references, completion, rename. Made from one check of all
 // files; an immutable value, so the window reads it while the worker makes the next one (D3, flow 1).
 #pragma once
+#include "projects/analysis/instruction_lists.h"
 #include "runtime/base/result.h"
 #include "runtime/compiler/driver/driver.h"
 
@@ -82,6 +83,8 @@ public:
     [[nodiscard]] std::optional<FileId> fileOf(std::string_view path) const;
 
     [[nodiscard]] std::vector<ColouredToken> colours(FileId file) const;
+    /// Where the lines of instruction lists keep their current result; names are those of the unit at the place.
+    [[nodiscard]] std::vector<AccumulatorPlace> accumulators(FileId file) const;
     [[nodiscard]] std::optional<Hover> hover(FileId file, uint32_t offset) const;
     [[nodiscard]] std::optional<SourceRange> definition(FileId file, uint32_t offset) const;
     /// Declaration and every use of what stands at `offset`, in order of place.

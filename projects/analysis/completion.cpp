@@ -1,6 +1,7 @@
 // Completion and parameter help of CodeModel: what may stand at the cursor, from the last good check, while the text is being typed.
 #include "projects/analysis/code_model.h"
 
+#include "projects/analysis/instruction_lists.h"
 #include "runtime/base/text.h"
 #include "runtime/library/signatures.h"
 
@@ -164,6 +165,7 @@ void CodeModel::addScope(const std::string& pou, std::vector<CompletionItem>& it
         if (it == m_byOwner.end()) return;
         for (const uint32_t index : it->second) {
             const Symbol& symbol = m_checked.analysis->symbols[index];
+            if (symbol.name.starts_with("__")) continue; // the compiler's own
             const std::string type = program && symbol.type.isValid() ? (*program->types)[symbol.type].name : std::string();
             items.push_back({symbol.name, type == symbol.name ? "" : type, symbol.comment, itemKindOf(symbol.kind), rank});
         }
@@ -239,6 +241,30 @@ Completion CodeModel::complete(FileId file, std::string_view text, uint32_t offs
             for (const image::Root& root : m_checked.analysis->program->layout.roots)
                 if (equalsIgnoringCase(root.list, chain.back()) || equalsIgnoringCase(root.space, chain.back()))
                     out.items.push_back({root.name, (*m_checked.analysis->program->types)[root.type].name, root.comment, ItemKind::Variable, 1});
+    } else if (const auto list = listContextAt(text, out.replaceBegin)) {
+        if (list->place == ListPlace::Operator)
+            for (const ListOperator& op : listOperators()) out.items.push_back({std::string(op.name), std::string(op.summary), "", ItemKind::Keyword, 0});
+        if (list->place == ListPlace::Label)
+            for (const std::string& label : list->labels) out.items.push_back({label, "label", "", ItemKind::Constant, 0});
+        if (list->place != ListPlace::Label) {
+            if (const auto help = parameterHelp(file, text, out.replaceBegin))
+                for (const ParameterHelp::Parameter& parameter : help->parameters)
+                    if (!parameter.isGiven)
+                        out.items.push_back({parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := "), parameter.type, parameter.comment, ItemKind::Parameter, 0});
+            std::vector<CompletionItem> scope;
+            addScope(pou, scope);
+            const auto isInstance = [&](const CompletionItem& item) {
+                const Symbol* symbol = findVisible(item.text, pou);
+                const auto& program = m_checked.analysis->program;
+                return symbol && program && symbol->kind == SymbolKind::Variable && symbol->type.isValid() && program->types->kind(symbol->type) == types::TypeKind::Block;
+            };
+            for (CompletionItem& item : scope) {
+                if (list->place == ListPlace::Operator && item.kind != ItemKind::Function) continue;         // a function takes the current result
+                if (list->place == ListPlace::Operand && item.kind == ItemKind::Function) continue;
+                if (list->place == ListPlace::Instance && item.kind != ItemKind::Function && !isInstance(item)) continue;
+                out.items.push_back(std::move(item));
+            }
+        }
     } else {
         if (const auto help = parameterHelp(file, text, out.replaceBegin))
             for (const ParameterHelp::Parameter& parameter : help->parameters)
