@@ -68,6 +68,8 @@ const std::vector<ActionSpec> kActions = {
     {"edit.matching", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to the Matching Word"), "Ctrl+M", none, inEditor<&editor::StEditor::goToMatchingWord>},
     {"edit.nextProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Problem"), "F4", none, [](MainWindow& w) { w.problems().goToNext(1); }},
     {"edit.previousProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Problem"), "Shift+F4", none, [](MainWindow& w) { w.problems().goToNext(-1); }},
+    {"edit.asSt", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as ST…"), "Ctrl+Alt+S", none, [](MainWindow& w) { w.showConverted(analysis::TextLanguage::St); }},
+    {"edit.asIl", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Show as an Instruction List…"), "Ctrl+Alt+I", none, [](MainWindow& w) { w.showConverted(analysis::TextLanguage::Il); }},
     {"edit.back", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Back"), "Alt+Left", drawn(Icon::Back), [](MainWindow& w) { w.tabs().goBack(); }},
     {"edit.forward", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Forward"), "Alt+Right", drawn(Icon::Forward), [](MainWindow& w) { w.tabs().goForward(); }},
 
@@ -123,7 +125,7 @@ const std::vector<ActionSpec> kActions = {
          const auto file = page && model ? model->fileOf(page->file().toStdString()) : std::nullopt;
          if (!file) return;
          if (page->chart() && page->chart()->isVisible()) page->showChart({});
-         else page->showChart(QString::fromStdString(model->pouAt(*file, page->active().cursorOffset())).section('.', 0, 0));
+         else page->showChart(page->chartAtCursor());
      }},
     {"view.values", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Online Values in the Text"), "Ctrl+Shift+O", none,
      [](MainWindow& w) {

@@ -2,6 +2,8 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
+#include "projects/analysis/conversion.h"
+#include "runtime/compiler/parse/parser.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -66,6 +68,18 @@ editor::ChartView* StPage::showChart(const QString& unit) {
     m_chart->show();
     m_chart->setText(m_first->utf8());
     return m_chart;
+}
+
+QString StPage::chartAtCursor() {
+    const std::string text = active().utf8();
+    const uint32_t at = active().cursorOffset();
+    diagnostics::Sink sink;
+    const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
+    const std::string around = editor::chartAt(*file, at);
+    if (!around.empty()) return QString::fromStdString(around);
+    for (const analysis::BodyPlace& place : analysis::bodiesOf(text))
+        if (at >= place.range.begin && at <= place.range.end) return QString::fromStdString(place.unit).section('.', 0, 0);
+    return {};
 }
 
 std::vector<StEditor*> StPage::editors() {
@@ -143,7 +157,10 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();
-            if (page->chart()) page->chart()->refreshOnline();
+            if (page->chart()) {
+                page->chart()->setPast(m_control.viewed().has_value());
+                page->chart()->refreshOnline();
+            }
         }
     });
 }
@@ -213,8 +230,10 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
     StEditor* text = &page->first();
     chart->setModel(m_workspace.model(), page->file());
     chart->setValues([this, chart](const QString& expression) {
-        const auto shown = m_control.valueIn(expression, chart->unit());
-        return editor::ChartValue{shown.text, shown.isTrue};
+        const auto shown = m_control.valueIn(expression, chart->unit().section('.', 0, 0));
+        const auto* program = m_control.imageProgram();
+        const bool isTime = program && shown.type.isValid() && program->layout.types->storageKind(shown.type) == types::TypeKind::Time;
+        return editor::ChartValue{shown.text, shown.isTrue, shown.isForced, isTime && !shown.text.isEmpty() ? shown.value.integer() : 0};
     });
     connect(chart, &editor::ChartView::editsRequested, text, [text](const std::vector<diagnostics::TextEdit>& edits) { text->applyEdits(edits); });
     connect(chart, &editor::ChartView::placeSelected, text, [text](uint32_t offset) {
@@ -225,7 +244,7 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
         m_control.toggleBreakpoint(page->file(), static_cast<int>(text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))) + 1);
     });
     connect(chart, &editor::ChartView::forceStepRequested, this, [this, chart](const QString& step, bool active) {
-        const QString path = m_control.preferredInstance(chart->unit()) + "." + step + ".X";
+        const QString path = m_control.preferredInstance(chart->unit().section('.', 0, 0)) + "." + step + ".X";
         if (!active) return m_control.unforce(path);
         if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(QString::fromStdString(forced.error().text()), true);
     });
@@ -236,6 +255,7 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
     connect(text, &StEditor::cursorMoved, chart, [text, chart] {
         if (chart->isVisible() && text->hasFocus()) chart->showCursor(text->cursorOffset());
     });
+    QMetaObject::invokeMethod(this, &EditorTabs::showBreakpoints, Qt::QueuedConnection);
 }
 
 void EditorTabs::showChart(const QString& file, const QString& unit) {
@@ -406,6 +426,7 @@ void EditorTabs::showBreakpoints() {
             if (!b.isEnabled) disabled.insert(b.line);
         }
         for (StEditor* editor : page->editors()) editor->setBreakpoints(lines, disabled);
+        if (page->chart()) page->chart()->setBreakpoints(lines, disabled);
     }
 }
 

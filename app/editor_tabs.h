@@ -32,6 +32,8 @@ public:
     /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more when it is shown.
     editor::ChartView* showChart(const QString& unit);
     [[nodiscard]] editor::ChartView* chart() { return m_chart; }
+    /// The chart around the cursor, of a unit or of an action in it; else the unit at the cursor.
+    [[nodiscard]] QString chartAtCursor();
     [[nodiscard]] std::vector<editor::StEditor*> editors();
 
 signals:

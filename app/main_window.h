@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
+#include "projects/analysis/conversion.h"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
@@ -88,6 +89,8 @@ public:
     void renameSymbol(const QString& file, uint32_t offset);
     void renameAtCursor();
     void definitionAtCursor();
+    /// The unit at the cursor in the other language, beside its text.
+    void showConverted(analysis::TextLanguage to);
     void usesAtCursor();
     void deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name);
     void chooseLibraries();

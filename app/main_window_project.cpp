@@ -1,4 +1,5 @@
 // What the main window's actions do with the project: open, new, rename, libraries, tests, and what is kept per project.
+#include "app/conversion_dialog.h"
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/main_window.h"
@@ -219,6 +220,36 @@ void MainWindow::usesAtCursor() {
 }
 void MainWindow::renameAtCursor() {
     if (auto* editor = m_tabs->currentEditor()) renameSymbol(editor->file(), editor->cursorOffset());
+}
+
+void MainWindow::showConverted(analysis::TextLanguage to) {
+    auto* editor = m_tabs->currentEditor();
+    if (!editor) return;
+    const std::string path = editor->file().toStdString();
+    const auto places = [](const std::string& text, auto&& wanted) {
+        std::optional<analysis::BodyPlace> found;
+        for (const analysis::BodyPlace& place : analysis::bodiesOf(text))
+            if (wanted(place)) found = place; // the innermost is the last
+        return found;
+    };
+    const std::string text = editor->utf8();
+    const uint32_t at = editor->cursorOffset();
+    const auto before = places(text, [&](const analysis::BodyPlace& place) { return at >= place.range.begin && at <= place.range.end; });
+    if (!before) return say(tr("Put the cursor into a unit that is written in ST or IL"), true);
+    driver::BuildInput input = m_workspace->buildInput();
+    for (driver::SourceFile& source : input.files)
+        if (source.path == path) source.text = text;
+    const auto converted = analysis::convertBody(input, path, before->unit, to);
+    if (!converted) return say(QString::fromStdString(converted.error().text()), true);
+    const auto after = places(converted->text, [&](const analysis::BodyPlace& place) { return place.unit == before->unit; });
+    const auto slice = [](const std::string& whole, const std::optional<analysis::BodyPlace>& place) { return place ? whole.substr(place->range.begin, place->range.length()) : whole; };
+    auto* dialog = new ConversionDialog(slice(text, before), slice(converted->text, after), *converted, to, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ConversionDialog::replaceRequested, editor, [this, editor, text, edits = converted->edits] {
+        if (editor->utf8() == text) editor->applyEdits(edits);
+        else say(tr("The text has changed meanwhile"), true);
+    });
+    dialog->open();
 }
 
 void MainWindow::renameSymbol(const QString& file, uint32_t offset) {

@@ -1602,6 +1602,45 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ConversionDialog</name>
+    <message>
+        <source>%1 as ST</source>
+        <translation>%1 som ST</translation>
+    </message>
+    <message>
+        <source>%1 as an Instruction List</source>
+        <translation>%1 som instruktionsliste</translation>
+    </message>
+    <message>
+        <source>Instruction list, as it stands</source>
+        <translation>Instruktionsliste, som den står</translation>
+    </message>
+    <message>
+        <source>ST, as it stands</source>
+        <translation>ST, som det står</translation>
+    </message>
+    <message>
+        <source>The same as ST</source>
+        <translation>Det samme som ST</translation>
+    </message>
+    <message>
+        <source>The same as an instruction list</source>
+        <translation>Det samme som instruktionsliste</translation>
+    </message>
+    <message>
+        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <translation>Begge giver samme resultater. Erstatning er ét trin at fortryde; kommentarer bliver, hver over sin sætning.</translation>
+    </message>
+    <message>
+        <source>Replace the Text</source>
+        <translation>Erstat teksten</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiér</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -2352,6 +2391,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?</source>
         <translation>Vinduet bygges op på ny på det andet sprog; projektet åbnes igen, hvor det var, og en kørende styring stopper. Skal det ske nu?</translation>
     </message>
+    <message>
+        <source>Show as ST…</source>
+        <translation>Vis som ST…</translation>
+    </message>
+    <message>
+        <source>Show as an Instruction List…</source>
+        <translation>Vis som instruktionsliste…</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Sæt markøren i en enhed, der er skrevet i ST eller IL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Teksten er ændret i mellemtiden</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -2983,10 +3038,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Vis alt</translation>
     </message>
     <message>
-        <source>Export as SVG or PNG…</source>
-        <translation>Eksportér som SVG eller PNG…</translation>
-    </message>
-    <message>
         <source>Export the chart</source>
         <translation>Eksportér diagrammet</translation>
     </message>
@@ -3029,10 +3080,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Select the step that gets the action</source>
         <translation>Vælg det trin, der får handlingen</translation>
-    </message>
-    <message>
-        <source>This condition is written in IL; edit it in the text</source>
-        <translation>Betingelsen er skrevet i IL; redigér den i teksten</translation>
     </message>
     <message>
         <source>Insert a Step Behind</source>
@@ -3081,6 +3128,102 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Delete</source>
         <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Branch to the left</source>
+        <translation>Gren til venstre</translation>
+    </message>
+    <message>
+        <source>Branch to the right</source>
+        <translation>Gren til højre</translation>
+    </message>
+    <message>
+        <source>%1 behind this transition</source>
+        <translation>%1 efter denne transition</translation>
+    </message>
+    <message>
+        <source>leads to %1</source>
+        <translation>fører til %1</translation>
+    </message>
+    <message>
+        <source>further up</source>
+        <translation>længere op</translation>
+    </message>
+    <message>
+        <source>further down</source>
+        <translation>længere ned</translation>
+    </message>
+    <message>
+        <source>%1 in step %2</source>
+        <translation>%1 i trin %2</translation>
+    </message>
+    <message>
+        <source>A condition is a BOOL</source>
+        <translation>En betingelse er en BOOL</translation>
+    </message>
+    <message>
+        <source>qualifier</source>
+        <translation>kvalifikator</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>aktion</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 takes it away</source>
+        <translation>En prioritet er et tal; 0 fjerner den</translation>
+    </message>
+    <message>
+        <source>To the chart around (Backspace)</source>
+        <translation>Til diagrammet uden om (Tilbage)</translation>
+    </message>
+    <message>
+        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <translation>Stoppunkt: stopper, når trinnet bliver aktivt, når transitionen tages (F9)</translation>
+    </message>
+    <message>
+        <source>Force the step on</source>
+        <translation>Tving trinnet aktivt</translation>
+    </message>
+    <message>
+        <source>Release the step</source>
+        <translation>Frigiv trinnet</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+    </message>
+    <message>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 er en variabel: den har ingen krop</translation>
+    </message>
+    <message>
+        <source>Select a step or a transition</source>
+        <translation>Vælg et trin eller en transition</translation>
+    </message>
+    <message>
+        <source>Select a step</source>
+        <translation>Vælg et trin</translation>
+    </message>
+    <message>
+        <source>Open Its Chart or Text</source>
+        <translation>Åbn dens diagram eller tekst</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>Prioritet…</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Flyt op</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Flyt ned</translation>
+    </message>
+    <message>
+        <source>Delete the Whole Branch</source>
+        <translation>Slet hele grenen</translation>
     </message>
 </context>
 <context>
@@ -3324,6 +3467,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Toggle Breakpoint</source>
         <translation>Slå stoppunkt til/fra</translation>
+    </message>
+    <message>
+        <source>CR</source>
+        <comment>current result of an instruction list</comment>
+        <translation>AR</translation>
     </message>
 </context>
 <context>

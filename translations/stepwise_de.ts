@@ -1602,6 +1602,45 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ConversionDialog</name>
+    <message>
+        <source>%1 as ST</source>
+        <translation>%1 als ST</translation>
+    </message>
+    <message>
+        <source>%1 as an Instruction List</source>
+        <translation>%1 als Anweisungsliste</translation>
+    </message>
+    <message>
+        <source>Instruction list, as it stands</source>
+        <translation>Anweisungsliste, wie sie dasteht</translation>
+    </message>
+    <message>
+        <source>ST, as it stands</source>
+        <translation>ST, wie es dasteht</translation>
+    </message>
+    <message>
+        <source>The same as ST</source>
+        <translation>Dasselbe als ST</translation>
+    </message>
+    <message>
+        <source>The same as an instruction list</source>
+        <translation>Dasselbe als Anweisungsliste</translation>
+    </message>
+    <message>
+        <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
+        <translation>Beide ergeben dasselbe. Ersetzen ist ein Schritt zum Rückgängigmachen; Kommentare bleiben, jeder über seiner Anweisung.</translation>
+    </message>
+    <message>
+        <source>Replace the Text</source>
+        <translation>Text ersetzen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::EditorTabs</name>
     <message>
         <source>Documents</source>
@@ -2352,6 +2391,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?</source>
         <translation>Das Fenster wird in der anderen Sprache neu aufgebaut; das Projekt öffnet sich wieder, wo es war, und eine laufende Steuerung hält an. Jetzt ausführen?</translation>
     </message>
+    <message>
+        <source>Show as ST…</source>
+        <translation>Als ST zeigen…</translation>
+    </message>
+    <message>
+        <source>Show as an Instruction List…</source>
+        <translation>Als Anweisungsliste zeigen…</translation>
+    </message>
+    <message>
+        <source>Put the cursor into a unit that is written in ST or IL</source>
+        <translation>Setzen Sie die Schreibmarke in einen Baustein in ST oder AWL</translation>
+    </message>
+    <message>
+        <source>The text has changed meanwhile</source>
+        <translation>Der Text hat sich inzwischen geändert</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -2983,10 +3038,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Alles zeigen</translation>
     </message>
     <message>
-        <source>Export as SVG or PNG…</source>
-        <translation>Als SVG oder PNG exportieren…</translation>
-    </message>
-    <message>
         <source>Export the chart</source>
         <translation>Diagramm exportieren</translation>
     </message>
@@ -3029,10 +3080,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Select the step that gets the action</source>
         <translation>Den Schritt wählen, der die Aktion bekommt</translation>
-    </message>
-    <message>
-        <source>This condition is written in IL; edit it in the text</source>
-        <translation>Diese Bedingung ist in AWL geschrieben; im Text bearbeiten</translation>
     </message>
     <message>
         <source>Insert a Step Behind</source>
@@ -3081,6 +3128,102 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Branch to the left</source>
+        <translation>Zweig nach links</translation>
+    </message>
+    <message>
+        <source>Branch to the right</source>
+        <translation>Zweig nach rechts</translation>
+    </message>
+    <message>
+        <source>%1 behind this transition</source>
+        <translation>%1 hinter diese Transition</translation>
+    </message>
+    <message>
+        <source>leads to %1</source>
+        <translation>führt zu %1</translation>
+    </message>
+    <message>
+        <source>further up</source>
+        <translation>weiter nach oben</translation>
+    </message>
+    <message>
+        <source>further down</source>
+        <translation>weiter nach unten</translation>
+    </message>
+    <message>
+        <source>%1 in step %2</source>
+        <translation>%1 in Schritt %2</translation>
+    </message>
+    <message>
+        <source>A condition is a BOOL</source>
+        <translation>Eine Bedingung ist ein BOOL</translation>
+    </message>
+    <message>
+        <source>qualifier</source>
+        <translation>Bestimmungszeichen</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 takes it away</source>
+        <translation>Eine Priorität ist eine Zahl; 0 nimmt sie weg</translation>
+    </message>
+    <message>
+        <source>To the chart around (Backspace)</source>
+        <translation>Zum Plan darum herum (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
+        <translation>Haltepunkt: hält, wenn der Schritt aktiv wird, wenn die Transition genommen wird (F9)</translation>
+    </message>
+    <message>
+        <source>Force the step on</source>
+        <translation>Schritt auf aktiv zwingen</translation>
+    </message>
+    <message>
+        <source>Release the step</source>
+        <translation>Schritt freigeben</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+    </message>
+    <message>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
+    </message>
+    <message>
+        <source>Select a step or a transition</source>
+        <translation>Wählen Sie einen Schritt oder eine Transition</translation>
+    </message>
+    <message>
+        <source>Select a step</source>
+        <translation>Wählen Sie einen Schritt</translation>
+    </message>
+    <message>
+        <source>Open Its Chart or Text</source>
+        <translation>Plan oder Text öffnen</translation>
+    </message>
+    <message>
+        <source>Priority…</source>
+        <translation>Priorität…</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Delete the Whole Branch</source>
+        <translation>Ganzen Zweig löschen</translation>
     </message>
 </context>
 <context>
@@ -3324,6 +3467,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Toggle Breakpoint</source>
         <translation>Haltepunkt umschalten</translation>
+    </message>
+    <message>
+        <source>CR</source>
+        <comment>current result of an instruction list</comment>
+        <translation>AE</translation>
     </message>
 </context>
 <context>

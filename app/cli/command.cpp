@@ -41,7 +41,8 @@ std::string overview() {
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {checkCommand(), runCommand(),    formatCommand(), testCommand(),
-                                             traceCommand(), replayCommand(), panelCommand(),  docCommand()};
+                                             traceCommand(), replayCommand(), panelCommand(),  docCommand(),
+                                             convertCommand()};
     return all;
 }
 

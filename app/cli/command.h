@@ -28,6 +28,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command replayCommand();
 [[nodiscard]] Command panelCommand();
 [[nodiscard]] Command docCommand();
+[[nodiscard]] Command convertCommand();
 
 // --- shared by the commands
 int wrongUse(const Error& error);

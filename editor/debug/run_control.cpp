@@ -81,6 +81,7 @@ void RunControl::endSession() {
     m_isEnding = true;
     emit sessionAboutToEnd();
     m_isEnding = false;
+    m_frames.clear(); // they are the session's
     m_session.reset();
 }
 

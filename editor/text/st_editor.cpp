@@ -244,6 +244,7 @@ void StEditor::setModel(std::shared_ptr<const analysis::CodeModel> model) {
     const auto file = fileId();
     m_analysedText = file ? std::string(m_model->sources()[*file].text()) : std::string();
     m_lexer->setModel(m_model, file, m_analysedText);
+    m_accumulators = file ? m_model->accumulators(*file) : std::vector<analysis::AccumulatorPlace>();
     m_diagnostics.clear();
     if (file)
         for (const diagnostics::Diagnostic& d : m_model->diagnostics())
@@ -501,7 +502,7 @@ void StEditor::refreshOnlineValues() {
             for (; it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
                 if (!it->symbol.isValid()) continue;
                 const sema::Symbol& symbol = m_model->symbol(it->symbol);
-                if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant) continue;
+                if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant || symbol.name.starts_with("__")) continue;
                 // a.b.c is one value: the chain that ends here, unless another member follows.
                 uint32_t from = it->range.begin;
                 while (from > begin && (m_analysedText[from - 1] == '.' || std::isalnum(static_cast<unsigned char>(m_analysedText[from - 1])) || m_analysedText[from - 1] == '_')) --from;
@@ -509,8 +510,18 @@ void StEditor::refreshOnlineValues() {
                 const std::pair entry(QString::fromStdString(m_analysedText.substr(from, it->range.end - from)), QString::fromStdString(m_model->pouAt(*file, it->range.begin)));
                 if (std::find(wanted.begin(), wanted.end(), entry) == wanted.end()) wanted.push_back(entry);
             }
-            if (wanted.empty()) continue;
-            if (auto values = m_onlineValues(wanted); !values.empty()) m_shownValues.emplace_back(static_cast<int>(line), std::move(values));
+            std::vector<OnlineValue> values;
+            if (!wanted.empty()) values = m_onlineValues(wanted);
+            auto result = std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin, [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
+            for (; result != m_accumulators.end() && result->at <= end; ++result) { // the last one of the line counts
+                auto shown = m_onlineValues({{QString::fromStdString(result->expression), QString::fromStdString(m_model->pouAt(*file, result->at))}});
+                if (shown.empty()) continue;
+                if (!values.empty() && values.front().isAccumulator) values.erase(values.begin());
+                shown.front().name = tr("CR", "current result of an instruction list");
+                shown.front().isAccumulator = true;
+                values.insert(values.begin(), std::move(shown.front()));
+            }
+            if (!values.empty()) m_shownValues.emplace_back(static_cast<int>(line), std::move(values));
         }
     }
     if (before == m_shownValues) return;
@@ -547,7 +558,7 @@ void StEditor::drawOnlineValues(QPainter& painter) {
         int x = static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, end)) + 24;
         const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)), height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
         for (const OnlineValue& value : values) {
-            const QString name = values.size() > 1 ? value.name.section('.', -1) + " " : QString();
+            const QString name = values.size() > 1 || value.isAccumulator ? value.name.section('.', -1) + " " : QString();
             const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(value.value);
             const QRectF box(x, y + 1.5, nameWidth + valueWidth + 10, height - 3);
             QColor ground = value.isForced ? c.forced : value.isBool ? (value.isTrue ? c.good : c.muted) : c.online;
@@ -556,6 +567,11 @@ void StEditor::drawOnlineValues(QPainter& painter) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(fill);
             painter.drawRoundedRect(box, 4, 4);
+            if (value.isAccumulator) { // a frame of its own, so that the column of results is read downwards
+                painter.setPen(QPen(ground, 1));
+                painter.setBrush(Qt::NoBrush);
+                painter.drawRoundedRect(box, 4, 4);
+            }
             painter.setPen(c.muted);
             painter.drawText(QRectF(x + 5, y, nameWidth, height), Qt::AlignVCenter | Qt::AlignLeft, name);
             painter.setPen(value.isBool && !value.isTrue && !value.isForced ? c.text : value.isForced ? c.text : ground.darker(c.dark ? 90 : 125));

@@ -18,6 +18,7 @@ namespace plc::editor {
 struct OnlineValue {
     QString name, value;
     bool isBool = false, isTrue = false, isForced = false;
+    bool isAccumulator = false; // the current result of a line of an instruction list
     bool operator==(const OnlineValue&) const = default;
 };
 using OnlineValues = std::function<std::vector<OnlineValue>(const std::vector<std::pair<QString, QString>>& namesWithPou)>;
@@ -61,6 +62,8 @@ public:
     void setExecutedLine(int line);                                                      // 0 = none
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
+    /// What stands beside the lines now, by line from 0.
+    [[nodiscard]] const std::vector<std::pair<int, std::vector<OnlineValue>>>& shownValues() const { return m_shownValues; }
 
     // commands (also in the menus)
     void triggerCompletion();
@@ -121,6 +124,7 @@ private:
     analysis::Completion m_completion;
     OnlineValues m_onlineValues;
     std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line
+    std::vector<analysis::AccumulatorPlace> m_accumulators;              // of the analysed text
     QTimer m_afterEdit;
     QTimer m_afterMove;
     bool m_isLoading = false;

@@ -115,12 +115,23 @@ void StLexer::styleText(int start, int end) {
         const std::string piece(text.substr(restart, lineEnd - restart));
         diagnostics::Sink sink;
         const lex::TokenList list = lex::tokenize(FileId(size_t(0)), piece, sink);
-        for (const lex::Token& token : list.tokens) {
+        const auto kindAt = [&](size_t i) { return i < list.tokens.size() ? list.tokens[i].kind : lex::TokenKind::EndOfFile; };
+        const auto isNewLine = [&](size_t i) { // first on its line
+            return i == 0 || std::string_view(text).substr(list.tokens[i - 1].end, list.tokens[i].begin - list.tokens[i - 1].end).find('\n') != std::string_view::npos;
+        };
+        for (size_t i = 0; i < list.tokens.size(); ++i) {
+            const lex::Token& token = list.tokens[i];
             TokenClass kind = lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
             switch (token.kind) {
             case lex::TokenKind::Identifier: {
                 const auto known = m_classOfName.find(foldCase(std::string_view(piece).substr(token.begin, token.end - token.begin)));
                 kind = known != m_classOfName.end() ? known->second : token.soft != lex::SoftWord::None ? TokenClass::Keyword : TokenClass::Plain;
+                // an instruction: the first word of a line, or behind a label, and no statement
+                if (kind == TokenClass::Plain && analysis::isListOperator(std::string_view(text).substr(token.begin, token.end - token.begin))) {
+                    const bool isFirst = isNewLine(i) || (i >= 2 && kindAt(i - 1) == lex::TokenKind::Colon && isNewLine(i - 2));
+                    const lex::TokenKind next = isNewLine(std::min(i + 1, list.tokens.size() - 1)) ? lex::TokenKind::EndOfFile : kindAt(i + 1);
+                    if (isFirst && next != lex::TokenKind::Assign && next != lex::TokenKind::Dot && next != lex::TokenKind::Colon && next != lex::TokenKind::LeftBracket) kind = TokenClass::Keyword;
+                }
                 break;
             }
             case lex::TokenKind::IntegerLiteral:
