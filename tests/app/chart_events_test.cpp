@@ -390,6 +390,7 @@ TEST_F(ChartEventsTest, EachLineOfAListShowsItsCurrentResultLiveAndInThePast) {
     ASSERT_TRUE(waitFor([&] { return !shown(6).isEmpty() && shown(8) == "TRUE"; }));
     EXPECT_EQ(shown(10), "5") << "a constant is its own result";
     EXPECT_FALSE(shown(5).isEmpty());
+    if (qEnvironmentVariableIsSet("STEPWISE_PICTURES")) editor().grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + "/list_online.png");
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     window->control().view(9);
