@@ -77,7 +77,10 @@ int runCommandLine(const std::vector<std::string>& words) {
     if (const auto format = arguments->value("--format"); format && *format != "text" && *format != "json" && *format != "junit")
         return wrongUse({"--format is text or json, not " + *format, ""});
     jit::setRuntimeSymbols(controller::runtimeSymbols());
-    return it->run(*arguments);
+    const int code = it->run(*arguments);
+    std::cout.flush();
+    if (std::cout) return code;
+    return wrongUse({"The output can not be written; is the disk full?", ""});
 }
 
 Result<projects::Project> openNamedProject(const Arguments& arguments) {
@@ -113,6 +116,9 @@ bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfo
 
 void needApplication() {
     if (QCoreApplication::instance()) return;
+    static const QtMessageHandler others = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
+        if (!text.startsWith("QStandardPaths:") && others) others(type, context, text); // where there is no session, nobody asked for one
+    });
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     static int count = 1;
     static char name[] = "stepwise";

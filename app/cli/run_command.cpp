@@ -84,8 +84,11 @@ Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::
         const nanoseconds due = controller.nextDue();
         if (plan.length && due >= *plan.length) break;
         if (plan.scans && done >= *plan.scans) break;
-        if (plan.isReal)
-            std::this_thread::sleep_until(wallBegin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double, std::nano>(static_cast<double>(due.count()) / plan.speed)));
+        if (plan.isReal) {
+            const auto at = wallBegin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double, std::nano>(static_cast<double>(due.count()) / plan.speed));
+            while (!isInterrupted() && std::chrono::steady_clock::now() < at) std::this_thread::sleep_until(std::min(at, std::chrono::steady_clock::now() + std::chrono::milliseconds(50)));
+            if (isInterrupted()) break;
+        }
         for (; nextWrite < plan.writes.size() && plan.writes[nextWrite].at <= due; ++nextWrite)
             if (auto written = apply(built.checked, controller, plan.writes[nextWrite]); !written) return written;
         controller.scan();
@@ -109,6 +112,10 @@ int run(const Arguments& arguments) {
     }
     if (!json) printDiagnostics(built.checked, false, false);
     if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+    if (built.program->tasks.empty()) {
+        std::cerr << "stepwise: " << project->name << ": there is no PROGRAM to run\n";
+        return kProgramWrong;
+    }
     if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
 
     session::Settings settings;
@@ -130,6 +137,7 @@ int run(const Arguments& arguments) {
         if (auto opened = csv.open(*file); !opened) return wrongUse(opened.error());
     if (auto ran = runScans(*plan, built, session, csv); !ran) return wrongUse(ran.error());
 
+    if (const std::string problem = session.status().retainProblem; !problem.empty()) std::cerr << "stepwise: " << problem << "\n";
     RunReport report{session.controller(), built, plan->watches, arguments.has("--stats")};
     const std::string text = json ? report.toJson() : report.toText(wantsColours(1));
     const bool faulted = session.controller().state() == controller::State::Fault;
@@ -139,7 +147,7 @@ int run(const Arguments& arguments) {
         if (auto saved = session.history().save(*file); !saved) return wrongUse(saved.error());
     if (!settings.retainFile.empty())
         if (auto saved = session.saveRetained(); !saved) return wrongUse(saved.error());
-    std::cout << text;
+    (arguments.value("--csv") == "-" ? std::cerr : std::cout) << text;
     return faulted ? kProgramWrong : kGood;
 }
 
@@ -155,7 +163,7 @@ Command runCommand() {
               {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
               {"--force", "PATH=VALUE[@TIME]", "force likewise; VALUE RELEASE ends it (repeatable)"},
               {"--watch", "EXPR", "a value to show and record (repeatable; default: all variables)"},
-              {"--csv", "FILE", "write a row per scan: time_s, scan, the watches"},
+              {"--csv", "FILE", "write a row per scan: time_s, scan, the watches; - is the standard output"},
               {"--every", "scan|100ms", "a row each scan (default) or each interval"},
               {"--record", "FILE", "save the recording of every scan, for replay and the studio"},
               {"--retain", "FILE", "restore retained variables from FILE, save them there at the end"},

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <unistd.h>
 
 namespace plc::cli {
 
@@ -75,7 +77,11 @@ CsvWriter::~CsvWriter() {
 
 Result<void> CsvWriter::open(const std::string& path) {
     m_path = path;
-    m_file = std::fopen((path + ".part").c_str(), "wb");
+    std::error_code ignored;
+    const bool isOutput = path == "-";
+    m_isDirect = isOutput || (std::filesystem::exists(m_path, ignored) && !std::filesystem::is_regular_file(m_path, ignored));
+    if (std::filesystem::is_directory(m_path, ignored)) return Error{"The CSV file can not be written: this is a folder", path};
+    m_file = isOutput ? ::fdopen(::dup(STDOUT_FILENO), "wb") : std::fopen((m_path + (m_isDirect ? "" : ".part")).c_str(), "wb");
     if (!m_file) return Error{std::string("The CSV file can not be written: ") + std::strerror(errno), path};
     std::string head = "time_s,scan";
     for (const Watch& watch : m_watches) head += "," + csvCell(watch.text);
@@ -113,9 +119,10 @@ Result<void> CsvWriter::close() {
     m_file = nullptr;
     const std::string part = m_path + ".part";
     if (bad) {
-        std::remove(part.c_str());
+        if (!m_isDirect) std::remove(part.c_str());
         return Error{std::string("The CSV file can not be written: ") + std::strerror(code) + "; free some space", m_path};
     }
+    if (m_isDirect) return {};
     if (std::rename(part.c_str(), m_path.c_str()) != 0) return Error{std::string("The CSV file can not be put in place: ") + std::strerror(errno), m_path};
     return {};
 }

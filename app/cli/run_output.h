@@ -28,7 +28,7 @@ public:
     explicit CsvWriter(const std::vector<Watch>& watches) : m_watches(watches) {}
     ~CsvWriter();
     void setInterval(std::chrono::nanoseconds interval) { m_interval = interval; }
-    Result<void> open(const std::string& path); // writes to a side file; close() puts it in place
+    Result<void> open(const std::string& path); // "-": standard output; writes to a side file; close() puts it in place
     void row(std::span<const std::byte> image, uint64_t scan, std::chrono::nanoseconds time);
     void scanFinished(const controller::Controller& controller);
     Result<void> close();
@@ -37,6 +37,7 @@ private:
     const std::vector<Watch>& m_watches;
     std::string m_path;
     std::FILE* m_file = nullptr;
+    bool m_isDirect = false; // a device or pipe: written as it is
     std::chrono::nanoseconds m_interval{0};
     std::optional<std::chrono::nanoseconds> m_next;
 };

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace plc::projects {
@@ -20,6 +21,8 @@ using Json = nlohmann::ordered_json;
 Result<std::string> readFile(const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) return Error{"This is a folder, a file is needed", path};
+    struct stat known {};
+    if (::stat(path.c_str(), &known) == 0 && (S_ISCHR(known.st_mode) || S_ISBLK(known.st_mode))) return Error{"This is a device, a file is needed", path};
     std::ifstream in(path, std::ios::binary);
     if (!in) return Error{std::string("The file can not be read: ") + std::strerror(errno), path};
     std::ostringstream text;
@@ -32,6 +35,8 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     if (std::error_code ignored; fs::is_regular_file(path, ignored)) {
         if (const auto old = readFile(path); old && *old == content) return {};
     }
+    struct stat known {};
+    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"This is not a file that can be replaced; name another one", path};
     // A link is followed, so that the file it names is exchanged and the link stays.
     std::error_code ignored;
     const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace plc::controller {
@@ -81,6 +82,8 @@ std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<
 }
 
 Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>& leaves) {
+    struct stat known {};
+    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"This is not a file that can be replaced; name another one", file};
     std::string text(kFirstLine);
     text += "\n";
     for (const RetainedLeaf& leaf : leaves) text += leaf.path + "\t" + leaf.type + "\t" + hex(leaf.bytes) + "\n";
@@ -113,6 +116,8 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
 }
 
 Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
+    struct stat known {};
+    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"the retain file is not a file", file};
     std::ifstream in(file, std::ios::binary);
     if (!in) {
         if (::access(file.c_str(), F_OK) != 0) return std::vector<RetainedLeaf>{};

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace plc::history {
@@ -157,6 +158,8 @@ void writeSegment(Writer& out, const Segment& s, uint64_t program) {
 } // namespace
 
 Result<void> History::save(const std::string& path) const {
+    struct stat known {};
+    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"This is not a file that can be replaced; name another one", path};
     const std::string aside = path + ".new";
     const auto refused = [&](int handle) {
         Error error{std::string("the recording can not be written: ") + std::strerror(errno), path};

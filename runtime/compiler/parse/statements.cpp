@@ -118,7 +118,9 @@ Stmt* Parser::parseStatement() {
     const Nesting nesting(*this);
     const size_t first = mark();
     Stmt* stmt = nullptr;
-    if (nesting.tooDeep) {
+    // its expressions need room too
+    if (!nesting.tooDeep && m_depth > kMaxDepth - 8) report(rangeOf(peek()), Kind::NestedTooDeep);
+    if (m_depth > kMaxDepth - 8) {
         // jump over the whole depth: every level above would stumble over the same place
         while (!atEnd() && !atDeclaration() && !atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndTest})) advance();
         m_lastErrorAt = m_at;
