@@ -54,7 +54,8 @@ Result<CsvTable> parseCsv(const std::string& bytes, const QString& place) {
     bool quoted = false, wasQuoted = false, any = false;
     int line = 1, rowLine = 1, quoteLine = 1;
     const auto endField = [&] {
-        row += QString::fromStdString(field);
+        QStringDecoder decoder(QStringDecoder::Utf8, QStringConverter::Flag::ConvertInitialBom); // fromUtf8 would take a mark off each field
+        row += QString(decoder.decode(QByteArrayView(field.data(), static_cast<qsizetype>(field.size()))));
         field.clear();
         wasQuoted = false;
     };

@@ -106,6 +106,10 @@ TEST(Loaders, ProjectFilesSurviveDamage) { damageAll("project", readProjectFile,
 TEST(Loaders, RecordingsSurviveDamage) { damageAll("recording", readRecording, {recording()}, 150, false); }
 TEST(Loaders, RetainFilesSurviveDamage) { damageAll("retain", readRetainFile, {retained()}, 1500, false); }
 
+TEST(Loaders, PastFindingsReadTheSameAgain) {
+    readTexts("key,comment,en\r\n \xEF\xBB\xBFkey,,\xEF\xBB\xBFword\r\n"); // a mark of byte order that is not the file's first
+}
+
 TEST(Loaders, JsonNestedWithoutEndIsRefused) {
     for (const auto read : {readPanel, readAlarms, readTraceSetup, readProjectFile}) refusesDeepNesting(read);
 }
