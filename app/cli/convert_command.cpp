@@ -24,16 +24,17 @@ int convert(const Arguments& arguments) {
     const auto wanted = arguments.value("--to");
     if (!wanted || (!equalsIgnoringCase(*wanted, "st") && !equalsIgnoringCase(*wanted, "il"))) return wrongUse({"--to is st or il", wanted.value_or("")});
     const analysis::TextLanguage to = equalsIgnoringCase(*wanted, "st") ? analysis::TextLanguage::St : analysis::TextLanguage::Il;
+    const auto unit = arguments.value("--unit");
+    if (!unit && to == analysis::TextLanguage::Il) return wrongUse({"--to il needs --unit NAME: the unit that becomes an instruction list", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
-    const auto unit = arguments.value("--unit");
     driver::BuildInput input = project->buildInput();
     bool known = false, refused = false;
     size_t done = 0;
     for (driver::SourceFile& file : input.files) {
         bool changed = false;
         for (const analysis::BodyPlace& place : analysis::bodiesOf(file.text)) {
-            if (unit ? !equalsIgnoringCase(*unit, place.unit) : place.language == to || (to == analysis::TextLanguage::Il)) continue;
+            if (unit ? !equalsIgnoringCase(*unit, place.unit) : place.language == to) continue;
             known = true;
             const auto converted = analysis::convertBody(input, file.path, place.unit, to);
             if (!converted) {
@@ -55,7 +56,6 @@ int convert(const Arguments& arguments) {
         std::cerr << "converted " << path << "\n";
     }
     if (unit && !known) return wrongUse({"There is no unit of that name with a body in ST or IL", *unit});
-    if (!unit && to == analysis::TextLanguage::Il) return wrongUse({"--to il needs --unit NAME: the unit that becomes an instruction list", ""});
     if (done == 0 && !refused) std::cerr << "nothing to convert\n";
     return refused ? kProgramWrong : kGood;
 }
