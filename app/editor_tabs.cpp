@@ -4,6 +4,7 @@
 #include "editor/kit/theme.h"
 #include "projects/analysis/conversion.h"
 #include "runtime/compiler/parse/parser.h"
+#include "runtime/compiler/driver/driver.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -203,6 +204,15 @@ void EditorTabs::connectEditor(StEditor* editor) {
     editor->setSettings(m_settings.editor());
     editor->setModel(m_workspace.model());
     editor->setOnlineValues(onlineValues());
+    editor->setPathOf([this](const QString& name, const QString& pou) {
+        if (!m_workspace.model()) return QString();
+        const auto& checked = m_workspace.model()->checked();
+        // A local of the instance that the text shows, else a global.
+        const QString block = pou.section('.', 0, 0), instance = m_control.preferredInstance(block);
+        for (const QString& path : {(instance.isEmpty() ? block : instance) + '.' + name, name})
+            if (driver::compileExpression(checked, path.toStdString())) return path;
+        return QString();
+    });
     connect(editor, &StEditor::edited, this, [this, editor](const QString& file) {
         if (!m_isApplying) m_workspace.setText(file, editor->utf8());
     });

@@ -3,6 +3,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
+#include "runtime/base/text.h"
 
 #include <QFileInfo>
 #include <QHeaderView>
@@ -15,13 +16,34 @@ namespace plc::app {
 using kit::Icon;
 using sema::SymbolKind;
 
+namespace {
+/// Variables are dragged by their paths: to charts, watches, panels.
+class Tree final : public QTreeWidget {
+public:
+    Tree(int kind, int name, QWidget* parent) : QTreeWidget(parent), m_kind(kind), m_name(name) {}
+
+protected:
+    QStringList mimeTypes() const override { return {kit::VariableMime}; }
+    QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
+        QStringList paths;
+        for (const QTreeWidgetItem* item : items)
+            if (item->data(0, m_kind).toString() == "variable") paths << item->data(0, m_name).toString();
+        return paths.isEmpty() ? nullptr : kit::makeVariableMime(paths);
+    }
+
+private:
+    int m_kind, m_name;
+};
+} // namespace
+
 ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace) {
-    m_tree = new QTreeWidget(this);
+    m_tree = new Tree(Kind, Name, this);
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setAccessibleName(tr("Project"));
-    m_tree->setDragEnabled(false);
+    m_tree->setDragEnabled(true);
+    m_tree->setDragDropMode(QAbstractItemView::DragOnly);
     m_filter = new QLineEdit(this);
     m_filter->setPlaceholderText(tr("Filter"));
     m_filter->setClearButtonEnabled(true);
@@ -33,7 +55,7 @@ ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidge
     layout->addWidget(m_tree);
     connect(m_tree, &QTreeWidget::itemActivated, this, &ProjectTree::activate);
     connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
-        if (item->childCount() == 0) activate(item);
+        if (item->childCount() == 0 || item->data(0, Kind).toString() == "unit") activate(item);
     });
     connect(m_tree, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* item) { m_collapsed << item->data(0, Name).toString(); });
     connect(m_tree, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) { m_collapsed.removeAll(item->data(0, Name).toString()); });
@@ -96,6 +118,29 @@ void ProjectTree::addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& 
         chart->setData(0, File, file);
         chart->setData(0, Name, QString::fromStdString(unit.name));
     }
+    if (unit.kind != SymbolKind::Program && unit.kind != SymbolKind::GlobalList) return;
+    for (const sema::Symbol* symbol : variablesIn(unit, file)) {
+        auto* variable = new QTreeWidgetItem(item, {QString::fromStdString(symbol->name)});
+        variable->setIcon(0, kit::icon(Icon::Variable));
+        variable->setData(0, Kind, "variable");
+        variable->setData(0, File, file);
+        variable->setData(0, Offset, symbol->declaration.begin);
+        variable->setData(0, Name, QString::fromStdString(symbol->path));
+        variable->setToolTip(0, QString::fromStdString(symbol->comment));
+    }
+}
+
+std::vector<const sema::Symbol*> ProjectTree::variablesIn(const analysis::OutlineItem& unit, const QString& file) const {
+    std::vector<const sema::Symbol*> out;
+    const auto& model = *m_workspace.model();
+    const auto id = model.fileOf(file.toStdString());
+    if (!id) return out;
+    for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
+        const SourceRange& place = symbol.declaration;
+        if (symbol.kind != SymbolKind::Variable || symbol.isConstant || !place.file.isValid() || place.file != *id || symbol.path.empty()) continue;
+        if (place.begin >= unit.range.begin && place.begin < unit.range.end && (symbol.owner.empty() || foldCase(symbol.owner) == foldCase(unit.name))) out.push_back(&symbol);
+    }
+    return out;
 }
 
 void ProjectTree::reload() {
@@ -129,6 +174,8 @@ void ProjectTree::reload() {
                 if (key.isEmpty()) continue;
                 parts[key].push_back({file, item});
                 shape += key + file + QString::fromStdString(item.name) + QString::number(item.nameRange.begin) + QString::number(item.children.size());
+                if (key == "programs" || key == "globals")
+                    for (const sema::Symbol* symbol : variablesIn(item, file)) shape += QString::fromStdString(symbol->path);
             }
         };
         place(place, model.outline(*id));
@@ -192,7 +239,7 @@ void ProjectTree::reload() {
 
 void ProjectTree::activate(QTreeWidgetItem* item) {
     const QString kind = item->data(0, Kind).toString();
-    if (kind == "unit") emit placeRequested(item->data(0, File).toString(), item->data(0, Offset).toUInt());
+    if (kind == "unit" || kind == "variable") emit placeRequested(item->data(0, File).toString(), item->data(0, Offset).toUInt());
     else if (kind == "chart") emit chartRequested(item->data(0, File).toString(), item->data(0, Name).toString());
     else if (kind == "panel") emit panelRequested(item->data(0, Name).toString());
     else if (kind == "trace") emit traceRequested(item->data(0, Name).toString());

@@ -34,6 +34,7 @@ private:
     enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name };
     QTreeWidgetItem* group(const QString& title, int icon, const QString& key);
     void addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& unit, const QString& file);
+    [[nodiscard]] std::vector<const sema::Symbol*> variablesIn(const analysis::OutlineItem& unit, const QString& file) const;
     void activate(QTreeWidgetItem* item);
     void showMenu(const QPoint& position);
     void filter(const QString& text);

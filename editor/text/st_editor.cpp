@@ -2,9 +2,12 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
+#include "editor/kit/variable_picker.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/format/format.h"
 
+#include <QRegularExpression>
+#include <QMimeData>
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
@@ -305,6 +308,17 @@ void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
     endUndoAction();
     m_isApplying = false;
     onTextChanged();
+}
+
+QMimeData* StEditor::toMimeData(const QByteArray& text, bool rectangular) const {
+    QMimeData* mime = QsciScintilla::toMimeData(text, rectangular);
+    const QString name = QString::fromUtf8(text).trimmed();
+    static const QRegularExpression variable(QStringLiteral("^[A-Za-z_][\\w.\\[\\],]*$"));
+    const auto file = fileId();
+    if (!m_pathOf || !file || rectangular || !variable.match(name).hasMatch()) return mime;
+    const auto at = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONSTART));
+    if (const QString path = m_pathOf(name, QString::fromStdString(m_model->pouAt(*file, at))); !path.isEmpty()) mime->setData(kit::VariableMime, path.toUtf8());
+    return mime;
 }
 
 QString StEditor::wordUnderCursor() const {

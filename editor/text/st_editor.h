@@ -36,6 +36,11 @@ class StEditor : public QsciScintilla {
 public:
     explicit StEditor(QWidget* parent = nullptr);
 
+    /// Gives the path of a name as seen from a POU, for what is dragged out of the text; empty: no variable.
+    using PathOf = std::function<QString(const QString& name, const QString& pou)>;
+    void setPathOf(PathOf pathOf) { m_pathOf = std::move(pathOf); }
+    QMimeData* toMimeData(const QByteArray& text, bool rectangular) const override;
+
     void setFile(const QString& file) { m_file = file; }
     [[nodiscard]] const QString& file() const { return m_file; }
     void setSettings(const EditorSettings& settings);
@@ -114,6 +119,7 @@ private:
     [[nodiscard]] std::optional<FileId> fileId() const;
 
     QString m_file;
+    PathOf m_pathOf;
     EditorSettings m_settings;
     StLexer* m_lexer;
     std::shared_ptr<const analysis::CodeModel> m_model;

@@ -1,17 +1,22 @@
 #include "tests/app/studio_fixture.h"
 
+#include "app/live_views.h"
 #include "app/problems_view.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
+#include "editor/kit/plot_view.h"
+#include "editor/kit/variable_picker.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTimer>
+#include <QTreeWidget>
 
 namespace plc::app {
 namespace {
@@ -210,4 +215,35 @@ TEST_F(StudioTest, SaveWritesTheFileAndMarksItClean) {
 }
 
 } // namespace
+
+TEST_F(StudioTest, VariablesAreDraggedFromTreeAndTextToTheTrace) {
+    QTreeWidget& tree = window->projectTree().tree();
+    const QList<QTreeWidgetItem*> found = tree.findItems("counter", Qt::MatchExactly | Qt::MatchRecursive);
+    ASSERT_EQ(found.size(), 1);
+    const std::unique_ptr<QMimeData> fromTree(tree.model()->mimeData({tree.indexFromItem(found[0])}));
+    ASSERT_TRUE(fromTree);
+    EXPECT_EQ(kit::variablesOf(fromTree.get()), QStringList{"Main.counter"});
+    ASSERT_TRUE(window->tabs().openFile("src/main.st"));
+    const auto at = static_cast<uint32_t>(editor().utf8().find("limit : INT"));
+    editor().goTo(at, 5);
+    const std::unique_ptr<QMimeData> fromText(editor().toMimeData("limit", false));
+    EXPECT_EQ(kit::variablesOf(fromText.get()), QStringList{"Main.limit"});
+    EXPECT_EQ(fromText->text(), "limit") << "text stays text for everyone else";
+    const std::unique_ptr<QMimeData> words(editor().toMimeData("counter := counter + 1;", false));
+    EXPECT_FALSE(words->hasFormat(kit::VariableMime));
+
+    window->showDock("trace");
+    kit::PlotView& plot = *window->live().traceView().plot();
+    for (const QMimeData* mime : {fromTree.get(), fromText.get()}) {
+        QDragEnterEvent enter(plot.rect().center(), Qt::CopyAction, mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&plot, &enter);
+        QDropEvent drop(QPointF(plot.rect().center()), Qt::CopyAction, mime, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&plot, &drop);
+    }
+    const auto& channels = window->live().traceView().setup().channels;
+    ASSERT_EQ(channels.size(), 2u);
+    EXPECT_EQ(channels[0].expression, "Main.counter");
+    EXPECT_EQ(channels[1].expression, "Main.limit");
+}
+
 } // namespace plc::app

@@ -167,8 +167,7 @@ void takeChart(app::MainWindow& window, const QString& project) {
     auto* page = window.tabs().openFile("src/main.st");
     page->first().goTo(static_cast<uint32_t>(page->first().utf8().find("INITIAL_STEP")));
     page->showChart("Main");
-    for (const char* side : {"forces", "callPath", "breakpoints", "panel", "watch"}) window.dock(side)->hide();
-    window.resizeDocks({window.dock("trace")}, {240}, Qt::Vertical);
+    for (const char* side : {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"}) window.dock(side)->hide();
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 20; }, 8000);
     (void)window.control().force("IO.SinglePb", "TRUE");
