@@ -17,6 +17,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <map>
 
 namespace plc::editor {
 
@@ -567,9 +568,20 @@ void StEditor::drawOnlineValues(QPainter& painter) {
     painter.setFont(font);
     painter.setRenderHint(QPainter::Antialiasing);
     const QFontMetrics metrics(font);
+    // The results of an instruction list stand under each other: a column that is read downwards.
+    std::map<int, int> columns; // line → x
+    const auto endOf = [&](int line) { return static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)))) + 24; };
+    for (size_t i = 0; i < m_shownValues.size();) {
+        size_t next = i;
+        int x = 0;
+        while (next < m_shownValues.size() && m_shownValues[next].second.front().isAccumulator && m_shownValues[next].first <= m_shownValues[i].first + static_cast<int>(next - i) + 3) x = std::max(x, endOf(m_shownValues[next++].first));
+        for (size_t k = i; k < next && x < viewport()->width() * 2 / 3; ++k) columns[m_shownValues[k].first] = x; // not beyond long comments
+        i = std::max(next, i + 1);
+    }
     for (const auto& [line, values] : m_shownValues) {
         const auto end = SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line));
-        int x = static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, end)) + 24;
+        const auto column = columns.find(line);
+        int x = column != columns.end() ? column->second : endOf(line);
         const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)), height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
         for (const OnlineValue& value : values) {
             const QString name = values.size() > 1 || value.isAccumulator ? value.name.section('.', -1) + " " : QString();

@@ -37,6 +37,8 @@ const Shot kShots[] = {
     {"gravel", "src/main.st", "Main", "Main", "gravel", {{"Plant.On", true, 0}, {"Plant.On", false, 200}, {"Plant.Fill", true, 300}}, "Main.FillBin.X", 8000, 2500},
     {"agv", "src/main.st", "Main", "Main", "agv", {{"Plant.Single", true, 0}, {"Plant.Single", false, 300}}, "Main.Reverse.X", 12000, 900},
     {"tank_heating", "src/main.st", "Chart", "Chart", "tank_heating", {{"Plant.Start", true, 0}}, "Chart.Heating.X", 900000, 800},
+    {"conveyor_sequence", "src/chart.st", "Chart", "Chart", "conveyor_sequence", {{"Plant.Start", true, 0}, {"Plant.Start", false, 200}}, "Chart.Resting.X", 12000, 700},
+    {"traffic_light", "src/chart.st", "Chart", "Chart", "traffic_light", {}, "Chart.Prepare.X", 60000, 900},
 };
 
 void save(editor::ChartView& view, const QString& folder, const Shot& shot, const char* state) {
