@@ -3,6 +3,7 @@
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
@@ -133,6 +134,8 @@ void LiveViews::reloadPanels() {
     for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
     m_design = std::make_shared<hmi::DesignContext>(m_panels);
     m_design->setCompletions(m_complete);
+    m_design->setVariables([this]() -> const kit::VariableProvider& { return variables(); });
+    m_design->setPicker([this](const QString& present) { return kit::pickVariable(variables(), present, QApplication::activeWindow()); });
     connect(m_design.get(), &hmi::DesignContext::textsChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::alarmsChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::programChanged, this, &LiveViews::designEdited);
@@ -146,6 +149,17 @@ void LiveViews::reloadPanels() {
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
     showPanel(m_panels.startPanel.isEmpty() ? m_panels.panels.front().name : m_panels.startPanel);
     emit panelsChanged();
+}
+
+/// The variables of the program as it is written now; it need not run.
+const kit::VariableProvider& LiveViews::variables() {
+    const auto model = m_workspace.model();
+    if (!model || !model->checked().analysis->program || model->checked().analysis == m_variablesOf) return m_variables;
+    m_variablesOf = model->checked().analysis;
+    auto program = std::make_shared<image::CompiledProgram>();
+    program->layout = m_variablesOf->program->layout;
+    m_variables.setProgram(std::move(program));
+    return m_variables;
 }
 
 void LiveViews::showPanel(const QString& name) {

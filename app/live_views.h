@@ -2,6 +2,7 @@
 // step with the controller and with each other. Owned by the main window; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
+#include "editor/trace/program_variables.h"
 #include "editor/trace/session_recording.h"
 #include "editor/trace/time_slider.h"
 #include "editor/trace/trace_view.h"
@@ -53,6 +54,7 @@ signals:
     void designsMustClose(); // the panels are read anew: open designers, text and alarm editors close first
 
 private:
+    const kit::VariableProvider& variables();
     void projectOpened();
     void projectClosed();
     void sessionChanged();
@@ -70,6 +72,8 @@ private:
     std::shared_ptr<hmi::DesignContext> m_design;
     QPointer<hmi::PanelPlayer> m_player;
     kit::CompletionSource m_complete;
+    trace::ProgramVariables m_variables; // of m_variablesOf
+    std::shared_ptr<const sema::Analysis> m_variablesOf;
     std::unique_ptr<trace::SessionRecording> m_recording;
     std::shared_ptr<const image::CompiledProgram> m_program;
 };

@@ -3928,6 +3928,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Duplicate as array</source>
         <translation>Duplikér som array</translation>
     </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elementer</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variabler</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>

@@ -3928,6 +3928,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Duplicate as array</source>
         <translation>Als Array vervielfältigen</translation>
     </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variablen</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::PropertySheet</name>

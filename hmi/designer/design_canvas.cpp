@@ -38,6 +38,8 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
     });
     m_scene.setFolder(context.project().folder);
     m_scene.setTexts(&context.project().texts);
+    m_alarms.setFile(context.project().alarms);
+    m_scene.setAlarms(&m_alarms);
     m_scene.setLanguage(context.language());
     m_scene.setPanel(document.panel());
     m_scene.refresh(0);
@@ -52,6 +54,7 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
         m_scene.setTexts(&m_context.project().texts);
         viewport()->update();
     });
+    connect(&m_context, &DesignContext::alarmsChanged, this, [this] { m_alarms.setFile(m_context.project().alarms); });
     connect(&m_context, &DesignContext::languageChanged, this, [this] {
         m_scene.setLanguage(m_context.language());
         viewport()->update();

@@ -1,6 +1,7 @@
 // Where a panel is drawn: the scene with its sample values under handles, guides and rulers; moves, resizes, inserts by
 // dropping, selects. It asks the document for edits and keeps no truth of its own. Owned by its Qt parent; main thread.
 #pragma once
+#include "hmi/alarms/alarm_book.h"
 #include "hmi/designer/design_context.h"
 #include "hmi/designer/selection.h"
 #include "hmi/designer/snapping.h"
@@ -105,6 +106,7 @@ private:
     PanelDocument& m_document;
     Selection& m_selection;
     DesignContext& m_context;
+    AlarmBook m_alarms; // lists show the texts of the project
     PanelScene m_scene;
     double m_zoom = 1;
     bool m_keepsFit = true; // until a zoom is chosen

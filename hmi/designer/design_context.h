@@ -2,6 +2,7 @@
 // shown. It also gives typed texts their keys. Owned by the application; main thread.
 #pragma once
 #include "editor/kit/expression_edit.h"
+#include "editor/kit/variable_picker.h"
 #include "hmi/model/document.h"
 #include "hmi/player/panel_commands.h"
 
@@ -23,6 +24,10 @@ public:
     void setSession(session::Session* session);
     void setCompletions(kit::CompletionSource completions) { m_completions = std::move(completions); }
     const kit::CompletionSource& completions() const { return m_completions; }
+    /// The variables to choose from and to drag onto a panel; asked anew each time, the object must stay.
+    using Variables = std::function<const kit::VariableProvider&()>;
+    void setVariables(Variables variables) { m_variables = std::move(variables); }
+    const Variables& variables() const { return m_variables; }
     void setPicker(std::function<std::optional<QString>(const QString&)> picker) { m_picker = std::move(picker); }
     const std::function<std::optional<QString>(const QString&)>& picker() const { return m_picker; }
 
@@ -68,6 +73,7 @@ private:
     driver::Checked m_checked;
     session::Session* m_session = nullptr;
     kit::CompletionSource m_completions;
+    Variables m_variables;
     std::function<std::optional<QString>(const QString&)> m_picker;
     QString m_language;
     bool m_textsChanged = false, m_alarmsChanged = false;

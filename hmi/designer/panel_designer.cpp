@@ -52,7 +52,7 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     middle->setStretchFactor(0, 1);
     middle->setSizes({600, 110});
     auto* left = new QSplitter(Qt::Vertical);
-    left->addWidget(m_palette);
+    left->addWidget(makeSources());
     left->addWidget(m_outline);
     left->setStretchFactor(0, 3);
     left->setStretchFactor(1, 2);
@@ -111,6 +111,26 @@ PanelDesigner::~PanelDesigner() {
     m_context.closeDocument(&m_document);
     m_document.disconnect(this);
     m_document.undoStack().disconnect(this);
+}
+
+/// What is dragged onto the panel: elements, and where the program is known, its variables.
+QWidget* PanelDesigner::makeSources() {
+    if (!m_context.variables()) return m_palette;
+    auto* tabs = new QTabWidget;
+    tabs->setDocumentMode(true);
+    tabs->addTab(m_palette, tr("Elements"));
+    m_variables = new kit::VariablePicker(m_context.variables()());
+    m_variables->layout()->setContentsMargins(4, 4, 4, 4);
+    tabs->addTab(m_variables, tr("Variables"));
+    connect(m_variables, &kit::VariablePicker::picked, this, [this](const QString& path) { m_canvas->insertVariables({path}, m_canvas->visibleCenter(), QApplication::keyboardModifiers() & Qt::ShiftModifier); });
+    const auto reload = [this] {
+        if (!m_variables->isVisible()) return;
+        (void)m_context.variables()();
+        m_variables->reload();
+    };
+    connect(tabs, &QTabWidget::currentChanged, this, reload);
+    connect(&m_context, &DesignContext::programChanged, this, reload);
+    return tabs;
 }
 
 QAction* PanelDesigner::add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<void()>& run) {

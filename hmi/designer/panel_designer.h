@@ -63,6 +63,7 @@ signals:
     void findingsChanged();
 
 private:
+    QWidget* makeSources();
     void makeActions();
     QAction* add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<void()>& run);
     void addEdit(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<Edit()>& edit);
@@ -77,6 +78,7 @@ private:
     Selection m_selection;
     QMap<QString, QAction*> m_actions;
     Palette* m_palette;
+    kit::VariablePicker* m_variables = nullptr;
     DesignCanvas* m_canvas;
     PropertySheet* m_sheet;
     Outline* m_outline;

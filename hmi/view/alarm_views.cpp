@@ -17,21 +17,30 @@ QStringList splitClasses(const QString& text) {
 
 constexpr qint64 kSampleClock = 1704067200000000000; // 2024-01-01
 
-/// What the designer shows where no alarm is.
-std::vector<AlarmEntry> sampleEntries() {
+/// What the designer shows where no alarm is: the first ones of the project, else examples.
+std::vector<AlarmEntry> sampleEntries(const AlarmBook* book, const QStringList& classes) {
+    constexpr AlarmState kStates[] = {AlarmState::Unacknowledged, AlarmState::Acknowledged, AlarmState::Returned};
     std::vector<AlarmEntry> out;
-    const struct {
-        const char* text;
-        int priority;
-        AlarmState state;
-    } rows[] = {{"Motor 1: overload", 1, AlarmState::Unacknowledged}, {"Tank level high", 2, AlarmState::Acknowledged}, {"Door open", 3, AlarmState::Returned}};
-    for (const auto& row : rows) {
-        AlarmEntry entry;
-        entry.text = QString::fromLatin1(row.text);
-        entry.priority = row.priority;
-        entry.state = row.state;
+    const auto add = [&](AlarmEntry entry) {
+        entry.state = kStates[out.size()];
         entry.raised.time = std::chrono::seconds(43200 + 61 * static_cast<int>(out.size()));
-        out.push_back(entry);
+        out.push_back(std::move(entry));
+    };
+    if (book)
+        for (const AlarmDefinition& alarm : book->definitions()) {
+            if (out.size() == std::size(kStates) || (!classes.isEmpty() && !classes.contains(alarm.className))) continue;
+            AlarmEntry entry;
+            entry.text = alarm.text;
+            entry.className = alarm.className;
+            entry.priority = alarm.priority;
+            add(entry);
+        }
+    if (!out.empty()) return out;
+    for (const auto& [text, priority] : {std::pair{"Motor 1: overload", 1}, std::pair{"Tank level high", 2}, std::pair{"Door open", 3}}) {
+        AlarmEntry entry;
+        entry.text = QString::fromLatin1(text);
+        entry.priority = priority;
+        add(entry);
     }
     return out;
 }
@@ -71,7 +80,7 @@ QStringList AlarmListView::classes() const { return splitClasses(text("classes")
 
 std::vector<AlarmEntry> AlarmListView::entries() const {
     const AlarmBook* book = scene().alarms();
-    if (isDesigning() && (!book || book->present({}, AlarmOrder::Priority).empty())) return sampleEntries();
+    if (isDesigning() && (!book || book->present({}, AlarmOrder::Priority).empty())) return sampleEntries(book, classes());
     if (!book) return {};
     std::vector<AlarmEntry> all;
     if (isHistory()) all = book->history(classes(), 500);
@@ -190,7 +199,7 @@ void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row)
     const bool isGone = entry.state == AlarmState::Returned || entry.state == AlarmState::Normal;
     const QRectF words = textArea(row);
     painter.setPen(theme().color("muted"));
-    drawText(painter, textBox(alarmTime(entry, locale(), scene().alarms() ? scene().alarms()->clockAtZero() : kSampleClock), mirrored({markWidth(), words.top(), timeWidth() - 6, words.height()}), size * 0.92, TextAlign::Start, ""));
+    drawText(painter, textBox(alarmTime(entry, locale(), scene().alarms() && !isDesigning() ? scene().alarms()->clockAtZero() : kSampleClock), mirrored({markWidth(), words.top(), timeWidth() - 6, words.height()}), size * 0.92, TextAlign::Start, ""));
     if (hasKeys()) drawText(painter, textBox(stateText(entry), QRectF(words.left(), words.bottom() - 1, words.width(), h - words.height() - 5), size * 0.8, TextAlign::Start, ""));
     painter.setPen(isGone ? theme().color("muted") : inkColor(theme().color("text")));
     drawText(painter, textBox(AlarmBook::render(entry, scene().texts(), tag()), words, size, TextAlign::Start, "", isOpen));
@@ -319,7 +328,7 @@ void AlarmBannerView::draw(QPainter& painter) {
     const AlarmBook* book = scene().alarms();
     std::vector<AlarmEntry> all;
     if (book) all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), AlarmOrder::Priority) : book->present(classes(), AlarmOrder::Priority);
-    if (all.empty() && isDesigning()) all = sampleEntries();
+    if (all.empty() && isDesigning()) all = sampleEntries(book, classes());
     const double edge = theme().kind() == PanelThemeKind::Contrast ? 2 : 1;
     painter.setPen(QPen(all.empty() ? theme().color("faint") : theme().color("line"), edge));
     if (all.empty()) {

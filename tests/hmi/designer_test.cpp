@@ -14,8 +14,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDropEvent>
+#include <QLineEdit>
 #include <QMimeData>
+#include <QTabWidget>
 #include <QTableView>
+#include <QTreeWidget>
 
 namespace plc::hmi {
 namespace {
@@ -171,6 +174,46 @@ TEST(Designer, WordsDraggedOutOfTheCodeBecomeTheVariableThatTheyName) {
     EXPECT_EQ(dropText("Main.level\nMain.name"), 3u);
     EXPECT_EQ(studio.last().text("value").toStdString(), "Main.name");
     EXPECT_EQ(dropText("Language"), 4u);
+}
+
+TEST(Designer, VariablesAreDraggedFromTheListBesideTheElements) {
+    class TwoVariables final : public kit::VariableProvider {
+    public:
+        std::vector<kit::VariableNode> children(const QString& path) const override {
+            if (path.isEmpty()) return {{QStringLiteral("Main"), QStringLiteral("Main"), {}, {}, kit::Icon::Program, true, true}};
+            return {{QStringLiteral("running"), QStringLiteral("Main.running"), QStringLiteral("BOOL")}, {QStringLiteral("level"), QStringLiteral("Main.level"), QStringLiteral("REAL")}};
+        }
+        std::vector<kit::VariableNode> search(const QString&, int) const override { return children(QStringLiteral("Main")); }
+    } variables;
+    Studio studio;
+    studio.context->setVariables([&]() -> const kit::VariableProvider& { return variables; });
+    studio.designer = std::make_unique<PanelDesigner>(*studio.context, QStringLiteral("main"));
+    studio.designer->resize(1400, 900);
+    studio.designer->show();
+    QTest::qWait(1);
+    auto* tabs = studio.designer->findChild<QTabWidget*>();
+    auto* picker = studio.designer->findChild<kit::VariablePicker*>();
+    ASSERT_TRUE(tabs && picker);
+    tabs->setCurrentWidget(picker);
+    ASSERT_TRUE(picker->selectPath(QStringLiteral("Main.running")));
+    QTreeWidget* tree = nullptr;
+    for (QTreeWidget* one : picker->findChildren<QTreeWidget*>())
+        if (one->currentItem()) tree = one;
+    ASSERT_TRUE(tree);
+    studio.drop(tree->model()->mimeData({tree->currentIndex()}), 300, 200);
+    EXPECT_EQ(studio.last().kind(), ElementKind::Lamp);
+    EXPECT_EQ(studio.last().text("value").toStdString(), "Main.running");
+    picker->setFilter(QStringLiteral("level")); // chosen by the keyboard
+    QTest::keyClick(picker->findChild<QLineEdit*>(), Qt::Key_Down);
+    QTest::keyClick(picker->findChild<QLineEdit*>(), Qt::Key_Return);
+    EXPECT_EQ(studio.last().text("value").toStdString(), "Main.level");
+}
+
+TEST(Designer, AlarmListsShowTheTextsOfTheProject) {
+    Studio studio(R"({"id":"l","kind":"alarmList","rect":[10,10,600,300]})");
+    const QImage english = studio.designer->canvas().scene().picture();
+    studio.context->setLanguage(QStringLiteral("da"));
+    EXPECT_NE(studio.designer->canvas().scene().picture().copy(210, 60, 200, 40), english.copy(210, 60, 200, 40)); // "Overbelastet ved 0"
 }
 
 TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {

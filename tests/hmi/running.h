@@ -26,11 +26,14 @@ VAR
     wait : TIME := T#1s;
     numbers : ARRAY[1..3] OF INT := [1, 2, 3];
     edge : R_TRIG;
+    divisor : INT := 1;
+    quotient : INT;
 END_VAR
 edge(CLK := start);
 IF edge.Q THEN presses := presses + 1; END_IF;
 running := (running OR start) AND NOT stop;
 count := count + 1;
+quotient := 100 / divisor;
 flash := count = 50; // one scan
 END_PROGRAM
 CONFIGURATION C
