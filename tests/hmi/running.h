@@ -2,6 +2,7 @@
 #pragma once
 #include "hmi/player/panel_commands.h"
 #include "hmi/player/panel_player.h"
+#include "runtime/compiler/jit/jit.h"
 
 #include <QTest>
 #include <gtest/gtest.h>
@@ -45,6 +46,7 @@ END_CONFIGURATION
 )";
 
 inline driver::Built builtMachine() {
+    jit::setRuntimeSymbols(controller::runtimeSymbols()); // for faults
     driver::BuildInput input;
     input.files.push_back({"main.st", kMachine});
     driver::Built built = driver::build(input);
