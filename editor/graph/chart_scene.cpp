@@ -10,6 +10,28 @@ namespace plc::editor {
 namespace {
 QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 enum CellKind { StepCell, TransitionCell, JumpCell, DoubleBarCell };
+constexpr int kConditionColumns = 38, kConditionLines = 3;
+
+/// A long condition in lines, so that branches stay near each other; what is too long even so is cut.
+QString wrapped(const QString& text) {
+    if (text.size() <= kConditionColumns) return text;
+    QStringList lines{QString()};
+    for (const QString& word : text.split(' ')) {
+        if (!lines.last().isEmpty() && lines.last().size() + 1 + word.size() > kConditionColumns) lines << QString();
+        lines.last() += (lines.last().isEmpty() ? "" : " ") + word;
+    }
+    for (QString& line : lines)
+        if (line.size() > 60) line = line.left(58) + QChar(0x2026); // one long name
+    if (lines.size() <= kConditionLines) return lines.join('\n');
+    lines = lines.mid(0, kConditionLines);
+    lines.last() += QChar(0x2026);
+    return lines.join('\n');
+}
+double widthOfLines(const QString& text) {
+    double width = 0;
+    for (const QString& line : text.split('\n')) width = std::max(width, widthOf(line));
+    return width;
+}
 constexpr double kDoubleHalf = 2.5; // half of what lies between the lines of a simultaneous bar
 } // namespace
 
@@ -23,7 +45,7 @@ QString ChartScene::makeConditionText(int transition) const {
     QStringList lines;
     for (const syntax::Stmt* instruction : decl.ilCondition) lines << slice(instruction->range);
     text += lines.join(" · ");
-    return text.size() > 60 ? text.left(58) + "…" : text;
+    return wrapped(text);
 }
 
 QString ChartScene::conditionText(int transition) const { return m_conditions[static_cast<size_t>(transition)]; }
@@ -98,7 +120,7 @@ void ChartScene::measure() {
     for (size_t i = 0; i < m_chart->transitions.size(); ++i) {
         const chart::Cell cell = m_layout.transitions[i];
         grow(heights[static_cast<size_t>(cell.row)], kTransitionRow);
-        grow(right[static_cast<size_t>(cell.column)], kBarHalf + 8 + widthOf(m_conditions[i]));
+        grow(right[static_cast<size_t>(cell.column)], kBarHalf + 8 + widthOfLines(m_conditions[i]));
     }
     for (const chart::Jump& jump : m_layout.jumps) {
         grow(heights[static_cast<size_t>(jump.at.row)], 30);
@@ -126,7 +148,8 @@ void ChartScene::measure() {
     }
     for (size_t i = 0; i < m_chart->transitions.size(); ++i) {
         const double middle = m_columnMiddles[static_cast<size_t>(m_layout.transitions[i].column)], y = rowMiddle(m_layout.transitions[i].row);
-        m_conditionRects.emplace_back(middle + kBarHalf + 6, y - 11, std::max(40.0, widthOf(m_conditions[i]) + 6), 22);
+        const double half = 4 + 7.5 * static_cast<double>(m_conditions[i].count('\n') + 1);
+        m_conditionRects.emplace_back(middle + kBarHalf + 6, y - half, std::max(40.0, widthOfLines(m_conditions[i]) + 6), 2 * half);
     }
 }
 
@@ -233,7 +256,7 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
     for (size_t i = 0; i < m_transitionItems.size(); ++i) {
         QString tip = m_transitionProblems.value(static_cast<int>(i)).text;
         const syntax::TransitionDecl& decl = *m_chart->transitions[i].decl;
-        if (tip.isEmpty() && m_conditions[i].endsWith(QChar(0x2026)) && decl.condition) tip = view(m_text.substr(decl.condition->range.begin, decl.condition->range.length())); // cut: the whole of it
+        if (tip.isEmpty() && m_conditions[i].contains(QChar(0x2026)) && decl.condition) tip = view(m_text.substr(decl.condition->range.begin, decl.condition->range.length())); // cut: the whole of it
         m_transitionItems[i]->setToolTip(tip);
     }
     update();
