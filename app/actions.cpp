@@ -32,6 +32,7 @@ const std::vector<ActionSpec> kActions = {
     {"file.newUnit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Program, Block, Type…"), "Ctrl+N", drawn(Icon::Pou), [](MainWindow& w) { w.newUnit(); }},
     {"file.save", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save"), "Ctrl+S", drawn(Icon::Save), [](MainWindow& w) { w.saveDocument(); }},
     {"file.newPanel", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Panel…"), "", drawn(Icon::Panel), [](MainWindow& w) { w.newPanel(); }},
+    {"file.newTrace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Trace…"), "", drawn(Icon::Trace), [](MainWindow& w) { w.newTrace(); }},
     {"file.texts", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Panel Texts"), "", drawn(Icon::Texts), [](MainWindow& w) { w.openTexts(); }},
     {"file.alarms", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Alarms"), "", drawn(Icon::Alarm), [](MainWindow& w) { w.openAlarms(); }},
     {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.tabs().saveAll(); }},

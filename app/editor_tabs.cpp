@@ -117,6 +117,8 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
                 for (StEditor* editor : page->editors()) editor->setModel(model);
                 page->table().setModel(model);
                 if (page->chart()) page->chart()->setModel(model, page->file());
+            } else if (auto* text = qobject_cast<StEditor*>(widget(i))) {
+                text->setModel(model);
             }
     });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
@@ -155,6 +157,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
     connect(&control, &editor::RunControl::refreshed, this, [this] {
         // Ten times a second while it runs: more nobody reads.
         if (m_control.status().state == controller::State::Running && !m_control.viewed() && ++m_frames % 3 != 0) return;
+        if (auto* text = qobject_cast<StEditor*>(currentWidget())) text->refreshOnlineValues();
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();
@@ -198,6 +201,38 @@ StPage* EditorTabs::openFile(const QString& file) {
     markModified(file, m_workspace.isModified(file));
     showBreakpoints();
     return page;
+}
+
+StEditor* EditorTabs::openSource(const QString& file) {
+    if (StPage* page = openFile(file)) return &page->active();
+    const QString key = "library:" + file;
+    if (QWidget* open = pageByKey(key)) {
+        setCurrentWidget(open);
+        return static_cast<StEditor*>(open);
+    }
+    // A library's source opens read-only beside the project's; breakpoints, values and steps work in it as anywhere.
+    const auto model = m_workspace.model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return nullptr;
+    auto* text = new StEditor(this);
+    text->setFile(file);
+    text->load(std::string(model->sources()[*id].text()));
+    text->setReadOnly(true);
+    connectEditor(text);
+    addPage(text, file.section('/', -1), kit::icon(kit::Icon::Library), key);
+    setTabToolTip(indexOf(text), file);
+    showBreakpoints();
+    return text;
+}
+
+std::vector<StEditor*> EditorTabs::allEditors() const {
+    std::vector<StEditor*> out;
+    for (int i = 0; i < count(); ++i) {
+        if (auto* page = qobject_cast<StPage*>(widget(i)))
+            for (StEditor* each : page->editors()) out.push_back(each);
+        else if (auto* text = qobject_cast<StEditor*>(widget(i))) out.push_back(text);
+    }
+    return out;
 }
 
 void EditorTabs::connectEditor(StEditor* editor) {
@@ -300,12 +335,12 @@ void EditorTabs::rememberPlace() {
 
 void EditorTabs::goTo(const QString& file, uint32_t offset, uint32_t length) {
     rememberPlace();
-    if (StPage* page = openFile(file)) page->active().goTo(offset, length);
+    if (StEditor* text = openSource(file)) text->goTo(offset, length);
 }
 
 void EditorTabs::goToLine(const QString& file, int line) {
     rememberPlace();
-    if (StPage* page = openFile(file)) page->active().goToLine(line);
+    if (StEditor* text = openSource(file)) text->goToLine(line);
 }
 
 void EditorTabs::goBack() {
@@ -313,7 +348,7 @@ void EditorTabs::goBack() {
     if (StEditor* editor = currentEditor()) m_forward.push_back({editor->file(), editor->cursorOffset()});
     const Visited to = m_back.back();
     m_back.pop_back();
-    if (StPage* page = openFile(to.file)) page->active().goTo(to.offset);
+    if (StEditor* text = openSource(to.file)) text->goTo(to.offset);
 }
 
 void EditorTabs::goForward() {
@@ -321,7 +356,7 @@ void EditorTabs::goForward() {
     if (StEditor* editor = currentEditor()) m_back.push_back({editor->file(), editor->cursorOffset()});
     const Visited to = m_forward.back();
     m_forward.pop_back();
-    if (StPage* page = openFile(to.file)) page->active().goTo(to.offset);
+    if (StEditor* text = openSource(to.file)) text->goTo(to.offset);
 }
 
 // ------------------------------------------------------------------ pages of other kinds
@@ -404,9 +439,7 @@ void EditorTabs::askAboutDiskChange(const QString& file) {
 }
 
 void EditorTabs::applySettings() {
-    for (int i = 0; i < count(); ++i)
-        if (auto* page = qobject_cast<StPage*>(widget(i)))
-            for (StEditor* editor : page->editors()) editor->setSettings(m_settings.editor());
+    for (StEditor* editor : allEditors()) editor->setSettings(m_settings.editor());
 }
 
 void EditorTabs::applyEdits(const std::vector<analysis::FileEdits>& edits, const SourceSet& sources) {
@@ -426,17 +459,15 @@ void EditorTabs::applyEdits(const std::vector<analysis::FileEdits>& edits, const
 // ------------------------------------------------------------------ debugging marks
 
 void EditorTabs::showBreakpoints() {
-    for (int i = 0; i < count(); ++i) {
-        auto* page = qobject_cast<StPage*>(widget(i));
-        if (!page) continue;
+    for (StEditor* editor : allEditors()) {
         std::set<int> lines, disabled;
         for (const editor::EditorBreakpoint& b : m_control.breakpoints()) {
-            if (b.file != page->file()) continue;
+            if (b.file != editor->file()) continue;
             lines.insert(b.line);
             if (!b.isEnabled) disabled.insert(b.line);
         }
-        for (StEditor* editor : page->editors()) editor->setBreakpoints(lines, disabled);
-        if (page->chart()) page->chart()->setBreakpoints(lines, disabled);
+        editor->setBreakpoints(lines, disabled);
+        if (StPage* page = pageOf(editor->file()); page && page->chart()) page->chart()->setBreakpoints(lines, disabled);
     }
 }
 
@@ -457,10 +488,8 @@ void EditorTabs::showExecutedLine() {
     const QString place = file + ":" + QString::number(line);
     const bool isNew = property(kShown).toString() != place;
     setProperty(kShown, place);
-    if (line && isNew) openFile(file);
-    for (int i = 0; i < count(); ++i)
-        if (auto* page = qobject_cast<StPage*>(widget(i)))
-            for (StEditor* editor : page->editors()) editor->setExecutedLine(page->file() == file ? line : 0);
+    if (line && isNew) openSource(file);
+    for (StEditor* editor : allEditors()) editor->setExecutedLine(editor->file() == file ? line : 0);
     if (line && isNew && currentEditor()) currentEditor()->ensureLineVisible(line - 1);
 }
 

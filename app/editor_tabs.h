@@ -63,7 +63,10 @@ public:
     void goBack();
     void goForward();
     [[nodiscard]] StPage* currentPage() const { return qobject_cast<StPage*>(currentWidget()); }
-    [[nodiscard]] editor::StEditor* currentEditor() const { return currentPage() ? &currentPage()->active() : nullptr; }
+    /// The text in front: of the project, or of a library (read-only).
+    [[nodiscard]] editor::StEditor* currentEditor() const { return currentPage() ? &currentPage()->active() : qobject_cast<editor::StEditor*>(currentWidget()); }
+    /// The text of a file of the project or of a library; null when there is none of that name.
+    editor::StEditor* openSource(const QString& file);
     [[nodiscard]] StPage* pageOf(const QString& file) const;
     [[nodiscard]] QStringList openFiles() const;
     void addPage(QWidget* page, const QString& title, const QIcon& icon, const QString& key);
@@ -85,6 +88,7 @@ signals:
     void cursorMoved(const QString& file, int line, int column);
 
 private:
+    [[nodiscard]] std::vector<editor::StEditor*> allEditors() const;
     void connectEditor(editor::StEditor* editor);
     void connectChart(StPage* page, editor::ChartView* chart);
     void markModified(const QString& file, bool modified);

@@ -237,6 +237,14 @@ void MainWindow::connectParts() {
     connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnit);
     connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
     connect(m_tree, &ProjectTree::deleteRequested, this, &MainWindow::deleteUnit);
+    connect(m_tree, &ProjectTree::newPanelRequested, this, &MainWindow::newPanel);
+    connect(m_tree, &ProjectTree::newTraceRequested, this, &MainWindow::newTrace);
+    connect(m_tree, &ProjectTree::renameFileRequested, this, &MainWindow::renameProjectFile);
+    connect(m_tree, &ProjectTree::deleteFileRequested, this, &MainWindow::deleteProjectFile);
+    connect(m_tree, &ProjectTree::watchRequested, this, [this](const QString& path) {
+        m_watch->add(path);
+        showDock("watch");
+    });
     connect(m_tree, &ProjectTree::librariesRequested, this, &MainWindow::chooseLibraries);
     connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
     connect(m_problems, &ProblemsView::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });

@@ -93,6 +93,9 @@ public:
     void showConverted(analysis::TextLanguage to);
     void usesAtCursor();
     void deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name);
+    void newTrace();
+    void renameProjectFile(const QString& kind, const QString& name);
+    void deleteProjectFile(const QString& kind, const QString& name);
     void chooseLibraries();
     void runTests();
     void openSettings();
@@ -131,6 +134,7 @@ private:
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
     void updateActions();
     void updateStatus();
+    bool closeDesigns(); // designers, texts, alarms; false when one wants to stay
     bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
     void saveProjectState();
     void restoreProjectState();

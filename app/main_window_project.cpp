@@ -16,6 +16,7 @@
 #include "hmi/designer/alarm_editor.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/designer/text_editor.h"
+#include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
 #include <QCheckBox>
@@ -24,6 +25,9 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QDir>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
@@ -33,6 +37,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <map>
 
 namespace plc::app {
 
@@ -187,19 +192,7 @@ void MainWindow::findDefinition(const QString& file, uint32_t offset) {
     const auto place = model->definition(*id, offset);
     if (!place) return say(tr("Nothing is declared under this name"));
     const QString target = QString::fromStdString(model->sources()[place->file].path());
-    if (m_workspace->files().contains(target)) return m_tabs->goTo(target, place->begin, place->length());
-    // A library's source opens read-only beside the project's.
-    const QString key = "library:" + target;
-    if (!m_tabs->pageByKey(key)) {
-        auto* view = new editor::StEditor(m_tabs);
-        view->setFile(target);
-        view->load(std::string(model->sources()[place->file].text()));
-        view->setModel(model);
-        view->setReadOnly(true);
-        m_tabs->addPage(view, target.section('/', -1), kit::icon(kit::Icon::Library), key);
-    }
-    m_tabs->setCurrentWidget(m_tabs->pageByKey(key));
-    static_cast<editor::StEditor*>(m_tabs->pageByKey(key))->goTo(place->begin, place->length());
+    m_tabs->goTo(target, place->begin, place->length());
 }
 
 void MainWindow::findUses(const QString& file, uint32_t offset) {
@@ -281,8 +274,15 @@ void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, c
     int others = 0;
     for (const analysis::Use& use : model->uses(*id, begin)) others += !use.isDeclaration && !(use.range.file == *id && use.range.begin >= begin && use.range.end <= end);
     QString question = tr("Delete %1?").arg(name);
-    if (others) question += "\n" + tr("It is used in %n other place(s); they are listed in Search and will be errors.", nullptr, others);
-    if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
+    if (others) question += "\n" + tr("It is used in %n other place(s).", nullptr, others);
+    QMessageBox box(QMessageBox::Question, tr("Delete"), question, QMessageBox::Cancel, this);
+    QPushButton* plain = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
+    QPushButton* commentOut = others ? box.addButton(tr("Delete and Comment Out the Uses"), QMessageBox::DestructiveRole) : nullptr;
+    QPushButton* show = others ? box.addButton(tr("Show the Uses"), QMessageBox::ActionRole) : nullptr;
+    box.exec();
+    if (show && box.clickedButton() == show) return findUses(file, begin);
+    const bool comments = commentOut && box.clickedButton() == commentOut;
+    if (!comments && box.clickedButton() != plain) return;
     if (others) findUses(file, begin);
     SourceRange range{*id, begin, end};
     for (const analysis::OutlineItem& item : model->outline(*id))
@@ -290,7 +290,117 @@ void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, c
     const std::string text = m_workspace->text(file);
     while (range.end < text.size() && (text[range.end] == ' ' || text[range.end] == '\t' || text[range.end] == ';')) ++range.end;
     if (range.end < text.size() && text[range.end] == '\n') ++range.end;
-    m_tabs->applyEdits({{*id, {{range, ""}}}}, model->sources());
+    std::map<FileId, std::vector<diagnostics::TextEdit>> edits;
+    edits[*id].push_back({range, ""});
+    if (comments)
+        for (const analysis::Use& use : model->uses(*id, begin)) {
+            if (use.isDeclaration || (use.range.file == *id && use.range.begin >= range.begin && use.range.end <= range.end)) continue;
+            const std::string_view source = model->sources()[use.range.file].text();
+            const size_t newline = use.range.begin == 0 ? std::string_view::npos : source.rfind('\n', use.range.begin - 1);
+            const auto lineBegin = static_cast<uint32_t>(newline == std::string_view::npos ? 0 : newline + 1);
+            auto& here = edits[use.range.file];
+            if (std::none_of(here.begin(), here.end(), [&](const diagnostics::TextEdit& each) { return each.range.begin == lineBegin; })) here.push_back({{use.range.file, lineBegin, lineBegin}, "// "});
+        }
+    std::vector<analysis::FileEdits> all;
+    for (auto& [where, list] : edits) {
+        std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.range.begin < b.range.begin; });
+        all.push_back({where, std::move(list)});
+    }
+    m_tabs->applyEdits(all, model->sources());
+    // A file that held nothing else goes with it.
+    const std::string rest = m_workspace->text(file);
+    if (rest.find_first_not_of(" \t\r\n") == std::string::npos)
+        if (auto removed = m_workspace->removeFile(file); !removed) say(QString::fromStdString(removed.error().text()), true);
+}
+
+// ------------------------------------------------------------------ files of the project
+
+void MainWindow::newTrace() {
+    if (!m_workspace->isOpen()) return;
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("New Trace"), tr("Name of the trace:"), QLineEdit::Normal, tr("trace"), &ok).trimmed();
+    if (!ok || name.isEmpty()) return;
+    if (name.contains('/') || name.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
+    const QString path = m_workspace->folder() + "/traces/" + name + ".trace.json";
+    if (QFile::exists(path)) return say(tr("There is a trace %1 already").arg(name), true);
+    QDir().mkpath(QFileInfo(path).path());
+    if (auto saved = trace::saveSetup({}, path.toStdString()); !saved) return say(QString::fromStdString(saved.error().text()), true);
+    if (auto read = m_workspace->rereadProject(); !read) return say(QString::fromStdString(read.error().text()), true);
+    m_live->openTrace(name);
+    showDock("trace");
+}
+
+namespace {
+QString pathOf(const QString& folder, const QString& kind, const QString& name) {
+    return kind == "panel" ? folder + "/hmi/" + name + ".panel.json" : kind == "trace" ? folder + "/traces/" + name + ".trace.json" : folder + "/" + name;
+}
+/// Buttons and the like of other panels that lead to a panel.
+QRegularExpression leadsTo(const QString& panel) { return QRegularExpression("(\"panel\"\\s*:\\s*)\"" + QRegularExpression::escape(panel) + "\""); }
+} // namespace
+
+void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
+    bool ok = false;
+    const QString shown = kind == "test" ? QFileInfo(name).completeBaseName() : name;
+    const QString chosen = QInputDialog::getText(this, tr("Rename"), tr("New name of %1:").arg(shown), QLineEdit::Normal, shown, &ok).trimmed();
+    if (!ok || chosen.isEmpty() || chosen == shown) return;
+    if (chosen.contains('/') || chosen.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
+    const auto report = [this](const Result<void>& result) {
+        if (!result) say(QString::fromStdString(result.error().text()), true);
+        return static_cast<bool>(result);
+    };
+    if (kind == "test") return void(report(m_workspace->renameFile(name, QFileInfo(name).path() + "/" + chosen + ".st")));
+    const QString from = pathOf(m_workspace->folder(), kind, name), to = pathOf(m_workspace->folder(), kind, chosen);
+    if (QFile::exists(to)) return say(tr("There is a file %1 already").arg(QFileInfo(to).fileName()), true);
+    if (kind == "panel" && !closeDesigns()) return;
+    if (kind == "trace") m_live->saveTrace();
+    if (!QFile::rename(from, to)) return say(tr("The file can not be renamed; check the permissions of the folder"), true);
+    if (kind == "panel") {
+        for (const QFileInfo& other : QDir(m_workspace->folder() + "/hmi").entryInfoList({"*.panel.json"}, QDir::Files)) {
+            const auto text = projects::readFile(other.filePath().toStdString());
+            if (!text) continue;
+            QString changed = QString::fromStdString(*text);
+            changed.replace(leadsTo(name), "\\1\"" + chosen + "\"");
+            if (!report(projects::writeFileAtomically(other.filePath().toStdString(), changed.toStdString()))) return;
+        }
+        projects::Project project = m_workspace->project();
+        if (QString::fromStdString(project.startPanel) == name) {
+            project.startPanel = chosen.toStdString();
+            project.json["hmi"]["startPanel"] = project.startPanel;
+            if (!report(m_workspace->saveProjectFile(project))) return;
+        }
+    }
+    if (!report(m_workspace->rereadProject())) return;
+    if (kind == "panel") m_live->reloadPanels();
+    else if (QFileInfo(m_live->traceView().setupPath()).fileName() == QFileInfo(from).fileName()) m_live->openTrace(chosen);
+}
+
+void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
+    QStringList users;
+    if (kind == "panel")
+        for (const QFileInfo& other : QDir(m_workspace->folder() + "/hmi").entryInfoList({"*.panel.json"}, QDir::Files))
+            if (const auto text = projects::readFile(other.filePath().toStdString()); text && QString::fromStdString(*text).contains(leadsTo(name))) users << other.fileName();
+    QString question = tr("Delete %1?").arg(kind == "test" ? name : QFileInfo(pathOf(m_workspace->folder(), kind, name)).fileName());
+    if (!users.isEmpty()) question += "\n" + tr("These panels lead to it; their buttons will be problems: %1").arg(users.join(", "));
+    if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
+    if (kind == "test") {
+        if (auto removed = m_workspace->removeFile(name); !removed) say(QString::fromStdString(removed.error().text()), true);
+        return;
+    }
+    if (kind == "panel" && !closeDesigns()) return;
+    const QString path = pathOf(m_workspace->folder(), kind, name);
+    const bool isShown = kind == "trace" && QFileInfo(m_live->traceView().setupPath()).fileName() == QFileInfo(path).fileName();
+    if (!QFile::moveToTrash(path) && !QFile::remove(path)) return say(tr("The file can not be removed; check the permissions of the folder"), true);
+    if (auto read = m_workspace->rereadProject(); !read) return say(QString::fromStdString(read.error().text()), true);
+    if (kind == "panel") m_live->reloadPanels();
+    else if (isShown) m_live->openTrace({});
+}
+
+bool MainWindow::closeDesigns() {
+    for (int i = m_tabs->count() - 1; i >= 0; --i) {
+        const QString key = m_tabs->widget(i)->property("pageKey").toString();
+        if ((key.startsWith("panel:") || key == "texts" || key == "alarms") && !m_tabs->closePage(i)) return false;
+    }
+    return true;
 }
 
 // ------------------------------------------------------------------ libraries, tests

@@ -7,8 +7,10 @@
 
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMimeData>
 #include <QVBoxLayout>
 
 namespace plc::app {
@@ -17,33 +19,40 @@ using kit::Icon;
 using sema::SymbolKind;
 
 namespace {
-/// Variables are dragged by their paths: to charts, watches, panels.
-class Tree final : public QTreeWidget {
+/// Variables leave it as paths for watch, trace and panel, and as their name for the text.
+class VariableTree : public QTreeWidget {
 public:
-    Tree(int kind, int name, QWidget* parent) : QTreeWidget(parent), m_kind(kind), m_name(name) {}
+    VariableTree(QWidget* parent, int kindRole, int pathRole) : QTreeWidget(parent), m_kind(kindRole), m_path(pathRole) {
+        setDragEnabled(true);
+        setDragDropMode(DragOnly);
+    }
 
 protected:
-    QStringList mimeTypes() const override { return {kit::VariableMime}; }
     QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
-        QStringList paths;
+        QStringList paths, names;
         for (const QTreeWidgetItem* item : items)
-            if (item->data(0, m_kind).toString() == "variable") paths << item->data(0, m_name).toString();
-        return paths.isEmpty() ? nullptr : kit::makeVariableMime(paths);
+            if (item->data(0, m_kind).toString() == "variable") {
+                paths << item->data(0, m_path).toString();
+                names << item->text(0);
+            }
+        if (paths.isEmpty()) return nullptr;
+        QMimeData* mime = kit::makeVariableMime(paths);
+        mime->setText(names.join('\n'));
+        return mime;
     }
 
 private:
-    int m_kind, m_name;
+    int m_kind, m_path;
 };
 } // namespace
 
 ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace) {
-    m_tree = new Tree(Kind, Name, this);
+    m_tree = new VariableTree(this, Kind, Path);
     m_tree->setHeaderHidden(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setAccessibleName(tr("Project"));
-    m_tree->setDragEnabled(true);
-    m_tree->setDragDropMode(QAbstractItemView::DragOnly);
+    m_tree->installEventFilter(this);
     m_filter = new QLineEdit(this);
     m_filter->setPlaceholderText(tr("Filter"));
     m_filter->setClearButtonEnabled(true);
@@ -111,6 +120,7 @@ void ProjectTree::addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& 
         }
         addUnit(item, child, file);
     }
+    addVariables(item, unit.kind == SymbolKind::GlobalList ? std::string() : unit.name, file);
     if (hasSteps) {
         auto* chart = new QTreeWidgetItem(item, {tr("Chart")});
         chart->setIcon(0, kit::icon(Icon::Sfc));
@@ -118,29 +128,29 @@ void ProjectTree::addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& 
         chart->setData(0, File, file);
         chart->setData(0, Name, QString::fromStdString(unit.name));
     }
-    if (unit.kind != SymbolKind::Program && unit.kind != SymbolKind::GlobalList) return;
-    for (const sema::Symbol* symbol : variablesIn(unit, file)) {
-        auto* variable = new QTreeWidgetItem(item, {QString::fromStdString(symbol->name)});
-        variable->setIcon(0, kit::icon(Icon::Variable));
-        variable->setData(0, Kind, "variable");
-        variable->setData(0, File, file);
-        variable->setData(0, Offset, symbol->declaration.begin);
-        variable->setData(0, Name, QString::fromStdString(symbol->path));
-        variable->setToolTip(0, QString::fromStdString(symbol->comment));
-    }
 }
 
-std::vector<const sema::Symbol*> ProjectTree::variablesIn(const analysis::OutlineItem& unit, const QString& file) const {
-    std::vector<const sema::Symbol*> out;
+void ProjectTree::addVariables(QTreeWidgetItem* parent, const std::string& owner, const QString& file) {
+    const auto found = m_variables.find(foldCase(owner));
+    if (found == m_variables.end()) return;
     const auto& model = *m_workspace.model();
-    const auto id = model.fileOf(file.toStdString());
-    if (!id) return out;
-    for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
-        const SourceRange& place = symbol.declaration;
-        if (symbol.kind != SymbolKind::Variable || symbol.isConstant || !place.file.isValid() || place.file != *id || symbol.path.empty()) continue;
-        if (place.begin >= unit.range.begin && place.begin < unit.range.end && (symbol.owner.empty() || foldCase(symbol.owner) == foldCase(unit.name))) out.push_back(&symbol);
+    for (const sema::Symbol* symbol : found->second) {
+        // Globals belong to the list they stand in.
+        if (owner.empty() && (QString::fromStdString(model.sources()[symbol->declaration.file].path()) != file || symbol->declaration.begin < parent->data(0, Offset).toUInt() ||
+                              symbol->declaration.begin >= parent->data(0, EndOffset).toUInt()))
+            continue;
+        auto* item = new QTreeWidgetItem(parent, {QString::fromStdString(symbol->name)});
+        item->setIcon(0, kit::icon(symbol->isConstant ? Icon::Constant : Icon::Variable));
+        item->setData(0, Kind, "variable");
+        item->setData(0, File, QString::fromStdString(model.sources()[symbol->declaration.file].path()));
+        item->setData(0, Offset, symbol->declaration.begin);
+        item->setData(0, Name, file + "/" + QString::fromStdString(owner + "." + symbol->name));
+        item->setData(0, Path, QString::fromStdString(symbol->path.empty() ? symbol->name : symbol->path));
+        QString tip = QString::fromStdString(symbol->path.empty() ? symbol->name : symbol->path);
+        if (symbol->type.isValid() && model.checked().analysis->program) tip += " : " + QString::fromStdString((*model.checked().analysis->program->types)[symbol->type].name);
+        if (!symbol->comment.empty()) tip += "\n" + QString::fromStdString(symbol->comment);
+        item->setToolTip(0, tip);
     }
-    return out;
 }
 
 void ProjectTree::reload() {
@@ -174,11 +184,16 @@ void ProjectTree::reload() {
                 if (key.isEmpty()) continue;
                 parts[key].push_back({file, item});
                 shape += key + file + QString::fromStdString(item.name) + QString::number(item.nameRange.begin) + QString::number(item.children.size());
-                if (key == "programs" || key == "globals")
-                    for (const sema::Symbol* symbol : variablesIn(item, file)) shape += QString::fromStdString(symbol->path);
             }
         };
         place(place, model.outline(*id));
+    }
+    m_variables.clear();
+    for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
+        if ((symbol.kind != SymbolKind::Variable && symbol.kind != SymbolKind::Constant) || !symbol.declaration.file.isValid()) continue;
+        if (!m_workspace.files().contains(QString::fromStdString(model.sources()[symbol.declaration.file].path()))) continue;
+        m_variables[foldCase(symbol.owner)].push_back(&symbol);
+        shape += QString::fromStdString(symbol.owner + "." + symbol.name) + QString::number(symbol.declaration.begin);
     }
     const projects::Project& project = m_workspace.project();
     for (const auto* list : {&project.panels, &project.traces, &project.libraries})
@@ -234,6 +249,7 @@ void ProjectTree::reload() {
         if (!m_collapsed.contains(item->data(0, Name).toString())) item->setExpanded(true);
         if (item->childCount() == 0 && item->data(0, Kind).toString().startsWith("group:")) item->setForeground(0, kit::colors().muted);
     }
+    m_variables.clear();
     filter(m_filter->text());
 }
 
@@ -249,20 +265,67 @@ void ProjectTree::activate(QTreeWidgetItem* item) {
 }
 
 void ProjectTree::showMenu(const QPoint& position) {
+    // The tree may be made anew while the menu is open: the entries find their item again.
+    const QPersistentModelIndex at = m_tree->indexAt(position);
+    const auto here = [this, at] { return at.isValid() ? m_tree->itemAt(m_tree->visualRect(at).center()) : nullptr; };
     QTreeWidgetItem* item = m_tree->itemAt(position);
+    const QString kind = item ? item->data(0, Kind).toString() : QString();
     QMenu menu(this);
-    connect(menu.addAction(kit::icon(Icon::New), tr("New…")), &QAction::triggered, this, &ProjectTree::newUnitRequested);
-    if (item && item->data(0, Kind).toString() == "unit") {
-        const QString file = item->data(0, File).toString();
-        const uint32_t offset = item->data(0, Offset).toUInt(), end = item->data(0, EndOffset).toUInt();
-        connect(menu.addAction(kit::icon(Icon::Open), tr("Open")), &QAction::triggered, this, [this, file, offset] { emit placeRequested(file, offset); });
-        connect(menu.addAction(kit::icon(Icon::Rename), tr("Rename…")), &QAction::triggered, this, [this, file, offset] { emit renameRequested(file, offset); });
-        const QString name = item->text(0);
-        connect(menu.addAction(kit::icon(Icon::Delete), tr("Delete…")), &QAction::triggered, this, [this, file, offset, end, name] { emit deleteRequested(file, offset, end, name); });
+    connect(menu.addAction(kit::icon(Icon::New), tr("New…")), &QAction::triggered, this, [this, kind] {
+        if (kind == "panel" || kind == "group:panels") emit newPanelRequested();
+        else if (kind == "trace" || kind == "group:traces") emit newTraceRequested();
+        else emit newUnitRequested();
+    });
+    if (item && !kind.startsWith("group:")) {
+        connect(menu.addAction(kit::icon(Icon::Open), tr("Open")), &QAction::triggered, this, [this, here] {
+            if (QTreeWidgetItem* found = here()) activate(found);
+        });
+    }
+    if (kind == "unit" || kind == "variable" || kind == "panel" || kind == "trace") {
+        connect(menu.addAction(kit::icon(Icon::Rename), tr("Rename…")), &QAction::triggered, this, [this, here] {
+            if (QTreeWidgetItem* found = here()) rename(found);
+        });
+    }
+    if (kind == "unit" || kind == "panel" || kind == "trace") {
+        connect(menu.addAction(kit::icon(Icon::Delete), tr("Delete…")), &QAction::triggered, this, [this, here] {
+            if (QTreeWidgetItem* found = here()) remove(found);
+        });
+    }
+    if (kind == "variable") {
+        const QString path = item->data(0, Path).toString();
+        connect(menu.addAction(kit::icon(Icon::Watch), tr("Watch")), &QAction::triggered, this, [this, path] { emit watchRequested(path); });
     }
     connect(menu.addAction(kit::icon(Icon::Library), tr("Libraries…")), &QAction::triggered, this, &ProjectTree::librariesRequested);
     connect(menu.addAction(kit::icon(Icon::Test), tr("Run Tests")), &QAction::triggered, this, &ProjectTree::testsRequested);
     menu.exec(m_tree->viewport()->mapToGlobal(position));
+}
+
+void ProjectTree::rename(QTreeWidgetItem* item) {
+    const QString kind = item->data(0, Kind).toString(), file = item->data(0, File).toString();
+    if (kind == "panel" || kind == "trace") emit renameFileRequested(kind, item->data(0, Name).toString());
+    else if (kind == "unit" && editor::Workspace::isTestFile(file)) emit renameFileRequested("test", file);
+    else if (kind == "unit" || kind == "variable") emit renameRequested(file, item->data(0, Offset).toUInt());
+}
+
+void ProjectTree::remove(QTreeWidgetItem* item) {
+    const QString kind = item->data(0, Kind).toString(), file = item->data(0, File).toString();
+    if (kind == "panel" || kind == "trace") emit deleteFileRequested(kind, item->data(0, Name).toString());
+    else if (kind == "unit" && editor::Workspace::isTestFile(file)) emit deleteFileRequested("test", file);
+    else if (kind == "unit") emit deleteRequested(file, item->data(0, Offset).toUInt(), item->data(0, EndOffset).toUInt(), item->text(0));
+}
+
+bool ProjectTree::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = watched == m_tree && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride);
+    if (!isKey || !m_tree->currentItem()) return QWidget::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->modifiers() != Qt::NoModifier || (key->key() != Qt::Key_F2 && key->key() != Qt::Key_Delete)) return QWidget::eventFilter(watched, event);
+    if (event->type() == QEvent::ShortcutOverride) { // F2 here is the tree's, not the editor's
+        event->accept();
+        return true;
+    }
+    if (key->key() == Qt::Key_F2) rename(m_tree->currentItem());
+    else remove(m_tree->currentItem());
+    return true;
 }
 
 void ProjectTree::filter(const QString& text) {

@@ -6,6 +6,8 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+#include <map>
+
 class QLineEdit;
 
 namespace plc::app {
@@ -26,15 +28,24 @@ signals:
     void testsRequested();
     void chartRequested(const QString& file, const QString& pou);
     void newUnitRequested();
+    void newPanelRequested();
+    void newTraceRequested();
+    /// A file of the project: kind is "panel", "trace" or "test".
+    void renameFileRequested(const QString& kind, const QString& name);
+    void deleteFileRequested(const QString& kind, const QString& name);
+    void watchRequested(const QString& path);
     void renameRequested(const QString& file, uint32_t offset);
     void deleteRequested(const QString& file, uint32_t begin, uint32_t end, const QString& name);
     void librariesRequested();
 
 private:
-    enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name };
+    enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name, Path };
+    void addVariables(QTreeWidgetItem* parent, const std::string& owner, const QString& file);
+    void rename(QTreeWidgetItem* item);
+    void remove(QTreeWidgetItem* item);
+    bool eventFilter(QObject* watched, QEvent* event) override;
     QTreeWidgetItem* group(const QString& title, int icon, const QString& key);
     void addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& unit, const QString& file);
-    [[nodiscard]] std::vector<const sema::Symbol*> variablesIn(const analysis::OutlineItem& unit, const QString& file) const;
     void activate(QTreeWidgetItem* item);
     void showMenu(const QPoint& position);
     void filter(const QString& text);
@@ -43,6 +54,7 @@ private:
     QTreeWidget* m_tree;
     QLineEdit* m_filter;
     QStringList m_collapsed;
+    std::map<std::string, std::vector<const sema::Symbol*>> m_variables; // by folded owner, while the tree is made
     QString m_shape; // what the tree shows now; an equal new one is not rebuilt
 };
 

@@ -1884,13 +1884,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Delete %1?</source>
         <translation>Slet %1?</translation>
     </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s); they are listed in Search and will be errors.</source>
-        <translation>
-            <numerusform>Det bruges %n andet sted; det står i Søgning og bliver en fejl.</numerusform>
-            <numerusform>Det bruges %n andre steder; de står i Søgning og bliver fejl.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Delete</source>
         <translation>Slet</translation>
@@ -2407,6 +2400,65 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The text has changed meanwhile</source>
         <translation>Teksten er ændret i mellemtiden</translation>
     </message>
+    <message>
+        <source>New Trace…</source>
+        <translation>Ny trace…</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Den bruges %n andet sted.</numerusform>
+            <numerusform>Den bruges %n andre steder.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Slet og udkommentér anvendelserne</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Vis anvendelserne</translation>
+    </message>
+    <message>
+        <source>New Trace</source>
+        <translation>Ny trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Tracens navn:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name holds no / and no \</source>
+        <translation>Et filnavn indeholder hverken / eller \</translation>
+    </message>
+    <message>
+        <source>There is a trace %1 already</source>
+        <translation>Der findes allerede en trace %1</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Nyt navn på %1:</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already</source>
+        <translation>Der findes allerede en fil %1</translation>
+    </message>
+    <message>
+        <source>The file can not be renamed; check the permissions of the folder</source>
+        <translation>Filen kan ikke omdøbes; kontrollér mappens rettigheder</translation>
+    </message>
+    <message>
+        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <translation>Disse paneler fører dertil; deres knapper bliver til problemer: %1</translation>
+    </message>
+    <message>
+        <source>The file can not be removed; check the permissions of the folder</source>
+        <translation>Filen kan ikke slettes; kontrollér mappens rettigheder</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -2694,6 +2746,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Run Tests</source>
         <translation>Kør tests</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Overvåg</translation>
     </message>
 </context>
 <context>

@@ -1884,13 +1884,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Delete %1?</source>
         <translation>%1 löschen?</translation>
     </message>
-    <message numerus="yes">
-        <source>It is used in %n other place(s); they are listed in Search and will be errors.</source>
-        <translation>
-            <numerusform>Es wird an %n anderen Stelle benutzt; sie steht in der Suche und wird ein Fehler.</numerusform>
-            <numerusform>Es wird an %n anderen Stellen benutzt; sie stehen in der Suche und werden Fehler.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
@@ -2407,6 +2400,65 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The text has changed meanwhile</source>
         <translation>Der Text hat sich inzwischen geändert</translation>
     </message>
+    <message>
+        <source>New Trace…</source>
+        <translation>Neuer Trace…</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is used in %n other place(s).</source>
+        <translation>
+            <numerusform>Er wird an %n anderen Stelle verwendet.</numerusform>
+            <numerusform>Er wird an %n anderen Stellen verwendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete and Comment Out the Uses</source>
+        <translation>Löschen und Verwendungen auskommentieren</translation>
+    </message>
+    <message>
+        <source>Show the Uses</source>
+        <translation>Verwendungen zeigen</translation>
+    </message>
+    <message>
+        <source>New Trace</source>
+        <translation>Neuer Trace</translation>
+    </message>
+    <message>
+        <source>Name of the trace:</source>
+        <translation>Name des Trace:</translation>
+    </message>
+    <message>
+        <source>trace</source>
+        <translation>trace</translation>
+    </message>
+    <message>
+        <source>A file name holds no / and no \</source>
+        <translation>Ein Dateiname enthält weder / noch \</translation>
+    </message>
+    <message>
+        <source>There is a trace %1 already</source>
+        <translation>Einen Trace %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>New name of %1:</source>
+        <translation>Neuer Name von %1:</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already</source>
+        <translation>Eine Datei %1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>The file can not be renamed; check the permissions of the folder</source>
+        <translation>Die Datei lässt sich nicht umbenennen; bitte die Rechte des Ordners prüfen</translation>
+    </message>
+    <message>
+        <source>These panels lead to it; their buttons will be problems: %1</source>
+        <translation>Diese Panels führen dorthin; ihre Schaltflächen werden zu Problemen: %1</translation>
+    </message>
+    <message>
+        <source>The file can not be removed; check the permissions of the folder</source>
+        <translation>Die Datei lässt sich nicht löschen; bitte die Rechte des Ordners prüfen</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -2694,6 +2746,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Run Tests</source>
         <translation>Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Beobachten</translation>
     </message>
 </context>
 <context>

@@ -31,10 +31,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is used in %n other place(s); they are listed in Search and will be errors.</source>
+        <source>It is used in %n other place(s).</source>
         <translation>
-            <numerusform>It is used in %n other place; it is listed in Search and will be an error.</numerusform>
-            <numerusform>It is used in %n other places; they are listed in Search and will be errors.</numerusform>
+            <numerusform>It is used in %n other place.</numerusform>
+            <numerusform>It is used in %n other places.</numerusform>
         </translation>
     </message>
 </context>

@@ -256,10 +256,11 @@ void WatchView::showMenu(const QPoint& position) {
 }
 
 void WatchView::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->source() != m_tree && event->mimeData()->hasText()) event->acceptProposedAction();
+    if (event->source() != m_tree && (event->mimeData()->hasText() || event->mimeData()->hasFormat(kit::VariableMime))) event->acceptProposedAction();
 }
 void WatchView::dropEvent(QDropEvent* event) {
-    for (const QString& line : event->mimeData()->text().split('\n', Qt::SkipEmptyParts)) add(line);
+    const QStringList paths = event->mimeData()->hasFormat(kit::VariableMime) ? kit::variablesOf(event->mimeData()) : event->mimeData()->text().split('\n', Qt::SkipEmptyParts);
+    for (const QString& path : paths) add(path);
     event->acceptProposedAction();
 }
 

@@ -4,11 +4,26 @@
 
 #include <algorithm>
 
+#include <set>
 namespace plc::analysis {
 
 using lex::TokenKind;
 using sema::Symbol;
 using sema::SymbolKind;
+
+namespace {
+/// The names of a library's units that are its own business: {attribute 'hide'} above them.
+void collectHidden(const std::vector<syntax::Decl*>& declarations, std::set<std::pair<FileId, uint32_t>>& out) {
+    const auto isHidden = [](const auto& pragmas) {
+        return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& each) { return each.isAttribute && equalsIgnoringCase(each.key, "hide"); });
+    };
+    for (const syntax::Decl* each : declarations) {
+        if (each->kind == syntax::DeclKind::Pou && isHidden(each->pou->pragmas)) out.emplace(each->pou->name.range.file, each->pou->name.range.begin);
+        if (each->kind == syntax::DeclKind::Type && isHidden(each->type->pragmas)) out.emplace(each->type->name.range.file, each->type->name.range.begin);
+        if (each->kind == syntax::DeclKind::Namespace) collectHidden(each->space->declarations, out);
+    }
+}
+} // namespace
 
 std::shared_ptr<const CodeModel> CodeModel::make(const driver::BuildInput& input, uint64_t revision) {
     auto model = std::make_shared<CodeModel>();
@@ -20,6 +35,11 @@ std::shared_ptr<const CodeModel> CodeModel::make(const driver::BuildInput& input
         model->m_byOwner[foldCase(analysis.symbols[i].owner)].push_back(i);
         model->m_byName[foldCase(analysis.symbols[i].name)].push_back(i);
     }
+    std::set<std::pair<FileId, uint32_t>> hidden;
+    for (size_t i = 0; i < analysis.files.size(); ++i)
+        if (model->sources()[FileId(i)].path().starts_with("library/")) collectHidden(analysis.files[i]->declarations, hidden);
+    model->m_isHidden.resize(analysis.symbols.size());
+    for (uint32_t i = 0; i < analysis.symbols.size(); ++i) model->m_isHidden[i] = hidden.contains({analysis.symbols[i].declaration.file, analysis.symbols[i].declaration.begin});
     for (uint32_t i = 0; i < analysis.references.size(); ++i)
         if (analysis.references[i].symbol.isValid()) model->m_referencesOf[analysis.references[i].symbol.index()].push_back(i);
     return model;

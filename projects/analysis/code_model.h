@@ -114,6 +114,7 @@ private:
     driver::Checked m_checked;
     std::unordered_map<std::string, std::vector<uint32_t>> m_byOwner; // folded owner → symbols
     std::unordered_map<std::string, std::vector<uint32_t>> m_byName;  // folded name → symbols
+    std::vector<bool> m_isHidden;                                     // symbol: a library's {attribute 'hide'}, not offered
     std::vector<std::vector<uint32_t>> m_referencesOf;                // symbol → references
 };
 

@@ -164,6 +164,7 @@ void CodeModel::addScope(const std::string& pou, std::vector<CompletionItem>& it
         const auto it = m_byOwner.find(foldCase(owner));
         if (it == m_byOwner.end()) return;
         for (const uint32_t index : it->second) {
+            if (m_isHidden[index]) continue;
             const Symbol& symbol = m_checked.analysis->symbols[index];
             if (symbol.name.starts_with("__")) continue; // the compiler's own
             const std::string type = program && symbol.type.isValid() ? (*program->types)[symbol.type].name : std::string();

@@ -74,7 +74,7 @@ private:
         QAction* chosen = actions.isEmpty() ? nullptr : actions[static_cast<int>(choice >> 8) % actions.size()];
         if (choice % 3 != 0 || !chosen || chosen->menu() || chosen->objectName() == "file.quit") return void(menu->close());
         menu->setActiveAction(chosen);
-        later(menu, [menu] { QTest::keyClick(menu, Qt::Key_Return); });
+        later(menu, [menu] { QTest::keyPress(menu, Qt::Key_Return); });
     }
     void answer(QDialog* dialog) {
         if (m_dialog != dialog) {
@@ -93,7 +93,9 @@ private:
             return later(box, [button = buttons[static_cast<int>(choice >> 8) % buttons.size()]] { button->click(); });
         }
         if (choice & 1) {
-            QTest::keyClicks(dialog->focusWidget() ? dialog->focusWidget() : dialog, QString("x%1").arg(choice >> 20));
+            const QPointer<QWidget> field(dialog->focusWidget() ? dialog->focusWidget() : dialog);
+            for (const QChar c : QString("x%1").arg(choice >> 20))
+                if (field) QTest::keyPress(field, c.toLatin1());
             if (choice & 2) return later(dialog, [dialog] { dialog->accept(); });
         }
         dialog->reject();
@@ -187,6 +189,21 @@ protected:
         }
     }
 
+    // A press may take its window away; what follows goes to the window only while it lives.
+    static void key(QWindow* to, int key, Qt::KeyboardModifiers modifiers) {
+        const QPointer<QWindow> window(to);
+        QTest::keyPress(window, static_cast<Qt::Key>(key), modifiers);
+        if (window) QTest::keyRelease(window, static_cast<Qt::Key>(key), modifiers);
+    }
+    static void click(QWindow* to, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint at, int times = 1) {
+        const QPointer<QWindow> window(to);
+        for (int i = 0; i < times; ++i) {
+            if (window) QTest::mousePress(window, button, modifiers, at);
+            if (window) QTest::mouseRelease(window, button, modifiers, at);
+        }
+        if (times > 1 && window) QTest::mouseDClick(window, button, modifiers, at);
+    }
+
     void apply(const Event& event) {
         QPointer<QWidget> target = top(event.which);
         if (!target || !target->windowHandle()) return;
@@ -196,9 +213,9 @@ protected:
         static constexpr std::array<Qt::KeyboardModifier, 6> kModifiers{Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
         const Qt::KeyboardModifiers modifiers = kModifiers[event.modifiers % kModifiers.size()];
         switch (event.kind % 20) {
-        case 0: case 1: case 2: case 3: case 4: return QTest::mouseClick(window, Qt::LeftButton, modifiers, from);
-        case 5: return QTest::mouseDClick(window, Qt::LeftButton, modifiers, from);
-        case 6: return QTest::mouseClick(window, Qt::RightButton, Qt::NoModifier, from);
+        case 0: case 1: case 2: case 3: case 4: return click(window, Qt::LeftButton, modifiers, from);
+        case 5: return click(window, Qt::LeftButton, modifiers, from, 2);
+        case 6: return click(window, Qt::RightButton, Qt::NoModifier, from);
         case 7: case 8: { // a drag, also a short one
             const QPoint to = event.dx & 1 ? at(event.dx >> 1, event.dy) : from + QPoint(static_cast<int>(event.dx % 60) - 30, static_cast<int>(event.dy % 60) - 30);
             QTest::mousePress(window, Qt::LeftButton, modifiers, from);
@@ -214,13 +231,14 @@ protected:
             QApplication::sendEvent(under, &wheel);
             return;
         }
-        case 10: case 11: case 12: case 13: return QTest::keyClick(window, kKeys[event.key % kKeys.size()], modifiers | (event.modifiers & 0x100 ? Qt::ShiftModifier : Qt::NoModifier));
+        case 10: case 11: case 12: case 13: return key(window, kKeys[event.key % kKeys.size()], modifiers | (event.modifiers & 0x100 ? Qt::ShiftModifier : Qt::NoModifier));
         case 14: case 15: {
             const QString word = QString::fromUtf8(kWords[event.key % kWords.size()]);
             for (const QChar c : word) {
                 if (!target || !target->windowHandle()) return;
-                if (c == '\n') QTest::keyClick(window, Qt::Key_Return);
-                else QTest::sendKeyEvent(QTest::Click, window, Qt::Key_unknown, c, Qt::NoModifier);
+                window = target->windowHandle();
+                if (c == '\n') key(window, Qt::Key_Return, Qt::NoModifier);
+                else QTest::sendKeyEvent(QTest::Press, window, Qt::Key_unknown, c, Qt::NoModifier);
             }
             return;
         }
