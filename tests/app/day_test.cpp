@@ -62,7 +62,8 @@ TEST_F(DayTest, ABreakpointWaitsForItsHit) {
 }
 
 TEST_F(DayTest, ABreakpointInABlockCanBelongToOneInstance) {
-    write("src/motor.st", "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR turns : DINT; END_VAR\nturns := turns + 1;\nEND_FUNCTION_BLOCK\nPROGRAM Two\nVAR a, b : Motor; END_VAR\na();\nb();\nEND_PROGRAM\n");
+    write("src/motor.st", "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR turns : DINT; END_VAR\nturns := turns + 1;\nEND_FUNCTION_BLOCK\nPROGRAM Two\nVAR a, b : Motor; END_VAR\na();\nb();\nEND_PROGRAM\n"
+                          "CONFIGURATION C\nRESOURCE R ON PLC\nTASK T(INTERVAL := T#10ms, PRIORITY := 1);\nPROGRAM Main WITH T : Main;\nPROGRAM Two WITH T : Two;\nEND_RESOURCE\nEND_CONFIGURATION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/motor.st"); }));
     window->tabs().openFile("src/motor.st");
     breakAt("turns := turns + 1");
@@ -77,7 +78,9 @@ TEST_F(DayTest, ABreakpointInABlockCanBelongToOneInstance) {
 }
 
 TEST_F(DayTest, SameNamesInTwoTasksStayApart) {
-    write("src/two.st", "PROGRAM Other\nVAR counter : INT := 500; END_VAR\nEND_PROGRAM\n");
+    write("src/two.st", "PROGRAM Other\nVAR counter : INT := 500; END_VAR\nEND_PROGRAM\n"
+                        "CONFIGURATION C\nRESOURCE R ON PLC\nTASK Fast(INTERVAL := T#10ms, PRIORITY := 1);\nTASK Slow(INTERVAL := T#50ms, PRIORITY := 2);\nPROGRAM Main WITH Fast : Main;\n"
+                        "PROGRAM Other WITH Slow : Other;\nEND_RESOURCE\nEND_CONFIGURATION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/two.st"); }));
     analysed();
     window->watch().setExpressions({"Main.counter", "Other.counter"});
