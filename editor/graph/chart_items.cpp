@@ -171,7 +171,7 @@ void ChartItem::paintTransition(QPainter& painter, bool isSmall) const {
     const QStringList lines = m_scene.conditionText(m_index).split('\n');
     const QRectF place = m_scene.m_conditionRects[index];
     for (int k = 0; k < lines.size(); ++k) // tighter than the font would have it: they belong together
-        painter.drawText(QRectF(place.left(), y + 15.0 * (k - (static_cast<double>(lines.size()) - 1) / 2) - 8, place.width() + 4, 16), Qt::AlignVCenter | Qt::AlignLeft, lines[k]);
+        painter.drawText(QRectF(place.left(), y + 15.0 * (k - (static_cast<double>(lines.size()) - 1) / 2) - 12, place.width() + 4, 24), Qt::AlignVCenter | Qt::AlignLeft, lines[k]);
     paintBreakpoint(painter, {x - kBarHalf - 9, y}, m_scene.m_marks.transitions);
 }
 
