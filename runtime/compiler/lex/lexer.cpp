@@ -2,6 +2,7 @@
 
 #include "runtime/base/text.h"
 
+#include <cstdio>
 #include <cstring>
 
 namespace plc::lex {
@@ -464,7 +465,13 @@ private:
         }
         // the same character again on its line is the same mistake (a drawing, a pasted table)
         const bool again = slice(begin, m_at) == m_lastUnknown && m_text.substr(m_lastUnknownAt, begin - m_lastUnknownAt).find('\n') == std::string_view::npos;
-        if (readable && !again) emit(begin, m_at, Kind::UnknownCharacter, {std::string(slice(begin, m_at))});
+        std::string shown(slice(begin, m_at));
+        if (const auto byte = static_cast<unsigned char>(shown.empty() ? ' ' : shown.front()); byte < 0x20 || byte == 0x7F) { // nobody sees a control character
+            char code[8];
+            std::snprintf(code, sizeof code, "U+%04X", byte);
+            shown = code;
+        }
+        if (readable && !again) emit(begin, m_at, Kind::UnknownCharacter, {std::move(shown)});
         m_lastUnknown = slice(begin, m_at);
         m_lastUnknownAt = begin;
         push(TokenKind::Error, begin, m_at);
