@@ -2,6 +2,7 @@
 #include "running.h"
 
 #include "hmi/player/keypad.h"
+#include "hmi/player/player_status.h"
 
 #include <QPushButton>
 #include <QSignalSpy>
@@ -208,6 +209,27 @@ TEST(Player, FollowsTheTimeSliderAndRefusesToWriteIntoThePast) {
     EXPECT_EQ(machine.write("Main.level", Value::ofReal(1)).toStdString(), "Not written: the panel shows the past.");
     machine.player->setPosition(std::nullopt);
     EXPECT_GT(machine.value("Main.count").toInteger(), 30);
+}
+
+TEST(Player, SaysWhenTheControllerStoppedOrFaultedAndVeilsTheOldValues) {
+    Machine machine(R"({"id":"n","kind":"number","rect":[10,200,140,44],"value":"Main.quotient","format":"%d"})");
+    PlayerStatus* status = machine.player->findChild<PlayerStatus*>();
+    ASSERT_TRUE(status);
+    ASSERT_TRUE(machine.waitFor("Main.quotient = 100"));
+    EXPECT_EQ(status->stateText().toStdString(), "");
+    EXPECT_FALSE(status->isVisible());
+    const QImage fresh = machine.player->grab(QRect(0, 150, 640, 200)).toImage();
+    EXPECT_TRUE(machine.write("Main.divisor", Value::ofInteger(0)).isEmpty());
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->freshness() == Freshness::Fault; }));
+    machine.player->frame();
+    EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("The controller has a fault: "))) << status->stateText().toStdString();
+    EXPECT_NE(machine.player->grab(QRect(0, 150, 640, 200)).toImage(), fresh); // the last value is still there, but not as a fresh one
+    machine.player->setLanguage(QStringLiteral("da"));
+    EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("Styringen har en fejl"))) << status->stateText().toStdString();
+    EXPECT_EQ(machine.write("Main.divisor", Value::ofInteger(1)).toStdString(), "Ikke skrevet: Styringen kører ikke.");
+    machine.player->setSession(nullptr);
+    machine.player->frame();
+    EXPECT_EQ(status->stateText().toStdString(), "Ingen styring");
 }
 
 TEST(Player, ATrendShowsTheRecordedScans) {
