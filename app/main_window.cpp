@@ -105,8 +105,8 @@ void MainWindow::makeDocks() {
     trace->raise();
     resizeDocks({dock("project")}, {230}, Qt::Horizontal);
     resizeDocks({watch}, {440}, Qt::Horizontal);
-    resizeDocks({trace}, {340}, Qt::Vertical);
-    resizeDocks({watch, panel}, {360, 360}, Qt::Vertical);
+    resizeDocks({trace}, {400}, Qt::Vertical);
+    resizeDocks({watch, panel}, {220, 400}, Qt::Vertical);
     auto* timeBar = new QToolBar(tr("Time"), this);
     timeBar->setObjectName("timeToolBar");
     timeBar->setMovable(false);

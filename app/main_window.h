@@ -115,6 +115,7 @@ public:
     void restartForLanguage();
     [[nodiscard]] bool wantsRestart() const { return m_wantsRestart; }
     [[nodiscard]] const QString& folderToReopen() const { return m_folderToReopen; }
+    void saveLanguages(); // that were added in the texts, to project.json
     void saveDocument(); // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();

@@ -541,7 +541,19 @@ void MainWindow::saveDocument() {
     }
     if (m_live->design())
         if (auto saved = m_live->design()->save(); !saved) return say(QString::fromStdString(saved.error().text()), true);
+    saveLanguages();
     m_tabs->saveCurrent();
+}
+
+void MainWindow::saveLanguages() {
+    if (!m_live->design()) return;
+    std::vector<std::string> languages;
+    for (const QString& tag : m_live->panels().texts.settings().languages) languages.push_back(tag.toStdString());
+    projects::Project project = m_workspace->project();
+    if (languages == project.languages) return;
+    project.languages = languages;
+    project.json["hmi"]["languages"] = languages;
+    if (auto saved = m_workspace->saveProjectFile(project); !saved) say(QString::fromStdString(saved.error().text()), true);
 }
 
 void MainWindow::openDesignPlace(const QString& file, const QString& element) {
@@ -609,7 +621,7 @@ void MainWindow::startTour() {
     }
     const auto dockWidget = [this](const char* name) { return [this, name]() -> QWidget* { return dock(name); }; };
     std::vector<TourStop> stops = {
-        {tr("Welcome"), tr("This is a PID controller working on a simulated process. Nothing can break: the plant is only numbers. Let us look around; it takes a minute."), {}, {}},
+        {tr("Welcome"), tr("This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once."), {}, {}},
         {tr("The project"), tr("Programs, blocks, tasks, panels, traces and tests, made from the text files in the folder."), dockWidget("project"), [this] { showDock("project"); }},
         {tr("The program"), tr("Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes."), [this]() -> QWidget* { return m_tabs; }, {}},
         {tr("Run"), tr("F5 compiles to native code and runs it. Values then stand beside each line."), [this]() -> QWidget* { return findChild<QToolBar*>("mainToolBar"); }, [this] { if (!m_control->isRunning()) m_control->start(); }},

@@ -1973,8 +1973,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Velkommen</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process. Nothing can break: the plant is only numbers. Let us look around; it takes a minute.</source>
-        <translation>Dette er en PID-regulator på en simuleret proces. Intet kan gå i stykker: anlægget er kun tal. Lad os se os omkring; det tager et minut.</translation>
+        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>Dette er en PID-regulator på en simuleret proces: programmet øverst, dets trace nederst, dets operatørpanel til højre. Intet kan gå i stykker, for anlægget er kun tal. Tryk på Næste for at se dig om et minut, eller på F5 for at køre det med det samme.</translation>
     </message>
     <message>
         <source>The project</source>

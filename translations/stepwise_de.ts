@@ -1973,8 +1973,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Willkommen</translation>
     </message>
     <message>
-        <source>This is a PID controller working on a simulated process. Nothing can break: the plant is only numbers. Let us look around; it takes a minute.</source>
-        <translation>Das ist ein PID-Regler an einem simulierten Prozess. Es kann nichts kaputtgehen: Die Anlage besteht nur aus Zahlen. Sehen wir uns um; es dauert eine Minute.</translation>
+        <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
+        <translation>Das ist ein PID-Regler an einem simulierten Prozess: oben das Programm, unten sein Trace, rechts sein Bedienpanel. Kaputtgehen kann nichts, die Strecke besteht nur aus Zahlen. „Weiter“ führt eine Minute lang herum, F5 startet sofort.</translation>
     </message>
     <message>
         <source>The project</source>

@@ -194,6 +194,7 @@ Result<void> Workspace::saveProjectFile(const projects::Project& project) {
     if (auto saved = projects::saveProjectFile(project); !saved) return saved;
     m_project->json = project.json;
     m_project->libraries = project.libraries;
+    m_project->languages = project.languages;
     m_project->name = project.name;
     startCheck();
     return {};

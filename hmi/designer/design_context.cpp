@@ -52,7 +52,15 @@ QString DesignContext::storeText(const QString& present, const QString& typed, c
     return u'@' + key;
 }
 
+/// A language that gets a column is one of the operator's from then on; one that loses its column no more.
 void DesignContext::setTable(TextTable table) {
+    LanguageSettings settings = m_project.texts.settings();
+    const QStringList before = m_project.texts.table().tags(), after = table.tags();
+    for (const QString& tag : after)
+        if (!before.contains(tag) && !settings.languages.contains(tag)) settings.languages += tag;
+    for (const QString& tag : before)
+        if (!after.contains(tag) && settings.languages.size() > 1) settings.languages.removeAll(tag);
+    if (settings.languages != m_project.texts.settings().languages) m_project.texts.setSettings(settings);
     m_project.texts.setTable(std::move(table));
     m_project.hasTexts = true;
     m_textsChanged = true;

@@ -1,8 +1,13 @@
 // docs/tutorial.md, step by step: the program and the test are read from the page itself, so that it can not go stale.
 #include "tests/app/studio_fixture.h"
 
+#include "app/live_views.h"
 #include "app/new_project.h"
 #include "editor/debug/watch_view.h"
+#include "hmi/designer/palette.h"
+#include "hmi/designer/panel_designer.h"
+#include "hmi/designer/text_editor.h"
+#include "hmi/player/panel_player.h"
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
@@ -52,7 +57,53 @@ TEST(Tutorial, ItsStepsWork) {
     QTest::qWait(100);
     EXPECT_TRUE(window.control().value("Main.Motor").isTrue) << "it holds itself";
 
-    // 6: change it while it runs
+    // 6: a panel in two languages
+    ASSERT_TRUE(window.live().addPanel("overview"));
+    window.openTexts();
+    auto* texts = qobject_cast<hmi::TextEditor*>(window.tabs().pageByKey("texts"));
+    ASSERT_NE(texts, nullptr);
+    texts->addLanguage("de");
+    window.openDesigner("overview");
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().pageByKey("panel:overview"));
+    ASSERT_NE(designer, nullptr);
+    hmi::DesignContext& design = *window.live().design();
+    const auto typed = [&](const char* text) { return design.storeText({}, text, "overview", designer->document().undoStack()).toStdString(); };
+    const auto draw = [&](hmi::ElementKind kind, QRectF place, const std::vector<std::pair<std::string, std::string>>& properties) {
+        hmi::Json fields = hmi::newElementFields(kind);
+        for (const auto& [key, value] : properties) fields[key] = value;
+        fields["rect"] = {place.x(), place.y(), place.width(), place.height()};
+        designer->canvas().insertElements(hmi::Json::array({fields}), place.center());
+    };
+    const std::string start = typed("Start"), stop = typed("Stop contact"), runs = typed("Motor runs");
+    draw(hmi::ElementKind::Switch, {100, 80, 220, 48}, {{"onText", start}, {"offText", start}, {"target", "Main.Start"}});
+    draw(hmi::ElementKind::Switch, {100, 160, 220, 48}, {{"onText", stop}, {"offText", stop}, {"target", "Main.Stop"}});
+    draw(hmi::ElementKind::Lamp, {440, 100, 140, 80}, {{"label", runs}, {"value", "Main.Motor"}});
+    draw(hmi::ElementKind::LanguageSelector, {700, 20, 260, 44}, {});
+    for (const auto& [key, german] : std::vector<std::pair<std::string, QString>>{{start, "Start"}, {stop, "Stoppkontakt"}, {runs, "Motor läuft"}}) {
+        const int row = design.project().texts.table().rowOf(QString::fromStdString(key.substr(1)));
+        ASSERT_GE(row, 0) << key;
+        ASSERT_TRUE(texts->model().setData(texts->model().index(row, hmi::TextModel::FirstLanguage + 1), german, Qt::EditRole));
+    }
+    window.saveDocument();
+    const auto drawn = projects::openProject({project.toStdString()});
+    ASSERT_TRUE(drawn);
+    EXPECT_EQ(drawn->languages, (std::vector<std::string>{"en", "de"}));
+    EXPECT_EQ(drawn->panels.size(), 1u);
+    for (const hmi::Finding& finding : hmi::checkPanels(hmi::loadPanelProject(*drawn), design.checked())) ADD_FAILURE() << finding.text().toStdString();
+    hmi::PanelPlayer* player = window.live().player();
+    ASSERT_NE(player, nullptr);
+    ASSERT_TRUE(player->showPanel("overview"));
+    player->setLanguage("de");
+    EXPECT_EQ(player->scene().texts().text(QString::fromStdString(runs), player->language()), "Motor läuft");
+    ASSERT_TRUE(window.control().write("Main.Stop", "FALSE"));
+    ASSERT_TRUE(waitFor([&] { return !window.control().value("Main.Motor").isTrue; }));
+    EXPECT_EQ(player->post({{}, "Main.Stop", hmi::WriteKind::Write, hmi::Value::ofBool(true), {}}), "");
+    EXPECT_EQ(player->post({{}, "Main.Start", hmi::WriteKind::Write, hmi::Value::ofBool(true), {}}), "");
+    ASSERT_TRUE(waitFor([&] { return window.control().value("Main.Motor").isTrue; }));
+    ASSERT_TRUE(window.control().write("Main.Start", "FALSE"));
+    window.tabs().setCurrentIndex(0);
+
+    // 7: change it while it runs
     QSignalSpy changed(&window.control(), &editor::RunControl::onlineChangeFinished);
     const auto at = static_cast<uint32_t>(editor.utf8().find("RunTime + T#10ms") + 12); // at 10ms
     editor.applyEdits({{{FileId(), at, at + 4}, "20ms"}});

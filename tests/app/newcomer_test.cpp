@@ -1,0 +1,75 @@
+// What someone sees who starts the studio for the first time: a loop with its trace and its panel, a tour that says what to press,
+// and a start page on which every machine has a picture.
+#include "app/live_views.h"
+#include "app/main_window.h"
+#include "app/settings.h"
+#include "app/start_page.h"
+#include "app/tour.h"
+#include "hmi/player/panel_player.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QListWidget>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace plc::app {
+namespace {
+
+TEST(Newcomer, SeesTraceAndPanelAndIsToldWhatToPress) {
+    QSettings("Stepwise", "Stepwise").clear();
+    QTemporaryDir folder; // a copy: what a run retains belongs to its project
+    QElapsedTimer timer;
+    timer.start();
+    MainWindow window;
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+    EXPECT_FALSE(window.settings().sawTour());
+    const std::string copy = folder.path().toStdString() + "/pid_pt1";
+    std::filesystem::copy(std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/pid_pt1", copy, std::filesystem::copy_options::recursive);
+    ASSERT_TRUE(window.openProject(QString::fromStdString(copy)));
+    window.startTour();
+    const auto waitFor = [&](const std::function<bool()>& condition) {
+        while (timer.elapsed() < 10'000 && !condition()) QTest::qWait(10);
+        return condition();
+    };
+    EXPECT_TRUE(waitFor([&] { return window.live().player() && window.live().player()->isVisible() && window.live().traceView().isVisible(); }));
+    EXPECT_EQ(window.live().player()->panelName(), "loop");
+    EXPECT_GT(window.live().player()->height(), 200) << "large enough to read";
+    auto* tour = window.findChild<Tour*>();
+    ASSERT_TRUE(tour && tour->isVisible());
+    bool saysWhatToPress = false;
+    for (const QLabel* label : tour->findChildren<QLabel*>()) saysWhatToPress |= label->text().contains("F5");
+    EXPECT_TRUE(saysWhatToPress);
+    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &window, Qt::Key_F5);
+    EXPECT_TRUE(waitFor([&] { return window.control().status().scans > 20; })) << "F5 works while the tour stands";
+    EXPECT_TRUE(waitFor([&] { return window.live().player()->values() && window.live().player()->values()->status().scans > 20; }));
+    window.control().disconnectSession();
+    Settings().setSawTour();
+}
+
+TEST(Newcomer, FindsAPictureOfEveryExampleOnTheStartPage) {
+    Settings settings;
+    StartPage page(settings);
+    const QDir folder(StartPage::examplesFolder());
+    EXPECT_EQ(page.examples().count(), folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size());
+    for (int row = 0; row < page.examples().count(); ++row) {
+        const QListWidgetItem* item = page.examples().item(row);
+        const QString project = item->data(Qt::UserRole).toString();
+        EXPECT_TRUE(QFile::exists(project + "/docs/panel.png")) << project.toStdString();
+        EXPECT_FALSE(item->data(Qt::UserRole + 1).value<QPixmap>().isNull()) << project.toStdString();
+        EXPECT_FALSE(item->data(Qt::UserRole + 2).toString().isEmpty()) << project.toStdString();
+    }
+}
+
+} // namespace
+} // namespace plc::app
