@@ -4,21 +4,6 @@
 
 namespace plc::trace {
 
-std::vector<PositionRange> newestChain(const std::vector<history::Branch>& branches, Position end) {
-    std::vector<PositionRange> chain;
-    Position until = end;
-    // From the newest branch back through the scans that each was resumed from.
-    for (size_t i = branches.size(); i-- > 0;) {
-        const history::Branch& branch = branches[i];
-        if (branch.first >= until) continue; // begins behind the scan that the later branch continued from
-        chain.push_back({branch.first, until});
-        if (branch.first == 0) return {chain.rbegin(), chain.rend()};
-        until = branch.parent + 1;
-    }
-    if (until > 0) chain.push_back({0, until});
-    return {chain.rbegin(), chain.rend()};
-}
-
 std::optional<Position> nextOnChain(const std::vector<PositionRange>& chain, Position position) {
     for (const PositionRange& range : chain)
         if (position + 1 < range.end) return std::max(position + 1, range.begin);

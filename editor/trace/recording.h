@@ -50,13 +50,8 @@ public:
     virtual Result<void> save(const std::string& path) const = 0;
 };
 
-/// The positions that lead to the newest scan, oldest first: what was recorded and then gone back from is left out.
-struct PositionRange {
-    Position begin = 0, end = 0;
-    bool operator==(const PositionRange&) const = default;
-};
-[[nodiscard]] std::vector<PositionRange> newestChain(const std::vector<history::Branch>& branches, Position end);
-/// Neighbours on that chain.
+using history::PositionRange;
+/// Neighbours on a chain of positions (history::chainTo).
 [[nodiscard]] std::optional<Position> nextOnChain(const std::vector<PositionRange>& chain, Position position);
 [[nodiscard]] std::optional<Position> previousOnChain(const std::vector<PositionRange>& chain, Position position);
 

@@ -183,7 +183,7 @@ void TimeSlider::setRecording(const Recording* recording) {
     refresh();
 }
 
-std::vector<PositionRange> TimeSlider::chain() const { return newestChain(m_recording->branches(), m_recording->extent().second); }
+std::vector<PositionRange> TimeSlider::chain() const { return history::chainTo(m_recording->branches(), m_recording->extent().second); }
 
 void TimeSlider::setPosition(std::optional<Position> position) {
     if (position && (!m_recording || !m_recording->stamp(*position))) return;

@@ -186,7 +186,7 @@ std::string TraceFeed::problem(const std::string& expression) const {
 void TraceFeed::refreshChain() {
     const std::vector<history::Branch> branches = m_recording.branches();
     const Position end = m_recording.extent().second;
-    m_chain = newestChain(branches, end);
+    m_chain = history::chainTo(branches, end);
     if (branches.size() == m_branches) return;
     // The controller went back: what was recorded after the scan it continues from is no longer the past of the present.
     m_branches = branches.size();

@@ -119,6 +119,23 @@ const Value& PlcValues::value(BindingId binding) const {
 
 ValueFacts PlcValues::facts(BindingId binding) const { return binding.isValid() ? m_bindings[static_cast<size_t>(binding.index)].facts : ValueFacts(); }
 
+namespace {
+
+/// The first position of the range that was recorded at or after that PLC time (times rise within a range); its end when none was.
+history::Position firstSince(const history::History& history, history::PositionRange range, history::Nanoseconds time) {
+    while (range.begin < range.end) {
+        const history::Position middle = range.begin + (range.end - range.begin) / 2;
+        const auto stamp = history.stamp(middle);
+        if (stamp && stamp->time >= time)
+            range.end = middle;
+        else
+            range.begin = middle + 1;
+    }
+    return range.begin;
+}
+
+} // namespace
+
 std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int buckets) const {
     std::vector<CurvePiece> out;
     if (!id.isValid()) return out;
@@ -131,11 +148,21 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     const std::optional<history::ScanStamp> now = history.stamp(last);
     if (!now) return out;
     const auto begin = now->time - history::Nanoseconds(static_cast<int64_t>(seconds * 1e9));
-    history::Position first = there.first;
-    if (begin.count() > 0)
-        if (const auto at = history.positionAt(begin)) first = std::max(first, *at);
-    if (first > last) first = last;
-    const std::vector<history::Bucket> series = history.series(binding.compiled, m_session.recompile(binding.text.toStdString()), first, last + 1, static_cast<size_t>(std::max(1, buckets)));
+    // Only what led to this scan: of a branch that was gone back from, the part before the return.
+    std::vector<history::PositionRange> ranges;
+    history::Position count = 0;
+    for (history::PositionRange range : history::chainTo(history.branches(), last + 1)) {
+        range.begin = firstSince(history, {std::max(range.begin, there.first), range.end}, begin);
+        if (range.begin >= range.end) continue;
+        count += range.end - range.begin;
+        ranges.push_back(range);
+    }
+    std::vector<history::Bucket> series;
+    for (const history::PositionRange& range : ranges) {
+        const auto share = static_cast<size_t>(static_cast<double>(buckets) * static_cast<double>(range.end - range.begin) / static_cast<double>(count));
+        const auto part = history.series(binding.compiled, m_session.recompile(binding.text.toStdString()), range.begin, range.end, std::max<size_t>(1, share));
+        series.insert(series.end(), part.begin(), part.end());
+    }
     const auto secondsOf = [&](history::Position position) {
         const auto stamp = history.stamp(position);
         return stamp ? static_cast<double>((stamp->time - now->time).count()) * 1e-9 : 0.0;

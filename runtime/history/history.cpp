@@ -258,20 +258,20 @@ std::optional<ScanStamp> History::stamp(Position position) const {
     return StampCursor(*s).at(static_cast<uint32_t>(position - s->first));
 }
 
-std::vector<std::pair<Position, Position>> History::State::lineage() const {
-    std::vector<std::pair<Position, Position>> ranges;
-    const std::vector<Branch> all = branchList();
-    Position limit = end.load(std::memory_order_acquire);
-    for (;;) {
-        const auto behind = std::find_if(all.rbegin(), all.rend(), [&](const Branch& b) { return b.first < limit; });
-        if (behind == all.rend()) {
-            if (limit > 0) ranges.push_back({0, limit});
-            return ranges;
+std::vector<PositionRange> chainTo(const std::vector<Branch>& branches, Position end) {
+    std::vector<PositionRange> chain; // newest first, turned at the end
+    for (Position until = end; until > 0;) {
+        const auto behind = std::find_if(branches.rbegin(), branches.rend(), [&](const Branch& branch) { return branch.first < until; });
+        if (behind == branches.rend()) {
+            chain.push_back({0, until});
+            break;
         }
-        ranges.push_back({behind->first, limit});
-        if (behind->parent == kNoParent) return ranges;
-        limit = std::min(behind->parent + 1, behind->first);
+        chain.push_back({behind->first, until});
+        if (behind->parent == kNoParent || behind->first == 0) break;
+        until = std::min(behind->parent + 1, behind->first);
     }
+    std::reverse(chain.begin(), chain.end());
+    return chain;
 }
 
 namespace {
@@ -291,7 +291,8 @@ template <class Key> std::optional<Position> lastUpTo(const Segment& segment, Po
 
 /// Segment by segment backwards, so evicted ranges and what was left behind by going back are never looked at.
 template <class State, class Key> std::optional<Position> searchLineage(const State& state, int64_t wanted, Key key) {
-    const std::vector<std::pair<Position, Position>> ranges = state.lineage();
+    std::vector<PositionRange> ranges = chainTo(state.branchList(), state.end.load(std::memory_order_acquire));
+    std::reverse(ranges.begin(), ranges.end());
     const Epochs::Pin pin = state.epochs.pin();
     for (const auto& [begin, end] : ranges) {
         for (const Segment* s = state.containing(end - 1); s && s->end() > begin; s = s->number > 0 ? state.segment(s->number - 1) : nullptr) {

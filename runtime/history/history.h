@@ -28,6 +28,15 @@ struct Branch {
     Position first = 0;
     Position parent = 0;
 };
+/// Positions [begin, end).
+struct PositionRange {
+    Position begin = 0, end = 0;
+    bool operator==(const PositionRange&) const = default;
+};
+/// The positions that lead to the scan before `end`, oldest first: what was recorded and then gone back from is left out. `branches` as
+/// History::branches() gives them.
+[[nodiscard]] std::vector<PositionRange> chainTo(const std::vector<Branch>& branches, Position end);
+
 struct Mark { // event on the time axis
     Position position = 0;
     Nanoseconds time{};

@@ -70,8 +70,6 @@ struct History::State {
         const std::lock_guard lock(mutex);
         return branches;
     }
-    /// Ranges [first, second) of positions that make up the newest branch, newest first.
-    [[nodiscard]] std::vector<std::pair<Position, Position>> lineage() const;
 };
 
 } // namespace plc::history

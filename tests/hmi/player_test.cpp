@@ -245,6 +245,22 @@ TEST(Player, ATrendShowsTheRecordedScans) {
     for (size_t i = 1; i < curve.size(); ++i) EXPECT_EQ(curve[i].first, curve[i - 1].last + 1);
 }
 
+TEST(Player, ATrendLeavesOutWhatWasGoneBackFrom) {
+    Machine machine(R"({"id":"t","kind":"trend","rect":[10,10,400,300],"seconds":100,"series":[{"value":"Main.count"}]})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 60"));
+    machine.session.pause();
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->status().state == controller::State::Paused; }));
+    const history::Position past = 30;
+    ASSERT_TRUE(machine.session.resumeFrom(past));
+    machine.session.start();
+    ASSERT_TRUE(machine.waitFor("Main.count > 50"));
+    machine.session.pause();
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->status().state == controller::State::Paused; }));
+    const std::vector<CurvePiece> curve = machine.player->values()->curve(machine.player->values()->bind(QStringLiteral("Main.count")), 100.0, 100000);
+    ASSERT_GT(curve.size(), 40u);
+    for (size_t i = 1; i < curve.size(); ++i) EXPECT_EQ(curve[i].first, curve[i - 1].last + 1) << i;
+}
+
 TEST(Player, PicturesOfEveryPanelInEveryLanguage) {
     Machine machine(R"({"id":"b","kind":"button","rect":[10,10,120,60],"text":"@start"})", false);
     machine.session.runHere([](const controller::Controller& controller) { return controller.nextScan() > 10; });

@@ -52,7 +52,7 @@ public:
     }
     std::optional<Position> positionAt(int64_t time) const override {
         std::optional<Position> found;
-        for (const PositionRange& range : newestChain(branchList, scans.size()))
+        for (const PositionRange& range : history::chainTo(branchList, scans.size()))
             for (Position p = std::max(range.begin, oldest); p < range.end; ++p)
                 if (scans[p].time.count() <= time) found = p;
         return found;

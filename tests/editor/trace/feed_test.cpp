@@ -154,11 +154,11 @@ TEST_F(FeedTest, GoingBackReplacesTheFuture) {
 
 TEST(NewestChain, LeavesAbandonedFuturesOut) {
     using R = std::vector<PositionRange>;
-    EXPECT_EQ(newestChain({}, 100), (R{{0, 100}}));
-    EXPECT_EQ(newestChain({{0, 0}, {100, 39}}, 120), (R{{0, 40}, {100, 120}}));
-    EXPECT_EQ(newestChain({{0, 0}, {100, 39}, {120, 110}}, 130), (R{{0, 40}, {100, 111}, {120, 130}}));
-    EXPECT_EQ(newestChain({{0, 0}, {100, 39}, {120, 10}}, 130), (R{{0, 11}, {120, 130}}));
-    const auto chain = newestChain({{0, 0}, {100, 39}}, 120);
+    EXPECT_EQ(history::chainTo({}, 100), (R{{0, 100}}));
+    EXPECT_EQ(history::chainTo({{0, 0}, {100, 39}}, 120), (R{{0, 40}, {100, 120}}));
+    EXPECT_EQ(history::chainTo({{0, 0}, {100, 39}, {120, 110}}, 130), (R{{0, 40}, {100, 111}, {120, 130}}));
+    EXPECT_EQ(history::chainTo({{0, 0}, {100, 39}, {120, 10}}, 130), (R{{0, 11}, {120, 130}}));
+    const auto chain = history::chainTo({{0, 0}, {100, 39}}, 120);
     EXPECT_EQ(nextOnChain(chain, 38), 39u);
     EXPECT_EQ(nextOnChain(chain, 39), 100u);
     EXPECT_EQ(nextOnChain(chain, 119), std::nullopt);
