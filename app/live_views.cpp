@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QLabel>
 #include <QToolBar>
+#include <QUuid>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -101,6 +102,7 @@ void LiveViews::projectClosed() {
     delete m_player;
     m_design.reset();
     m_panels = {};
+    m_alarmsInMemory.clear();
     m_panelChoice->clear();
     m_emptyPanel->show();
     m_trace->setSetup({});
@@ -144,11 +146,25 @@ void LiveViews::reloadPanels() {
     m_emptyPanel->setVisible(m_panels.panels.empty());
     if (m_panels.panels.empty()) return;
     m_player = new hmi::PanelPlayer(m_panels, m_control.session(), m_panelArea);
+    if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
+    m_player->alarms().setRun(m_run);
+    keepAlarms();
+    connect(m_design.get(), &hmi::DesignContext::alarmsChanged, m_player, [this] { keepAlarms(); });
     static_cast<QVBoxLayout*>(m_panelArea->layout())->addWidget(m_player, 1);
     connect(m_player, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
     showPanel(m_panels.startPanel.isEmpty() ? m_panels.panels.front().name : m_panels.startPanel);
     emit panelsChanged();
+}
+
+/// The alarm history outlives the window: on disk, beside what else is kept of the project.
+void LiveViews::keepAlarms() {
+    if (!m_player || m_panels.alarms.definitions().empty() || m_alarmsInMemory == m_panels.folder) return;
+    if (const QString path = m_player->alarms().storePath(); !path.isEmpty() && path != QLatin1String(":memory:")) return;
+    const Result<void> kept = m_player->keepAlarmsInProject();
+    if (kept) return;
+    m_alarmsInMemory = m_panels.folder;
+    emit message(tr("The alarm history is kept in memory only: %1").arg(QString::fromStdString(kept.error().text())), true);
 }
 
 /// The variables of the program as it is written now; it need not run.
@@ -174,7 +190,11 @@ void LiveViews::sessionChanged() {
     m_trace->setRecording(nullptr);
     m_recording.reset();
     session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
-    if (m_player) m_player->setSession(session);
+    m_run = QUuid::createUuid().toString();
+    if (m_player) {
+        m_player->setSession(session);
+        m_player->alarms().setRun(m_run);
+    }
     if (m_design) m_design->setSession(session);
     if (!session) return;
     m_recording = std::make_unique<trace::SessionRecording>(*session);

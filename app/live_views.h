@@ -59,6 +59,7 @@ private:
     void projectClosed();
     void sessionChanged();
     void recordingShown();
+    void keepAlarms();
     void viewedChanged();
 
     editor::Workspace& m_workspace;
@@ -71,6 +72,8 @@ private:
     hmi::PanelProject m_panels;
     std::shared_ptr<hmi::DesignContext> m_design;
     QPointer<hmi::PanelPlayer> m_player;
+    QString m_run; // of the controller, for the alarm history on disk
+    QString m_alarmsInMemory; // the folder whose alarm history was said to be in memory
     kit::CompletionSource m_complete;
     trace::ProgramVariables m_variables; // of m_variablesOf
     std::shared_ptr<const sema::Analysis> m_variablesOf;

@@ -1694,6 +1694,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>Projektet har endnu intet panel.
 Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
+    <message>
+        <source>The alarm history is kept in memory only: %1</source>
+        <translation>Alarmhistorikken holdes kun i hukommelsen: %1</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>

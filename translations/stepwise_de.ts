@@ -1694,6 +1694,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>Dieses Projekt hat noch kein Panel.
 Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
+    <message>
+        <source>The alarm history is kept in memory only: %1</source>
+        <translation>Die Alarmgeschichte bleibt nur im Speicher: %1</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>

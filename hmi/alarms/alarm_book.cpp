@@ -1,10 +1,11 @@
 #include "hmi/alarms/alarm_book.h"
 
 #include <QDateTime>
+#include <QUuid>
 
 namespace plc::hmi {
 
-AlarmBook::AlarmBook(QObject* parent) : QObject(parent), m_lifeCycle({}) {}
+AlarmBook::AlarmBook(QObject* parent) : QObject(parent), m_lifeCycle({}), m_run(QUuid::createUuid().toString()) {}
 
 void AlarmBook::setFile(const AlarmFile& file) {
     std::vector<AlarmEvent> kept;
@@ -26,7 +27,13 @@ void AlarmBook::setFile(const AlarmFile& file) {
     emit changed();
 }
 
-Result<void> AlarmBook::openStore(const QString& path) { return m_store.open(path); }
+Result<void> AlarmBook::openStore(const QString& path) {
+    const Result<void> opened = m_store.open(path);
+    if (opened) m_store.trim(100'000);
+    else (void)m_store.open(QStringLiteral(":memory:"));
+    emit changed();
+    return opened;
+}
 
 int AlarmBook::indexOf(const QString& id) const {
     for (size_t i = 0; i < m_definitions.size(); ++i)
@@ -66,7 +73,7 @@ void AlarmBook::take(std::span<const AlarmRecord> records) {
         known.push_back(record);
     }
     if (known.empty()) return;
-    if (m_store.isOpen()) (void)m_store.append(known);
+    if (m_store.isOpen()) (void)m_store.append(known, m_run);
     emit changed();
 }
 
@@ -100,6 +107,7 @@ void AlarmBook::rewind(quint64 position) {
 void AlarmBook::clear() {
     m_events.clear();
     m_records.clear();
+    m_run = QUuid::createUuid().toString();
     m_lifeCycle.restore({}, 0);
     emit changed();
 }

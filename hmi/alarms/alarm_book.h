@@ -29,7 +29,11 @@ public:
 
     /// New definitions; states of alarms that stay (same id) are kept.
     void setFile(const AlarmFile& file);
+    /// The newest 100,000 entries of the file are kept. In memory when it can not be used.
     Result<void> openStore(const QString& path);
+    QString storePath() const { return m_store.path(); }
+    /// Which run of a controller findings are of; found again by another watch, they are not kept twice. A new one after `clear`.
+    void setRun(const QString& run) { m_run = run; }
     const std::vector<AlarmDefinition>& definitions() const { return m_definitions; }
     const std::vector<AlarmClass>& classes() const { return m_classes; }
 
@@ -73,6 +77,7 @@ private:
     std::vector<AlarmClass> m_classes;
     AlarmLifeCycle m_lifeCycle;
     AlarmStore m_store;
+    QString m_run;
     qint64 m_clockAtZero = 946684800000000000; // 2000-01-01, where virtual time begins
     std::vector<AlarmEvent> m_events;    // of this run, oldest first
     std::vector<AlarmRecord> m_records;  // beside each event, for values at a past scan

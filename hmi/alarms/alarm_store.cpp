@@ -73,25 +73,30 @@ Result<void> AlarmStore::open(const QString& path) {
     QSqlQuery query(m_database);
     query.exec(QStringLiteral("PRAGMA journal_mode=WAL"));
     query.exec(QStringLiteral("PRAGMA synchronous=NORMAL"));
+    const auto hasRun = [&] { return query.exec(QStringLiteral("SELECT run FROM events LIMIT 1")); };
     if (!query.exec(QStringLiteral("CREATE TABLE IF NOT EXISTS events (number INTEGER PRIMARY KEY AUTOINCREMENT, alarm TEXT NOT NULL, kind INTEGER NOT NULL, "
                                    "position INTEGER NOT NULL, scan INTEGER NOT NULL, time INTEGER NOT NULL, wall INTEGER NOT NULL, vals TEXT NOT NULL, "
-                                   "user TEXT NOT NULL)")) ||
-        !query.exec(QStringLiteral("CREATE INDEX IF NOT EXISTS events_by_alarm ON events (alarm, number)")))
+                                   "user TEXT NOT NULL, run TEXT)")) ||
+        !query.exec(QStringLiteral("CREATE INDEX IF NOT EXISTS events_by_alarm ON events (alarm, number)")) ||
+        (!hasRun() && !query.exec(QStringLiteral("ALTER TABLE events ADD COLUMN run TEXT"))) || // a file of an older version
+        !query.exec(QStringLiteral("CREATE UNIQUE INDEX IF NOT EXISTS events_once ON events (run, alarm, kind, position)")) ||
+        !query.exec(QStringLiteral("BEGIN IMMEDIATE")) || !query.exec(QStringLiteral("COMMIT"))) // it can be written
         return Error{"The alarm history is not usable: " + query.lastError().text().toStdString(), path.toStdString()};
     return {};
 }
 
-Result<void> AlarmStore::append(std::span<const AlarmRecord> records) {
+Result<void> AlarmStore::append(std::span<const AlarmRecord> records, const QString& run) {
     if (records.empty() || !isOpen()) return {};
     m_database.transaction();
     QSqlQuery query(m_database);
-    query.prepare(QStringLiteral("INSERT INTO events (alarm, kind, position, scan, time, wall, vals, user) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"));
+    query.prepare(QStringLiteral("INSERT OR IGNORE INTO events (alarm, kind, position, scan, time, wall, vals, user, run) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"));
     for (const AlarmRecord& record : records) {
         Json values = Json::object();
         for (const auto& [name, value] : record.values) values[toUtf8(name)] = toJson(value);
         const QVariant fields[] = {record.alarm, static_cast<int>(record.kind), record.at.position, record.at.scan, qint64(record.at.time.count()),
-                                   record.wallTime, QString::fromStdString(values.dump()), record.user.isNull() ? QStringLiteral("") : record.user};
-        for (int i = 0; i < 8; ++i) query.bindValue(i, fields[i]);
+                                   record.wallTime, QString::fromStdString(values.dump()), record.user.isNull() ? QStringLiteral("") : record.user,
+                                   run.isEmpty() ? QVariant() : QVariant(run)}; // no run differs from every other
+        for (int i = 0; i < 9; ++i) query.bindValue(i, fields[i]);
         if (!query.exec()) {
             m_database.rollback();
             return Error{"The alarm history could not be written: " + query.lastError().text().toStdString(), m_database.databaseName().toStdString()};

@@ -37,8 +37,9 @@ public:
     Result<void> open(const QString& path);
     void close();
     bool isOpen() const { return m_database.isOpen(); }
-    /// One transaction.
-    Result<void> append(std::span<const AlarmRecord> records);
+    QString path() const { return isOpen() ? m_database.databaseName() : QString(); }
+    /// One transaction. Records with a run (of a controller, from its start to its end) are kept once, however often they are found.
+    Result<void> append(std::span<const AlarmRecord> records, const QString& run = {});
     /// Newest first.
     std::vector<AlarmRecord> query(const AlarmQuery& query) const;
     qint64 count() const;

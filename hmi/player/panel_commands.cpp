@@ -128,8 +128,8 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
 int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen) {
     PanelPlayer player(project, &session);
     if (!panel.isEmpty()) player.showPanel(panel);
-    if (project.hasAlarms) {
-        // Beside what else the program keeps of a project that is not part of it.
+    if (project.hasAlarms && !player.keepAlarmsInProject()) {
+        // A project that can not be written: beside what else the program keeps of a project that is not part of it.
         const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/alarms");
         QDir().mkpath(folder);
         const QByteArray name = QCryptographicHash::hash(project.folder.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);

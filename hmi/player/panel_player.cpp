@@ -2,6 +2,7 @@
 
 #include "hmi/player/player_status.h"
 
+#include <QDir>
 #include <QKeyEvent>
 
 namespace plc::hmi {
@@ -77,6 +78,12 @@ void PanelPlayer::setSession(session::Session* session) {
         scene().setValues(m_values.get());
     }
     updateStatus();
+}
+
+Result<void> PanelPlayer::keepAlarmsInProject() {
+    const QString folder = m_project.folder + QStringLiteral("/.stepwise");
+    QDir().mkpath(folder);
+    return m_alarms.openStore(folder + QStringLiteral("/alarms.sqlite"));
 }
 
 bool PanelPlayer::showPanel(const QString& name) {

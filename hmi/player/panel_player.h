@@ -36,6 +36,8 @@ public:
     void setFullScreen(bool full);
     /// Keeps the alarm history in this file from now on; without it, in memory.
     Result<void> keepAlarmsIn(const QString& path) { return m_alarms.openStore(path); }
+    /// The same in `.stepwise` of the project's folder, where the studio and `stepwise panel --play` both look.
+    Result<void> keepAlarmsInProject();
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }

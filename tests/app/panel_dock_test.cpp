@@ -1,0 +1,73 @@
+// The operator panel in the studio's dock: its alarm history outlives the window, and a recording from a file is the past of the panel, too.
+#include "app/live_views.h"
+#include "hmi/player/panel_player.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAction>
+#include <QPlainTextEdit>
+#include <QTreeWidget>
+
+namespace plc::app {
+namespace {
+
+class PanelDockTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("hmi/overview.panel.json", "{\n  \"elements\": [\n    {\n      \"kind\": \"number\",\n      \"id\": \"count\",\n      \"rect\": [40, 40, 120, 40],\n      \"value\": \"Main.counter\"\n    }\n  ]\n}\n");
+        write("hmi/alarms.json", "{\n  \"version\": 1,\n  \"classes\": [\n    {\n      \"name\": \"fault\"\n    }\n  ],\n  \"alarms\": [\n    {\n      \"id\": \"high\",\n      \"condition\": \"Main.counter > 5\",\n"
+                                 "      \"class\": \"fault\",\n      \"text\": \"high\"\n    }\n  ]\n}\n");
+        if (!blocked.isEmpty()) write(blocked, "not a folder");
+        StudioTest::SetUp();
+    }
+    hmi::PanelPlayer& player() { return *window->live().player(); }
+    size_t occurrences() { return player().alarms().history({}, 100).size(); }
+    void runUntilRaised() {
+        const size_t before = occurrences();
+        window->action("run.start")->trigger();
+        ASSERT_TRUE(waitFor([&] { return occurrences() > before; }));
+        window->action("run.pause")->trigger();
+    }
+    QString blocked;
+};
+
+class PanelDockReadOnlyTest : public PanelDockTest {
+protected:
+    PanelDockReadOnlyTest() { blocked = ".stepwise"; }
+};
+
+TEST_F(PanelDockTest, TheAlarmHistoryOutlivesTheWindow) {
+    ASSERT_NE(window->live().player(), nullptr);
+    EXPECT_EQ(occurrences(), 0u);
+    runUntilRaised();
+    EXPECT_EQ(occurrences(), 1u);
+    EXPECT_TRUE(QFile::exists(folder.path() + "/.stepwise/alarms.sqlite"));
+    // Panels read anew while the controller runs: the watch finds everything again, the history keeps it once.
+    window->live().reloadPanels();
+    ASSERT_TRUE(waitFor([&] { return player().alarms().present({}, hmi::AlarmOrder::Time).size() == 1; }));
+    EXPECT_EQ(occurrences(), 1u);
+
+    window->control().disconnectSession();
+    window.reset();
+    window = std::make_unique<MainWindow>();
+    window->show();
+    ASSERT_TRUE(window->openProject(folder.path()));
+    ASSERT_TRUE(waitFor([&] { return window->workspace().model() != nullptr; }));
+    EXPECT_EQ(occurrences(), 1u) << "of the run before";
+    EXPECT_EQ(player().alarms().history({}, 1)[0].text.toStdString(), "high");
+    runUntilRaised();
+    EXPECT_EQ(occurrences(), 2u) << "the same alarm at the same scan of another run is another occurrence";
+}
+
+TEST_F(PanelDockReadOnlyTest, WithoutAFolderToWriteTheAlarmHistoryIsInMemoryAndTheLogSaysSo) {
+    runUntilRaised();
+    EXPECT_EQ(occurrences(), 1u);
+    window->live().reloadPanels();
+    int lines = 0;
+    for (QTreeWidget* tree : window->findChildren<QTreeWidget*>())
+        for (int i = 0; i < tree->topLevelItemCount(); ++i)
+            for (int column = 0; column < tree->columnCount(); ++column) lines += tree->topLevelItem(i)->text(column).contains("alarm history is kept in memory");
+    EXPECT_EQ(lines, 1);
+}
+
+} // namespace
+} // namespace plc::app
