@@ -206,18 +206,18 @@ void PanelPlayer::refuse(const QString& reason) {
 void PanelPlayer::updateStatus() {
     const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
     QString text;
-    bool isBad = false;
+    auto weight = PlayerStatus::Weight::Notice;
     switch (m_values ? m_values->freshness() : Freshness::Disconnected) {
     case Freshness::Live: break;
     case Freshness::Paused: text = say(SystemText::Paused); break;
     case Freshness::Stopped:
         text = say(SystemText::Stopped);
-        isBad = true;
+        weight = PlayerStatus::Weight::Bad;
         break;
     case Freshness::Fault:
         text = say(SystemText::Fault);
         if (const auto& fault = m_values->status().fault) text += QStringLiteral(": ") + QString::fromStdString(fault->message);
-        isBad = true;
+        weight = PlayerStatus::Weight::Bad;
         break;
     case Freshness::Past: {
         text = say(SystemText::Past);
@@ -227,10 +227,11 @@ void PanelPlayer::updateStatus() {
     }
     case Freshness::Disconnected:
         text = say(SystemText::NoController);
-        isBad = true;
+        weight = PlayerStatus::Weight::Quiet;
         break;
     }
-    m_status->setState({&scene().theme(), &m_project.texts, language()}, text, isBad);
+    m_status->setState({&scene().theme(), &m_project.texts, language()}, text, weight);
+    placeView();
 }
 
 void PanelPlayer::frame() {
@@ -254,8 +255,13 @@ void PanelPlayer::setFullScreen(bool full) {
     else window()->showNormal();
 }
 
+void PanelPlayer::placeView() {
+    const QRect below = rect().adjusted(0, m_status->stripHeight(), 0, 0);
+    if (m_view->geometry() != below) m_view->setGeometry(below);
+}
+
 void PanelPlayer::resizeEvent(QResizeEvent*) {
-    m_view->setGeometry(rect());
+    placeView();
     m_status->setGeometry(rect());
     m_status->raise();
 }

@@ -67,6 +67,7 @@ private:
     void requestLanguage(const QString& tag);
     void followLanguageVariable();
     void updateStatus();
+    void placeView(); // below the strip that tells the state: it covers nothing
     QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
     struct Look;

@@ -10,11 +10,11 @@ PlayerStatus::PlayerStatus(QWidget* parent) : QWidget(parent) {
     hide();
 }
 
-void PlayerStatus::setState(const OverlayLook& look, const QString& text, bool isBad) {
-    if (text == m_state && isBad == m_isBad && look.tag == m_look.tag && look.theme == m_look.theme) return;
+void PlayerStatus::setState(const OverlayLook& look, const QString& text, Weight weight) {
+    if (text == m_state && weight == m_weight && look.tag == m_look.tag && look.theme == m_look.theme) return;
     m_look = look;
     m_state = text;
-    m_isBad = isBad;
+    m_weight = weight;
     setVisible(!m_state.isEmpty() || !m_refusal.isEmpty());
     raise();
     update();
@@ -55,9 +55,9 @@ void PlayerStatus::paintEvent(QPaintEvent*) {
     if (!m_state.isEmpty()) {
         // Values of a controller that does not run lie under a veil: they are not fresh.
         QColor veil = m_look.theme->color("background");
-        veil.setAlphaF(m_isBad ? 0.45f : 0.0f);
+        veil.setAlphaF(m_weight == Weight::Notice ? 0.0f : 0.45f);
         painter.fillRect(rect().adjusted(0, stateRect().height(), 0, 0), veil);
-        strip(stateRect(), m_look.theme->color(m_isBad ? "alarm" : "warning"), m_state, 0);
+        strip(stateRect(), m_look.theme->color(m_weight == Weight::Bad ? "alarm" : m_weight == Weight::Notice ? "warning" : "faint"), m_state, 0);
     }
     if (!m_refusal.isEmpty()) strip(refusalRect(), m_look.theme->color("warning"), m_refusal, 8);
 }

@@ -10,10 +10,14 @@ class PlayerStatus final : public QWidget {
     Q_OBJECT
 public:
     explicit PlayerStatus(QWidget* parent);
-    /// An empty text hides the strip. `isBad`: the values are those of a controller that does not run.
-    void setState(const OverlayLook& look, const QString& text, bool isBad);
+    /// Quiet: nothing is wrong, nothing runs yet. Notice: values are real, not of now. Bad: those of a controller that does not run.
+    enum class Weight { Quiet, Notice, Bad };
+    /// An empty text hides the strip.
+    void setState(const OverlayLook& look, const QString& text, Weight weight);
     void setRefusal(const OverlayLook& look, const QString& text);
     QString stateText() const { return m_state; }
+    /// Pixels that the strip takes from the panel's top; 0 when there is none.
+    int stripHeight() const { return m_state.isEmpty() ? 0 : stateRect().height(); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -23,7 +27,7 @@ private:
     QRect refusalRect() const;
     OverlayLook m_look;
     QString m_state, m_refusal;
-    bool m_isBad = false;
+    Weight m_weight = Weight::Quiet;
 };
 
 } // namespace plc::hmi
