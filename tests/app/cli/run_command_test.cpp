@@ -1,0 +1,164 @@
+// `stepwise run`: the CSV on the standard output, into a pipe and on a full disk; Ctrl+C while it waits; the exit codes.
+#include "app/cli/command.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+
+namespace plc {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kCounter = "PROGRAM Main\nVAR\n    count : INT;\nEND_VAR\ncount := count + 1;\nEND_PROGRAM\n"
+                             "CONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Slow(INTERVAL := T#10ms, PRIORITY := 1);\n        PROGRAM Main WITH Slow : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n";
+
+class RunCommand : public ::testing::Test {
+protected:
+    void SetUp() override { write("main.st", kCounter); }
+    [[nodiscard]] std::string path(const std::string& name) const { return m_folder.path().toStdString() + "/" + name; }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path(name), std::ios::binary) << text; }
+    [[nodiscard]] std::string read(const std::string& name) const {
+        std::ifstream in(path(name), std::ios::binary);
+        std::stringstream text;
+        text << in.rdbuf();
+        return text.str();
+    }
+    int run(std::vector<std::string> words) {
+        words.insert(words.begin(), "run");
+        std::ostringstream outText, errText;
+        std::streambuf* const oldOut = std::cout.rdbuf(outText.rdbuf());
+        std::streambuf* const oldErr = std::cerr.rdbuf(errText.rdbuf());
+        const int code = cli::runCommandLine(words);
+        std::cout.rdbuf(oldOut);
+        std::cerr.rdbuf(oldErr);
+        out = outText.str();
+        err = errText.str();
+        return code;
+    }
+    std::string out, err;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+const std::string kThreeRows = "time_s,scan,Main.count\r\n0,0,1\r\n0.01,1,2\r\n0.02,2,3\r\n";
+
+} // namespace
+
+TEST_F(RunCommand, ADashIsTheStandardOutputAndTheReportGoesBesideIt) {
+    testing::internal::CaptureStdout();
+    const int code = run({path("main.st"), "--scans", "3", "--csv", "-"});
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), kThreeRows);
+    EXPECT_EQ(code, 0);
+    EXPECT_EQ(out, "") << "the report would stand in the table";
+    EXPECT_NE(err.find("Main.count"), std::string::npos);
+    EXPECT_FALSE(fs::exists("-"));
+}
+
+TEST_F(RunCommand, APipeIsWrittenAndStaysAPipe) {
+    const std::string pipe = path("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    ASSERT_GE(reader, 0);
+    EXPECT_EQ(run({path("main.st"), "--scans", "3", "--csv", pipe}), 0) << err;
+    char text[4096];
+    const ssize_t n = ::read(reader, text, sizeof text);
+    ::close(reader);
+    EXPECT_EQ(std::string(text, n > 0 ? static_cast<size_t>(n) : 0), kThreeRows);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_FALSE(fs::exists(pipe + ".part"));
+}
+
+TEST_F(RunCommand, AFullDiskLeavesTheOldTableAndIsTold) {
+    write("old.csv", "kept");
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit tight{2000, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+    const int code = run({path("main.st"), "--scans", "1000", "--csv", path("old.csv")});
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(code, 2);
+    EXPECT_NE(err.find("The CSV file can not be written"), std::string::npos) << err;
+    EXPECT_EQ(read("old.csv"), "kept");
+    EXPECT_FALSE(fs::exists(path("old.csv.part")));
+}
+
+TEST_F(RunCommand, AFolderIsNoTable) {
+    fs::create_directory(path("folder"));
+    EXPECT_EQ(run({path("main.st"), "--scans", "1", "--csv", path("folder")}), 2);
+    EXPECT_NE(err.find("this is a folder"), std::string::npos) << err;
+    EXPECT_EQ(run({path("main.st"), "--scans", "1", "--csv", path("none/x.csv")}), 2);
+    EXPECT_NE(err.find("none/x.csv"), std::string::npos) << err;
+}
+
+TEST_F(RunCommand, CtrlCEndsAWaitAtOnceAndStillReports) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    std::string slow = kCounter;
+    slow.replace(slow.find("T#10ms"), 6, "T#60s");
+    write("slow.st", slow);
+    const auto interrupted = [&] {
+        std::thread presser([] {
+            struct sigaction now {};
+            do {
+                std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                ::sigaction(SIGINT, nullptr, &now);
+            } while (now.sa_handler == SIG_DFL);
+            std::this_thread::sleep_for(std::chrono::milliseconds(500));
+            ::kill(::getpid(), SIGINT);
+        });
+        const auto begin = std::chrono::steady_clock::now();
+        const int code = run({path("slow.st"), "--for", "10m", "--real"});
+        presser.join();
+        const bool isFast = std::chrono::steady_clock::now() - begin < std::chrono::seconds(30);
+        const bool isTold = out.find("Main.count") != std::string::npos && out.find("1 scans") != std::string::npos;
+        std::_Exit(isFast && isTold ? 40 + code : 99);
+    };
+    EXPECT_EXIT(interrupted(), testing::ExitedWithCode(40), "");
+}
+
+TEST_F(RunCommand, ExitCodesTellWhoseMistakeItWas) {
+    EXPECT_EQ(run({path("main.st"), "--scans", "1"}), 0);
+    EXPECT_NE(out.find("1 scans"), std::string::npos) << out;
+
+    write("none.st", "FUNCTION F : INT\nF := 1;\nEND_FUNCTION\n");
+    EXPECT_EQ(run({path("none.st")}), 1);
+    EXPECT_NE(out.find("There is no PROGRAM") != std::string::npos || err.find("there is no PROGRAM") != std::string::npos, false) << out << err;
+
+    write("wrong.st", "PROGRAM Main\nx := 1;\nEND_PROGRAM\n");
+    EXPECT_EQ(run({path("wrong.st")}), 1);
+    EXPECT_NE((out + err).find("x is not declared"), std::string::npos) << out << err;
+
+    write("fault.st", "PROGRAM Main\nVAR\n    a, b : INT;\nEND_VAR\na := 10 / b;\nb := 0;\nEND_PROGRAM\n");
+    EXPECT_EQ(run({path("fault.st")}), 1);
+    EXPECT_NE(out.find("fault: "), std::string::npos) << out << err;
+    EXPECT_NE(out.find("fault.st:5"), std::string::npos) << out;
+
+    EXPECT_EQ(run({}), 2);
+    EXPECT_EQ(run({path("missing.st")}), 2);
+    EXPECT_NE(err.find("missing.st"), std::string::npos) << err;
+    EXPECT_EQ(run({path("main.st"), "--sacns", "1"}), 2);
+    EXPECT_NE(err.find("--sacns"), std::string::npos) << err;
+    EXPECT_EQ(run({path("main.st"), "--scans", "many"}), 2);
+    EXPECT_EQ(run({path("main.st"), "--set", "Main.nothing=1"}), 2);
+    EXPECT_NE(err.find("Main.nothing"), std::string::npos) << err;
+    EXPECT_EQ(run({path("main.st"), "--until", "Main.count"}), 2);
+    EXPECT_EQ(run({path("main.st"), "--every", "0s", "--csv", path("x.csv")}), 2);
+}
+
+} // namespace plc
