@@ -147,12 +147,13 @@ void LiveViews::reloadPanels() {
     if (m_panels.panels.empty()) return;
     m_player = new hmi::PanelPlayer(m_panels, m_control.session(), m_panelArea);
     if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
-    m_player->alarms().setRun(m_run);
+    m_player->liveAlarms().setRun(m_run);
     keepAlarms();
     connect(m_design.get(), &hmi::DesignContext::alarmsChanged, m_player, [this] { keepAlarms(); });
     static_cast<QVBoxLayout*>(m_panelArea->layout())->addWidget(m_player, 1);
     connect(m_player, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
+    showInPanel();
     showPanel(m_panels.startPanel.isEmpty() ? m_panels.panels.front().name : m_panels.startPanel);
     emit panelsChanged();
 }
@@ -160,7 +161,7 @@ void LiveViews::reloadPanels() {
 /// The alarm history outlives the window: on disk, beside what else is kept of the project.
 void LiveViews::keepAlarms() {
     if (!m_player || m_panels.alarms.definitions().empty() || m_alarmsInMemory == m_panels.folder) return;
-    if (const QString path = m_player->alarms().storePath(); !path.isEmpty() && path != QLatin1String(":memory:")) return;
+    if (const QString path = m_player->liveAlarms().storePath(); !path.isEmpty() && path != QLatin1String(":memory:")) return;
     const Result<void> kept = m_player->keepAlarmsInProject();
     if (kept) return;
     m_alarmsInMemory = m_panels.folder;
@@ -193,7 +194,7 @@ void LiveViews::sessionChanged() {
     m_run = QUuid::createUuid().toString();
     if (m_player) {
         m_player->setSession(session);
-        m_player->alarms().setRun(m_run);
+        m_player->liveAlarms().setRun(m_run);
     }
     if (m_design) m_design->setSession(session);
     if (!session) return;
@@ -209,11 +210,23 @@ void LiveViews::recordingShown() {
     if (!opened) {
         m_slider->setRecording(m_recording.get());
         if (m_control.showsRecorded()) m_control.showRecorded(std::nullopt);
+        showInPanel();
         return;
     }
     m_slider->setRecording(opened.get());
     m_control.showRecorded(editor::RecordedRun{m_trace->openedName(), &opened->history(),
                                                [file = opened.get()](const std::string& text, const std::string& scope, const image::CompiledProgram& program) { return file->expression(text, scope, program); }, opened});
+    showInPanel();
+}
+
+/// The panel shows what everything else shows: the controller, or the recording from a file.
+void LiveViews::showInPanel() {
+    if (!m_player) return;
+    const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording());
+    if (!opened) return m_player->setRecording(std::nullopt);
+    m_player->setRecording(hmi::PanelRecording{&opened->history(), opened->program(),
+                                               [file = opened.get()](const std::string& text, const image::CompiledProgram& program) { return file->expression(text, {}, program); }, opened});
+    m_player->setPosition(m_control.viewed());
 }
 
 Result<void> LiveViews::openRecording(const QString& path) { return m_trace->openRecording(path); }

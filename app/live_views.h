@@ -59,6 +59,7 @@ private:
     void projectClosed();
     void sessionChanged();
     void recordingShown();
+    void showInPanel();
     void keepAlarms();
     void viewedChanged();
 

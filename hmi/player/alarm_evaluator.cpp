@@ -6,19 +6,24 @@
 
 namespace plc::hmi {
 
-AlarmEvaluator::AlarmEvaluator(const session::Session& session, std::vector<AlarmDefinition> definitions)
-    : m_session(session), m_definitions(std::move(definitions)), m_lifeCycle(m_definitions) {
-    m_next = session.history().statistics().first;
+AlarmSource AlarmSource::of(const session::Session& session) {
+    return {&session.history(), [&session] { return session.program(); }, [&session](const std::string& text) { return session.expression(text); },
+            [&session](const std::string& text) { return session.recompile(text); }};
+}
+
+AlarmEvaluator::AlarmEvaluator(AlarmSource source, std::vector<AlarmDefinition> definitions)
+    : m_source(std::move(source)), m_definitions(std::move(definitions)), m_lifeCycle(m_definitions) {
+    m_next = m_source.history->statistics().first;
     compile();
 }
 
 void AlarmEvaluator::compile() {
-    m_program = m_session.program();
+    m_program = m_source.program();
     m_conditions.clear();
     m_inhibits.clear();
     const auto compiled = [&](const QString& text) {
         if (text.trimmed().isEmpty()) return expression::Expression();
-        auto result = m_session.expression(text.toStdString());
+        auto result = m_source.expression(text.toStdString());
         return result ? *result : expression::Expression();
     };
     for (const AlarmDefinition& one : m_definitions) {
@@ -28,7 +33,7 @@ void AlarmEvaluator::compile() {
 }
 
 AlarmInstant AlarmEvaluator::now() const {
-    const auto stamp = m_next > 0 ? m_session.history().stamp(m_next - 1) : std::nullopt;
+    const auto stamp = m_next > 0 ? m_source.history->stamp(m_next - 1) : std::nullopt;
     return stamp ? AlarmInstant{stamp->position, stamp->scan, stamp->time} : AlarmInstant{};
 }
 
@@ -37,11 +42,11 @@ AlarmRecord AlarmEvaluator::recordOf(const AlarmEvent& event) const {
     AlarmRecord record{0, alarm.id, event.kind, event.at, QDateTime::currentMSecsSinceEpoch(), {}, {}};
     if (event.kind != AlarmEventKind::Raised || alarm.values.empty()) return record;
     std::shared_ptr<const image::CompiledProgram> program;
-    const std::vector<std::byte> image = m_session.history().seek(event.at.position, &program);
+    const std::vector<std::byte> image = m_source.history->seek(event.at.position, &program);
     for (const auto& [name, text] : alarm.values) {
         Value value;
         if (!image.empty() && program) {
-            const expression::Expression compiled = m_session.recompile(text.toStdString())(*program);
+            const expression::Expression compiled = m_source.recompile(text.toStdString())(*program);
             if (compiled.isValid())
                 if (const expression::Outcome outcome = compiled.evaluate(image); outcome.hasValue()) value = toPanel(compiled.types(), outcome.value);
         }
@@ -59,7 +64,7 @@ void AlarmEvaluator::append(std::span<const AlarmEvent> events, const QString& u
 }
 
 bool AlarmEvaluator::followBranch(std::vector<AlarmFindings>& findings, history::Position& end) {
-    const std::vector<history::Branch> branches = m_session.history().branches();
+    const std::vector<history::Branch> branches = m_source.history->branches();
     // The next branch that begins at or behind what was evaluated: first the end of the old one, then its parent's state.
     for (size_t i = std::max<size_t>(m_branch, 1); i < branches.size(); ++i) {
         const history::Branch& branch = branches[i];
@@ -78,8 +83,8 @@ bool AlarmEvaluator::followBranch(std::vector<AlarmFindings>& findings, history:
 }
 
 bool AlarmEvaluator::process(std::vector<AlarmFindings>& findings, size_t limit) {
-    if (m_session.program() != m_program) compile();
-    const history::Statistics there = m_session.history().statistics();
+    if (m_source.program() != m_program) compile();
+    const history::Statistics there = m_source.history->statistics();
     if (m_next < there.first) m_next = there.first; // evicted before we came to it
     history::Position end = there.end;
     followBranch(findings, end);
@@ -93,7 +98,7 @@ bool AlarmEvaluator::process(std::vector<AlarmFindings>& findings, size_t limit)
 }
 
 void AlarmEvaluator::processRange(history::Position from, history::Position to, AlarmFindings& out) {
-    const history::History& history = m_session.history();
+    const history::History& history = *m_source.history;
     const size_t count = m_definitions.size(), scans = static_cast<size_t>(to - from);
     if (count == 0 || scans == 0) return;
     std::vector<std::vector<Condition>> conditions(count, std::vector<Condition>(scans, Condition::Unknown));
@@ -101,7 +106,7 @@ void AlarmEvaluator::processRange(history::Position from, history::Position to, 
     bool hasStamps = false;
     const auto read = [&](const expression::Expression& expression, const QString& text, std::vector<Condition>& into) {
         if (!expression.isValid()) return;
-        for (const history::Sample& sample : history.samples(expression, m_session.recompile(text.toStdString()), from, to)) {
+        for (const history::Sample& sample : history.samples(expression, m_source.recompile(text.toStdString()), from, to)) {
             if (sample.at.position < from || sample.at.position >= to) continue;
             const size_t i = static_cast<size_t>(sample.at.position - from);
             instants[i] = {sample.at.position, sample.at.scan, sample.at.time};

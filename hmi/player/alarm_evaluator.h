@@ -17,9 +17,20 @@ struct AlarmFindings {
     std::vector<AlarmRecord> records;
 };
 
+/// Where conditions are read from: a running controller, or a recording from a file.
+struct AlarmSource {
+    const history::History* history;
+    std::function<std::shared_ptr<const image::CompiledProgram>()> program;
+    std::function<Result<expression::Expression>(const std::string& text)> expression;
+    std::function<history::Recompile(const std::string& text)> recompile;
+
+    static AlarmSource of(const session::Session& session);
+};
+
 class AlarmEvaluator {
 public:
-    AlarmEvaluator(const session::Session& session, std::vector<AlarmDefinition> definitions);
+    AlarmEvaluator(const session::Session& session, std::vector<AlarmDefinition> definitions) : AlarmEvaluator(AlarmSource::of(session), std::move(definitions)) {}
+    AlarmEvaluator(AlarmSource source, std::vector<AlarmDefinition> definitions);
 
     /// Evaluates recorded scans up to the newest one, at most `limit` of them; true while some are left.
     bool process(std::vector<AlarmFindings>& findings, size_t limit = 1 << 14);
@@ -36,7 +47,7 @@ private:
     AlarmInstant now() const;
     void append(std::span<const AlarmEvent> events, const QString& user, AlarmFindings& out);
 
-    const session::Session& m_session;
+    AlarmSource m_source;
     std::vector<AlarmDefinition> m_definitions;
     std::shared_ptr<const image::CompiledProgram> m_program;
     std::vector<expression::Expression> m_conditions, m_inhibits;

@@ -54,6 +54,7 @@ void PanelPlayer::connectScene() {
         });
     });
     connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
+        if (m_recording) return refuse(systemText(m_project.texts, SystemText::InThePast, language()));
         if (!m_watch) return;
         if (acknowledge.all) m_watch->acknowledgeAll(acknowledge.classes);
         else m_watch->acknowledge(acknowledge.alarm);
@@ -68,6 +69,10 @@ void PanelPlayer::setSession(session::Session* session) {
     m_values.reset();
     m_languageBinding = {};
     m_languageValue = {};
+    m_recording.reset();
+    m_recordedEvaluator.reset();
+    scene().setAlarms(&m_alarms);
+    scene().setAlarmPosition(std::nullopt);
     m_session = session;
     m_alarms.clear();
     if (session) {
@@ -109,6 +114,7 @@ void PanelPlayer::projectChanged() {
         m_alarms.setFile(m_project.alarms);
         if (m_session && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_session, m_alarms);
     }
+    if (m_recording) setRecording(m_recording);
     if (!m_project.texts.settings().languages.contains(language())) setLanguage(m_project.texts.settings().languages.value(0));
 }
 
@@ -148,8 +154,59 @@ void PanelPlayer::followLanguageVariable() {
 void PanelPlayer::setPosition(std::optional<history::Position> position) {
     if (!m_values) return;
     m_values->setPosition(position);
+    if (m_recording && !position) {
+        const history::Statistics there = m_recording->history->statistics();
+        if (there.end > there.first) position = there.end - 1;
+    }
     scene().setAlarmPosition(position ? std::optional<quint64>(*position) : std::nullopt);
     frame();
+}
+
+void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
+    if (!recording && !m_recording) return;
+    if (scene().pressedView()) scene().release(QPointF(-1e6, -1e6)); // what is down on the controller does not stay so
+    m_recordedEvaluator.reset();
+    m_recording = std::move(recording);
+    m_languageAsked.clear();
+    if (!m_values) {
+        m_values = std::make_unique<PlcValues>(m_session);
+        if (!m_project.texts.settings().variable.isEmpty()) m_languageBinding = m_values->bind(m_project.texts.settings().variable);
+        scene().setValues(m_values.get());
+    }
+    m_values->setRecording(m_recording);
+    if (m_recording) {
+        m_recordedAlarms.clear();
+        m_recordedAlarms.setFile(m_project.alarms);
+        const history::Statistics there = m_recording->history->statistics();
+        if (const auto newest = there.end > there.first ? m_recording->history->stamp(there.end - 1) : std::nullopt) m_recordedAlarms.setClockAtZero(m_values->clock() - newest->time.count());
+        if (m_recording->program && !m_recordedAlarms.definitions().empty()) {
+            const AlarmSource source{m_recording->history, [program = m_recording->program] { return program; },
+                                     [compile = m_recording->compile, program = m_recording->program](const std::string& text) { return compile(text, *program); },
+                                     [recording = *m_recording](const std::string& text) { return recording.recompile(text); }};
+            m_recordedEvaluator = std::make_unique<AlarmEvaluator>(source, m_recordedAlarms.definitions());
+        }
+    } else if (!m_session) {
+        scene().setValues(nullptr);
+        m_values.reset();
+        m_languageBinding = {};
+        m_languageValue = {};
+    }
+    scene().setAlarms(&alarms());
+    setPosition(std::nullopt);
+    if (!m_recording) scene().setAlarmPosition(std::nullopt);
+    updateStatus();
+}
+
+/// A piece of the recording per frame, so that a long one does not hold up the window.
+void PanelPlayer::evaluateRecorded() {
+    if (!m_recordedEvaluator) return;
+    std::vector<AlarmFindings> findings;
+    const bool more = m_recordedEvaluator->process(findings);
+    for (const AlarmFindings& one : findings) {
+        if (one.rewindTo) m_recordedAlarms.rewind(*one.rewindTo);
+        m_recordedAlarms.take(one.records);
+    }
+    if (!more) m_recordedEvaluator.reset();
 }
 
 QString PanelPlayer::post(const WriteRequest& write) {
@@ -158,6 +215,7 @@ QString PanelPlayer::post(const WriteRequest& write) {
         refuse(reason);
         return reason;
     };
+    if (m_recording && write.kind != WriteKind::Release) return no(say(SystemText::InThePast));
     if (!m_session || !m_values) return no(say(SystemText::NoController));
     const std::string path = write.target.toStdString();
     if (write.kind == WriteKind::Release) {
@@ -238,7 +296,9 @@ void PanelPlayer::frame() {
     if (m_values) {
         m_values->refresh();
         followLanguageVariable();
-        for (const std::string& refusal : m_session->takeRefusals()) refuse(QString::fromStdString(refusal));
+        evaluateRecorded();
+        if (m_session)
+            for (const std::string& refusal : m_session->takeRefusals()) refuse(QString::fromStdString(refusal));
     }
     updateStatus();
     if (!m_refusal.isEmpty() && m_refusalAge.isValid() && m_refusalAge.elapsed() > 4000) {

@@ -33,6 +33,8 @@ public:
     void setSession(session::Session* session);
     /// The time slider: a recorded position, or none for the present.
     void setPosition(std::optional<history::Position> position);
+    /// A recording from a file in the place of the controller, as its past: nothing can be written. None goes back.
+    void setRecording(std::optional<PanelRecording> recording);
     void setFullScreen(bool full);
     /// Keeps the alarm history in this file from now on; without it, in memory.
     Result<void> keepAlarmsIn(const QString& path) { return m_alarms.openStore(path); }
@@ -41,12 +43,14 @@ public:
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }
-    AlarmBook& alarms() { return m_alarms; }
+    AlarmBook& alarms() { return m_recording ? m_recordedAlarms : m_alarms; } // as the lists show them
     AlarmWatch* alarmWatch() { return m_watch.get(); }
     PlcValues* values() { return m_values.get(); }
     /// One frame now: values, language variable, state, refusals, repaint.
     void frame();
     Overlay* overlay() const;
+    /// The history of the controller's alarms and its place, whatever is shown.
+    AlarmBook& liveAlarms() { return m_alarms; }
     QString lastRefusal() const { return m_refusal; }
 
     /// Posts a write as a press on the panel would; the answer says why it was refused, or nothing.
@@ -68,6 +72,7 @@ private:
     void followLanguageVariable();
     void updateStatus();
     void placeView(); // below the strip that tells the state: it covers nothing
+    void evaluateRecorded();
     QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
     struct Look;
@@ -76,6 +81,9 @@ private:
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;
     std::unique_ptr<AlarmWatch> m_watch;
+    std::optional<PanelRecording> m_recording;
+    AlarmBook m_recordedAlarms; // those of the recording
+    std::unique_ptr<AlarmEvaluator> m_recordedEvaluator;
     PanelView* m_view;
     PlayerStatus* m_status;
     QTimer m_timer;

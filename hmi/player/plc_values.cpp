@@ -4,21 +4,45 @@
 
 namespace plc::hmi {
 
-PlcValues::PlcValues(session::Session& session) : m_session(session), m_program(session.program()) { refresh(); }
+history::Recompile PanelRecording::recompile(const std::string& text) const {
+    return [compile = compile, text](const image::CompiledProgram& program) {
+        auto compiled = compile(text, program);
+        return compiled ? std::move(*compiled) : expression::Expression();
+    };
+}
 
+PlcValues::PlcValues(session::Session* session) : m_session(session), m_program(session ? session->program() : nullptr) { refresh(); }
+
+history::Recompile PlcValues::recompile(const QString& text) const { return m_recording ? m_recording->recompile(text.toStdString()) : m_session->recompile(text.toStdString()); }
+
+/// For images of `m_program`: the running one, or the version that the past ran under.
 void PlcValues::compile(Binding& binding) {
-    const auto compiled = m_session.expression(binding.text.toStdString());
+    const std::string text = binding.text.toStdString();
     binding.lastBytes.clear();
-    if (!compiled) {
+    const auto failed = [&](const QString& problem) {
         binding.compiled = {};
-        binding.problem = QString::fromStdString(compiled.error().message);
-        binding.facts = {};
-        binding.value = Value::none(binding.problem);
+        binding.problem = problem;
+        binding.value = Value::none(problem);
+    };
+    if (m_recording) {
+        if (!m_program) return failed(QStringLiteral("no longer recorded"));
+        auto compiled = m_recording->compile(text, *m_program);
+        if (!compiled) return failed(QString::fromStdString(compiled.error().message));
+        binding.compiled = std::move(*compiled);
+    } else {
+        if (!m_session) return failed({});
+        auto compiled = m_session->expression(text);
+        if (!compiled) {
+            binding.facts = {};
+            return failed(QString::fromStdString(compiled.error().message));
+        }
+        binding.facts = factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
+        binding.compiled = m_program && m_program != m_session->program() ? m_session->recompile(text)(*m_program) : std::move(*compiled);
+        binding.problem.clear();
         return;
     }
-    binding.compiled = *compiled;
     binding.problem.clear();
-    binding.facts = factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
+    binding.facts = factsOf(binding.compiled.types(), binding.compiled.type(), binding.compiled.place().has_value());
 }
 
 BindingId PlcValues::bind(const QString& expression) {
@@ -48,36 +72,55 @@ void PlcValues::setPosition(std::optional<history::Position> position) {
     refresh();
 }
 
+void PlcValues::setRecording(std::optional<PanelRecording> recording) {
+    m_recording = std::move(recording);
+    m_position.reset();
+    m_image.clear();
+    m_program.reset(); // everything is compiled anew
+    m_scan = ~uint64_t(0);
+    refresh();
+}
+
+std::optional<history::Position> PlcValues::shownPosition() const {
+    if (m_position || !m_recording) return m_position;
+    const history::Statistics there = m_recording->history->statistics();
+    return there.end > there.first ? std::optional(there.end - 1) : std::nullopt;
+}
+
 bool PlcValues::refresh() {
     const controller::State before = m_status.state;
-    m_status = m_session.status();
+    m_status = m_session ? m_session->status() : session::Status();
     bool changed = before != m_status.state;
-    if (const auto program = m_session.program(); program != m_program) {
+    const auto runUnder = [this](const std::shared_ptr<const image::CompiledProgram>& program) {
+        if (!program || program == m_program) return;
         m_program = program;
         for (Binding& binding : m_bindings) compile(binding);
         m_scan = ~uint64_t(0);
-    }
-    if (m_position) {
-        if (m_scan == *m_position && !m_image.empty()) return changed;
+    };
+    if (isPast()) {
+        const std::optional<history::Position> position = shownPosition();
+        if (!position || (m_scan == *position && !m_image.empty())) return changed;
+        // The past may have run under another version of the program: expressions are compiled for its layout.
         std::shared_ptr<const image::CompiledProgram> program;
-        m_image = m_session.history().seek(*m_position, &program);
-        m_pastStamp = m_session.history().stamp(*m_position);
-        m_scan = *m_position;
-        if (program && program != m_program) {
-            // The past ran under another version of the program: expressions are compiled for its layout.
-            for (Binding& binding : m_bindings) {
-                binding.compiled = m_session.recompile(binding.text.toStdString())(*program);
-                binding.lastBytes.clear();
-            }
-            m_program = program;
-        }
+        m_image = history()->seek(*position, &program);
+        m_pastStamp = history()->stamp(*position);
+        runUnder(program);
+        m_scan = *position;
         evaluate();
         return true;
     }
+    if (!m_session) {
+        if (m_image.empty() && m_scan != ~uint64_t(0)) return changed;
+        m_image.clear();
+        m_scan = 0;
+        evaluate();
+        return true;
+    }
+    runUnder(m_session->program());
     // A scan that has not ended since the last frame has nothing new, but at a breakpoint values change within a scan.
     if (m_status.scans == m_scan && m_status.state != controller::State::Halted && !m_image.empty() && !changed) return false;
     m_scan = m_status.scans;
-    m_image = m_session.snapshot();
+    m_image = m_session->snapshot();
     evaluate();
     return true;
 }
@@ -141,10 +184,11 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     if (!id.isValid()) return out;
     const Binding& binding = m_bindings[static_cast<size_t>(id.index)];
     if (!binding.compiled.isValid()) return out;
-    const history::History& history = m_session.history();
+    if (!this->history()) return out;
+    const history::History& history = *this->history();
     const history::Statistics there = history.statistics();
     if (there.scans == 0) return out;
-    const history::Position last = m_position ? *m_position : there.end - 1;
+    const history::Position last = shownPosition().value_or(there.end - 1);
     const std::optional<history::ScanStamp> now = history.stamp(last);
     if (!now) return out;
     const auto begin = now->time - history::Nanoseconds(static_cast<int64_t>(seconds * 1e9));
@@ -160,7 +204,7 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     std::vector<history::Bucket> series;
     for (const history::PositionRange& range : ranges) {
         const auto share = static_cast<size_t>(static_cast<double>(buckets) * static_cast<double>(range.end - range.begin) / static_cast<double>(count));
-        const auto part = history.series(binding.compiled, m_session.recompile(binding.text.toStdString()), range.begin, range.end, std::max<size_t>(1, share));
+        const auto part = history.series(binding.compiled, recompile(binding.text), range.begin, range.end, std::max<size_t>(1, share));
         series.insert(series.end(), part.begin(), part.end());
     }
     const auto secondsOf = [&](history::Position position) {
@@ -178,7 +222,8 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
 }
 
 Freshness PlcValues::freshness() const {
-    if (m_position) return Freshness::Past;
+    if (isPast()) return Freshness::Past;
+    if (!m_session) return Freshness::Disconnected;
     switch (m_status.state) {
     case controller::State::Stopped: return Freshness::Stopped;
     case controller::State::Running: return Freshness::Live;

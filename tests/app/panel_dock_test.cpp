@@ -69,5 +69,41 @@ TEST_F(PanelDockReadOnlyTest, WithoutAFolderToWriteTheAlarmHistoryIsInMemoryAndT
     EXPECT_EQ(lines, 1);
 }
 
+TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
+    runUntilRaised();
+    QTest::qWait(60);
+    const QString path = folder.path() + "/before.rec";
+    ASSERT_TRUE(window->live().saveRecording(path));
+    const auto shown = [&] { return player().values()->value(player().values()->bind("Main.counter")).toNumber(); };
+    player().frame();
+    const double recorded = shown();
+    EXPECT_GT(recorded, 5);
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return shown() > recorded + 5; }));
+
+    ASSERT_TRUE(window->live().openRecording(path));
+    EXPECT_EQ(shown(), recorded) << "the newest scan of the file, while the controller goes on";
+    QTest::qWait(80);
+    EXPECT_EQ(shown(), recorded);
+    EXPECT_EQ(player().values()->freshness(), hmi::Freshness::Past);
+    EXPECT_EQ(player().post(hmi::WriteRequest{{}, "Main.counter", hmi::WriteKind::Write, hmi::Value::ofInteger(1), {}}).toStdString(), "Not written: the panel shows the past.");
+    EXPECT_EQ(player().alarms().present({}, hmi::AlarmOrder::Time).size(), 1u) << "found in the file";
+    window->live().slider().stepScans(-1);
+    EXPECT_EQ(shown(), recorded - 1);
+    window->live().reloadPanels();
+    EXPECT_EQ(shown(), recorded - 1) << "panels read anew still show the file";
+
+    window->live().closeRecording();
+    ASSERT_TRUE(waitFor([&] { return shown() > recorded + 5; }));
+    EXPECT_EQ(player().values()->freshness(), hmi::Freshness::Live);
+    EXPECT_EQ(player().post(hmi::WriteRequest{{}, "Main.limit", hmi::WriteKind::Write, hmi::Value::ofInteger(2000), {}}).toStdString(), "");
+
+    window->control().disconnectSession();
+    ASSERT_TRUE(window->live().openRecording(path));
+    EXPECT_EQ(shown(), recorded) << "without any controller";
+    window->live().closeRecording();
+    EXPECT_EQ(player().values(), nullptr);
+}
+
 } // namespace
 } // namespace plc::app
