@@ -1,0 +1,79 @@
+// The task monitor's figures and histogram, and prepared values of the watch, as a user meets them.
+#include "editor/debug/debug_views.h"
+#include "editor/debug/watch_view.h"
+#include "editor/kit/theme.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAction>
+#include <QToolBar>
+#include <QTreeWidget>
+
+namespace plc::app {
+namespace {
+
+/// Pixels of the bars' colour in the histogram, by column.
+int barPixels(QWidget& histogram) {
+    const QImage picture = histogram.grab().toImage();
+    const QRgb bar = kit::colors().accent.rgb();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) count += picture.pixel(x, y) == bar;
+    return count;
+}
+
+TEST_F(StudioTest, TheTaskMonitorCountsScansAndDrawsTheirHistogram) {
+    window->showDock("tasks");
+    auto* monitor = window->findChild<editor::TaskMonitor*>();
+    ASSERT_NE(monitor, nullptr);
+    ASSERT_TRUE(waitFor([&] { return monitor->isVisible(); }));
+    QWidget* histogram = nullptr;
+    for (QWidget* each : monitor->findChildren<QWidget*>())
+        if (each->accessibleName() == "Histogram of execution times") histogram = each;
+    ASSERT_NE(histogram, nullptr);
+    EXPECT_EQ(barPixels(*histogram), 0) << "nothing ran";
+
+    window->action("run.start")->trigger();
+    auto* tree = monitor->findChild<QTreeWidget*>();
+    ASSERT_TRUE(waitFor([&] { return tree->topLevelItemCount() == 1 && tree->topLevelItem(0)->text(1).toInt() > 20; }));
+    window->action("run.pause")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
+    QTest::qWait(60);
+    monitor->refresh();
+    const auto tasks = window->control().session()->taskStatistics();
+    ASSERT_EQ(tasks.size(), 1u);
+    EXPECT_EQ(tree->topLevelItem(0)->text(1), QString::number(tasks[0].count));
+    uint64_t inBins = 0;
+    for (const uint32_t bin : tasks[0].histogram) inBins += bin;
+    EXPECT_EQ(inBins, tasks[0].count) << "every scan is in a bar";
+    EXPECT_GT(barPixels(*histogram), 100);
+
+    QAction* reset = nullptr;
+    for (QAction* each : monitor->findChild<QToolBar*>()->actions())
+        if (each->text() == "Reset the statistics") reset = each;
+    ASSERT_NE(reset, nullptr);
+    reset->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().session()->taskStatistics()[0].count == 0; }));
+    monitor->refresh();
+    EXPECT_EQ(barPixels(*histogram), 0);
+}
+
+TEST_F(StudioTest, PreparedValuesAreWrittenTogetherAndARefusedOneStays) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 2; }));
+    window->watch().setExpressions({"Main.limit", "Main.done", "Main.counter"});
+    const auto row = [&](int i) { return window->watch().tree().topLevelItem(i); };
+    row(0)->setText(3, "32000");
+    row(1)->setText(3, "TRUE");
+    row(2)->setText(3, "no number");
+    EXPECT_EQ(window->control().value("Main.limit").text, "1000") << "prepared is not written";
+    window->action("run.write")->trigger();
+    EXPECT_TRUE(waitFor([&] { return window->control().value("Main.limit").text == "32000"; }));
+    EXPECT_TRUE(waitFor([&] { return window->control().value("Main.done").text == "TRUE"; }));
+    EXPECT_EQ(row(0)->text(3), "");
+    EXPECT_EQ(row(1)->text(3), "");
+    EXPECT_EQ(row(2)->text(3), "no number") << "what was refused stays to be mended";
+    EXPECT_FALSE(row(2)->toolTip(3).isEmpty()) << "and says why";
+}
+
+} // namespace
+} // namespace plc::app
