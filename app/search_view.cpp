@@ -1,6 +1,7 @@
 #include "app/search_view.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/long_task.h"
 #include "editor/kit/theme.h"
 
 #include <QCheckBox>
@@ -82,21 +83,29 @@ void SearchView::search() {
                                      m_case->isChecked() ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
     if (!pattern.isValid()) return m_summary->setText(tr("Not a pattern: %1").arg(pattern.errorString()));
     int files = 0;
-    for (const QString& file : m_workspace.files()) {
+    const QStringList all = m_workspace.files();
+    kit::LongTask task(tr("Searching all files…"), this);
+    for (qsizetype i = 0; i < all.size(); ++i) {
+        const QString& file = all[i];
+        if (!task.reached(static_cast<double>(i) / static_cast<double>(all.size()))) break;
         const std::string text = m_workspace.text(file);
         const SourceText source(file.toStdString(), text);
         const QString content = QString::fromStdString(text);
         bool any = false;
+        qsizetype counted = 0; // characters whose bytes are in `begin`
+        uint32_t begin = 0;
         for (auto matches = pattern.globalMatch(content); matches.hasNext() && m_results->topLevelItemCount() < 5000;) {
             const auto match = matches.next();
             if (match.capturedLength() == 0) continue;
-            const auto begin = static_cast<uint32_t>(content.left(match.capturedStart()).toUtf8().size());
+            begin += static_cast<uint32_t>(QStringView(content).mid(counted, match.capturedStart() - counted).toUtf8().size());
+            counted = match.capturedStart();
             addLine(file, source, {FileId(0), begin, begin + static_cast<uint32_t>(match.captured().toUtf8().size())}, {});
             any = true;
+            if (m_results->topLevelItemCount() % 200 == 0 && !task.reached((static_cast<double>(i) + static_cast<double>(counted) / static_cast<double>(content.size() + 1)) / static_cast<double>(all.size()))) break;
         }
         files += any;
     }
-    m_summary->setText(tr("%1 in %2").arg(tr("%n place(s)", nullptr, m_results->topLevelItemCount()), tr("%n file(s)", nullptr, files)));
+    m_summary->setText((task.isCancelled() ? tr("Cancelled; so far: %1 in %2") : tr("%1 in %2")).arg(tr("%n place(s)", nullptr, m_results->topLevelItemCount()), tr("%n file(s)", nullptr, files)));
 }
 
 int SearchView::replaceAll() {
@@ -106,14 +115,25 @@ int SearchView::replaceAll() {
     QString replacement = m_replacement->text();
     if (!m_regex->isChecked()) replacement.replace('\\', "\\\\");
     int count = 0;
-    for (const QString& file : m_workspace.files()) {
+    std::vector<std::pair<QString, std::string>> changed; // nothing is replaced before all is known: a cancel changes nothing
+    const QStringList all = m_workspace.files();
+    kit::LongTask task(tr("Replacing in all files…"), this);
+    for (qsizetype i = 0; i < all.size(); ++i) {
+        const QString& file = all[i];
+        if (!task.reached(static_cast<double>(i) / static_cast<double>(all.size()))) {
+            emit message(tr("Cancelled; nothing was replaced"), false);
+            return 0;
+        }
         QString content = QString::fromStdString(m_workspace.text(file));
         int here = 0;
         for (auto matches = pattern.globalMatch(content); matches.hasNext(); matches.next()) ++here;
         if (!here) continue;
         count += here;
         content.replace(pattern, replacement);
-        m_workspace.setText(file, content.toStdString());
+        changed.emplace_back(file, content.toStdString());
+    }
+    for (const auto& [file, text] : changed) {
+        m_workspace.setText(file, text);
         emit m_workspace.textReplaced(file);
     }
     search();

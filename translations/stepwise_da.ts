@@ -1450,6 +1450,13 @@
     </message>
 </context>
 <context>
+    <name>LongTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuller</translation>
+    </message>
+</context>
+<context>
     <name>MarkText</name>
     <message>
         <source>Started</source>
@@ -2854,6 +2861,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1: %2 read, %3 written</source>
         <translation>%1: læst %2, skrevet %3</translation>
+    </message>
+    <message>
+        <source>Searching all files…</source>
+        <translation>Søger i alle filer…</translation>
+    </message>
+    <message>
+        <source>Cancelled; so far: %1 in %2</source>
+        <translation>Afbrudt; indtil da: %1 i %2</translation>
+    </message>
+    <message>
+        <source>Replacing in all files…</source>
+        <translation>Erstatter i alle filer…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was replaced</source>
+        <translation>Afbrudt; intet blev erstattet</translation>
     </message>
 </context>
 <context>
@@ -4835,6 +4858,10 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Trigger off</source>
         <translation>Trigger fra</translation>
+    </message>
+    <message>
+        <source>Saving the samples…</source>
+        <translation>Måleværdier gemmes…</translation>
     </message>
 </context>
 </TS>

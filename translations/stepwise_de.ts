@@ -1450,6 +1450,13 @@
     </message>
 </context>
 <context>
+    <name>LongTask</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
     <name>MarkText</name>
     <message>
         <source>Started</source>
@@ -2854,6 +2861,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1: %2 read, %3 written</source>
         <translation>%1: %2-mal gelesen, %3-mal geschrieben</translation>
+    </message>
+    <message>
+        <source>Searching all files…</source>
+        <translation>Alle Dateien werden durchsucht…</translation>
+    </message>
+    <message>
+        <source>Cancelled; so far: %1 in %2</source>
+        <translation>Abgebrochen; bis dahin: %1 in %2</translation>
+    </message>
+    <message>
+        <source>Replacing in all files…</source>
+        <translation>In allen Dateien wird ersetzt…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was replaced</source>
+        <translation>Abgebrochen; nichts wurde ersetzt</translation>
     </message>
 </context>
 <context>
@@ -4835,6 +4858,10 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>Trigger off</source>
         <translation>Trigger aus</translation>
+    </message>
+    <message>
+        <source>Saving the samples…</source>
+        <translation>Messwerte werden gespeichert…</translation>
     </message>
 </context>
 </TS>

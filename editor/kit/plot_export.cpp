@@ -106,7 +106,7 @@ void printPlot(const PlotModel& model, QPainter& painter, const QRectF& page) {
     renderer.paint(painter, model, page);
 }
 
-void writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out) {
+bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, const ExportProgress& progress) {
     std::vector<const PlotCurve*> curves;
     QByteArray line = "time [s]";
     for (const PlotCurve& curve : model.curves) {
@@ -115,7 +115,7 @@ void writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out) 
         line += ',' + quoted(curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit));
     }
     out.write(line + '\n');
-    if (curves.empty() || to < from) return;
+    if (curves.empty() || to < from) return true;
     uint64_t most = 1;
     for (const PlotCurve* curve : curves) most = std::max(most, curve->source->countIn(from, to + 1));
     // In windows of time, so that a long recording is never in memory twice.
@@ -123,6 +123,7 @@ void writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out) 
     const double width = (static_cast<double>(to) - static_cast<double>(from) + 1) / static_cast<double>(windows);
     std::vector<std::optional<double>> held(curves.size());
     for (uint64_t w = 0; w < windows; ++w) {
+        if (progress && !progress(static_cast<double>(w) / static_cast<double>(windows))) return false;
         const int64_t begin = w == 0 ? from : from + static_cast<int64_t>(width * static_cast<double>(w));
         const int64_t end = w + 1 == windows ? to + 1 : from + static_cast<int64_t>(width * static_cast<double>(w + 1));
         std::vector<std::vector<PlotSample>> samples(curves.size());
@@ -143,12 +144,13 @@ void writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out) 
             out.write(line + '\n');
         }
     }
+    return true;
 }
 
-Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path) {
+Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path, const ExportProgress& progress) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
-    writeCsv(model, from, to, file);
+    if (!writeCsv(model, from, to, file, progress)) return {}; // nothing is committed
     if (!file.commit()) return cannotWrite(path, file.errorString());
     return {};
 }

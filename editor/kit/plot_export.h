@@ -8,6 +8,8 @@
 #include <QSize>
 #include <QString>
 
+#include <functional>
+
 class QIODevice;
 class QPainter;
 
@@ -26,7 +28,10 @@ void printPlot(const PlotModel& model, QPainter& painter, const QRectF& page);
 
 /// Every sample of the visible curves in [from, to]: a line per time, empty where a channel has no value yet; numbers read back
 /// the same. Times in seconds.
-Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path);
-void writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out);
+/// `progress` hears the share that is done and ends it by false: then the file stays as it was.
+using ExportProgress = std::function<bool(double share)>;
+Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path, const ExportProgress& progress = {});
+/// False when `progress` ended it.
+bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, const ExportProgress& progress = {});
 
 } // namespace plc::kit

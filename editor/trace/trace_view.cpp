@@ -1,5 +1,6 @@
 #include "editor/trace/trace_view.h"
 
+#include "editor/kit/long_task.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/plot_export.h"
@@ -238,8 +239,14 @@ void TraceView::exportTo(const QString& suffix) {
     QString path = QFileDialog::getSaveFileName(this, tr("Save as %1").arg(suffix.toUpper()), m_folder, QStringLiteral("*.%1").arg(suffix));
     if (path.isEmpty()) return;
     if (!path.endsWith(QLatin1Char('.') + suffix)) path += QLatin1Char('.') + suffix;
-    const kit::PlotModel& model = m_plot->model();
-    report(suffix == QLatin1String("csv") ? kit::exportCsv(model, model.from, model.to, path) : kit::exportPicture(model, path, {m_plot->size(), 2}));
+    if (suffix == QLatin1String("csv")) exportSamples(path);
+    else report(kit::exportPicture(m_plot->model(), path, {m_plot->size(), 2}));
+}
+
+void TraceView::exportSamples(const QString& path) {
+    const kit::PlotModel model = m_plot->model(); // its own: the view goes on meanwhile
+    kit::LongTask task(tr("Saving the samples…"), this);
+    report(kit::exportCsv(model, model.from, model.to, path, [&](double share) { return task.reached(share); }));
 }
 
 void TraceView::setRecording(const Recording* recording) {

@@ -30,6 +30,8 @@ public:
     /// Shows a recording from a file instead of the running one, until it is closed.
     Result<void> openRecording(const QString& path);
     void closeRecording();
+    /// The samples in view as CSV; it can be cancelled, then the file stays as it was.
+    void exportSamples(const QString& path);
     bool showsFile() const { return m_opened != nullptr; }
     std::shared_ptr<const Recording> openedRecording() const { return m_opened; }
     const QString& openedName() const { return m_openedName; }
