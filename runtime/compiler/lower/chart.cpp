@@ -144,7 +144,8 @@ private:
     void append(Block& to, Block from) { to.insert(to.end(), from.begin(), from.end()); }
     std::string chartVariable() const { return "__chart" + m_number; }
     std::string firedVariable() const { return "__fired" + m_number; }
-    static std::string step(const StepDecl& s) { return spelled(s.name.text); }
+    /// The variable of a step. One that takes the name of a variable has a hidden one, so that the clash is told once.
+    std::string step(const StepDecl& s) const { return m_clashing.contains(&s) ? "__step_" + identifierFrom(s.name.text) + "_" + m_number : spelled(s.name.text); }
 
     void declareSteps() {
         for (const StepDecl* s : m_chart.steps) {
@@ -152,9 +153,23 @@ private:
             if (!s->name.isValid() || !m_unit.steps.insert(key).second) continue; // told by the chart's checks
             m_steps.push_back(s);
             m_known[key] = s;
-            syntax::VarDecl* decl = m_builder.declare(m_unit.section, s->name, "SFC_STEP");
+            if (const Name* other = variableNamed(s->name)) {
+                auto& diagnostic = m_sink.emit(s->name.range, diagnostics::Kind::DuplicateName, {std::string(s->name.text)});
+                diagnostic.related.push_back({other->range, "first declared here"});
+                m_clashing.insert(s);
+            }
+            syntax::VarDecl* decl = m_builder.declare(m_unit.section, m_clashing.contains(s) ? m_builder.name(step(*s), s->name.range) : s->name, "SFC_STEP");
             decl->range = s->range;
         }
+    }
+    const Name* variableNamed(const Name& step) const {
+        for (const syntax::VarSection* section : m_unit.pou.sections) {
+            if (section == &m_unit.section) continue;
+            for (const syntax::VarDecl* decl : section->declarations)
+                for (const Name& name : decl->names)
+                    if (equalsIgnoringCase(name.text, step.text)) return &name;
+        }
+        return nullptr;
     }
     const StepDecl* find(const Name& name) const {
         const auto it = m_known.find(foldCase(name.text));
@@ -373,11 +388,21 @@ private:
         for (Stmt* stmt : block) stmt->isAssociation = true;
         return block;
     }
+    /// The name may be an action of a base, which only the analysis knows: then the association runs what it holds.
+    Block inherited(const Control& control, Block call) {
+        Block out = associated(m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range));
+        out[0]->branches.emplace_back();
+        out[0]->branches[0].body = std::move(call);
+        return out;
+    }
     Block actionCalls() {
         Block out;
         const auto calls = [&](const char* when) {
             for (const Control& control : m_controls)
-                if (control.isAction) append(out, m_builder.statements("IF " + control.variable + "." + when + " THEN " + spelled(control.name.text) + "(); END_IF", control.name.range));
+                if (control.isAction || !m_unit.pou.extends.empty()) {
+                    Block call = m_builder.statements("IF " + control.variable + "." + when + " THEN " + spelled(control.name.text) + "(); END_IF", control.name.range);
+                    append(out, control.isAction ? std::move(call) : inherited(control, std::move(call)));
+                }
         };
         for (const Control& control : m_controls)
             if (!control.isAction) append(out, associated(m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range)));
@@ -433,6 +458,7 @@ private:
     std::string m_number;
     std::vector<const StepDecl*> m_steps;
     std::map<std::string, const StepDecl*> m_known;
+    std::set<const StepDecl*> m_clashing;
     std::vector<const TransitionDecl*> m_transitions;
     std::vector<Control> m_controls;
     int m_timed = 0;

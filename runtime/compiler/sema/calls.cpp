@@ -398,7 +398,7 @@ Operand Checker::call(const syntax::Expr& e, TypeId hint) {
     case Denoted::Kind::Standard: return standardCall(callee.name, e, hint);
     case Denoted::Kind::Place:
         if (isKind(callee.place->type, TypeKind::Block)) emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {textOf(e.base->range)});
-        else if (!isKind(callee.place->type, TypeKind::Unknown)) emit(e.base->range, Kind::NotCallable, {textOf(e.base->range)});
+        else if (!isKind(callee.place->type, TypeKind::Unknown)) emit(e.base->range, Kind::NotCallable, {textOf(e.base->range) + (library::findSignature(world.textOf(e.base->range)) ? " (a variable, which hides the function of this name)" : "")});
         checkArguments();
         return unknown(e.range);
     case Denoted::Kind::Type:

@@ -328,11 +328,15 @@ void World::buildTasks() {
                 return std::chrono::nanoseconds(value.expr->value.integer());
             };
             if (declared->priority)
-                if (const auto priority = constantInteger(declared->priority, scope)) made.task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
+                if (const auto priority = constantInteger(declared->priority, scope)) {
+                    if (*priority < 0 || *priority > 1'000'000) emit(declared->priority->range, Kind::ConstantOutOfRange, {std::to_string(*priority), "PRIORITY (0..1000000)"});
+                    made.task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
+                }
             if (declared->interval)
-                if (const auto interval = duration(*declared->interval); interval && interval->count() > 0) {
-                    made.task.kind = image::TaskKind::Cyclic;
-                    made.task.interval = *interval;
+                if (const auto interval = duration(*declared->interval)) { // zero: as if there were none
+                    if (interval->count() < 0) emit(declared->interval->range, Kind::ConstantOutOfRange, {types::durationText(interval->count()), "INTERVAL (0..)"});
+                    if (interval->count() > 0) made.task.kind = image::TaskKind::Cyclic;
+                    made.task.interval = std::max(*interval, std::chrono::nanoseconds(0));
                 }
             if (declared->single) {
                 Checker checker(*this, scope, sink, arena);

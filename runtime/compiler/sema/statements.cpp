@@ -241,7 +241,15 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
         if (to.kind == Denoted::Kind::Place) expression(value, to.place->type);
         return;
     }
-    if (stmt.isAssociation && !isAssociable(stmt)) return;
+    if (stmt.isAssociation) {
+        const bool isCall = !stmt.branches.empty(); // what runs where the name is an action of a base
+        if (stmt.target->name.isValid())
+            if (const Unit* unit = world.lookup(scope, world.key(stmt.target->name.text)).member.unit; unit && unit->kind == UnitKind::Action) {
+                if (isCall) statements(stmt.branches[0].body, out);
+                return;
+            }
+        if (isCall || !isAssociable(stmt)) return;
+    }
     TypeId type;
     // the target's type is known before the value, but its effects count after it
     const Flow before = flow;

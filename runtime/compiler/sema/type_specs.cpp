@@ -150,7 +150,7 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
         int64_t length = 80;
         if (spec->length) {
             const auto given = constantInteger(spec->length, scope);
-            if (given && (*given < 1 || *given > 65535)) emit(spec->length->range, Kind::ArraySizeInvalid, {"1", std::to_string(*given)});
+            if (given && (*given < 1 || *given > 65535)) emit(spec->length->range, Kind::ConstantOutOfRange, {std::to_string(*given), std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"});
             else if (given) length = *given;
         }
         return wide ? types.wstring(static_cast<uint32_t>(length)) : types.string(static_cast<uint32_t>(length));
