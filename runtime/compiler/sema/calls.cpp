@@ -6,6 +6,16 @@
 
 namespace plc::sema {
 
+namespace {
+/// The outputs of SPLIT_DATE and its like are any integers (table 36): a part whose range fits is no loss.
+bool fitsPartOfDate(const Unit& unit, const Variable& part, TypeKind to) {
+    if (!unit.isLibrary() || !unit.name.starts_with("SPLIT_")) return false;
+    if (to == TypeKind::Uint) return true;
+    if (to != TypeKind::Usint && to != TypeKind::Sint) return false;
+    return part.name == "MONTH" || part.name == "DAY" || part.name == "HOUR" || part.name == "MINUTE" || part.name == "SECOND";
+}
+} // namespace
+
 using diagnostics::Kind;
 using syntax::ArgumentKind;
 using syntax::SectionKind;
@@ -226,7 +236,7 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
             }
             Operand probe = load(localPlace(0, type, argument->value->range), argument->value->range);
             if (target.kind == Denoted::Kind::Place && !argument->negated && target.place->kind != tree::PlaceKind::TextIndex) {
-                if (converted(probe, target.place->type).isUnknown()) good = false;
+                if (!fitsPartOfDate(unit, parameter, types.storageKind(target.place->type)) && converted(probe, target.place->type).isUnknown()) good = false;
                 made.place = target.place;
             } else { // a property, a negated pin: through a local
                 tree::Place* held = localPlace(newLocal(parameter.name, type), type, argument->value->range);
