@@ -16,6 +16,9 @@ struct Unit {
 };
 constexpr std::array<Unit, 7> kUnits{{{"d", kDay}, {"h", 3600 * kSecond}, {"m", 60 * kSecond}, {"s", kSecond}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
 
+/// Nanoseconds since midnight. The day's begin itself need not be a number of 64 bits: the oldest one is not.
+int64_t clockOf(int64_t nanoseconds) { return (nanoseconds % kDay + kDay) % kDay; }
+
 int64_t floorDivide(int64_t a, int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -187,15 +190,14 @@ void appendDate(ScalarText& out, int64_t nanoseconds, bool isLong) {
 
 void appendTimeOfDay(ScalarText& out, int64_t nanoseconds, bool isLong) {
     out.append(isLong ? "LTOD#" : "TOD#");
-    appendClock(out, nanoseconds - floorDivide(nanoseconds, kDay) * kDay);
+    appendClock(out, clockOf(nanoseconds));
 }
 
 void appendDateTime(ScalarText& out, int64_t nanoseconds, bool isLong) {
-    const int64_t days = floorDivide(nanoseconds, kDay);
     out.append(isLong ? "LDT#" : "DT#");
-    appendCivil(out, days);
+    appendCivil(out, floorDivide(nanoseconds, kDay));
     out.append("-");
-    appendClock(out, nanoseconds - days * kDay);
+    appendClock(out, clockOf(nanoseconds));
 }
 
 std::string durationText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDuration(out, nanoseconds, isLong); }); }
@@ -244,12 +246,19 @@ std::optional<int64_t> parseDuration(std::string_view text) {
     return isNegative ? -static_cast<int64_t>(sum) : static_cast<int64_t>(sum);
 }
 
+/// None when the moment is no number of 64 bits: before 1677-09-21 or after 2262-04-11.
+static std::optional<int64_t> momentOf(CivilDate date, int64_t time) {
+    const __int128 moment = static_cast<__int128>(daysFromCivil(date)) * kDay + time;
+    if (moment < INT64_MIN || moment > INT64_MAX) return std::nullopt;
+    return static_cast<int64_t>(moment);
+}
+
 std::optional<int64_t> parseDate(std::string_view text) {
     text = trimmed(text);
     if (!takePrefix(text, {"d", "date", "ld", "ldate"})) return std::nullopt;
     const auto date = takeDate(text);
     if (!date || !text.empty()) return std::nullopt;
-    return daysFromCivil(*date) * kDay;
+    return momentOf(*date, 0);
 }
 
 std::optional<int64_t> parseTimeOfDay(std::string_view text) {
@@ -266,7 +275,7 @@ std::optional<int64_t> parseDateTime(std::string_view text) {
     if (!date || !take(text, '-')) return std::nullopt;
     const auto time = takeTimeOfDay(text);
     if (!time || !text.empty()) return std::nullopt;
-    return daysFromCivil(*date) * kDay + *time;
+    return momentOf(*date, *time);
 }
 
 } // namespace plc::types

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace plc::types;
 
 namespace {
@@ -91,6 +93,12 @@ TEST(Date, TextsReadBack) {
     EXPECT_EQ(parseDateTime("DATE_AND_TIME#1970-01-01-00:00:00"), 0);
     EXPECT_EQ(dateTimeText(9'570 * kDay + kHour), "DT#1996-03-15-01:00:00");
     EXPECT_EQ(dateTimeText(-kSecond), "DT#1969-12-31-23:59:59");
+    // The oldest moment: its midnight lies outside 64 bits.
+    EXPECT_EQ(dateTimeText(std::numeric_limits<int64_t>::min(), true), "LDT#1677-09-21-00:12:43.145224192");
+    EXPECT_EQ(timeOfDayText(std::numeric_limits<int64_t>::min()), "TOD#00:12:43.145224192");
+    EXPECT_EQ(parseDate("D#1677-9-22"), -106'751 * kDay);
+    EXPECT_FALSE(parseDate("D#1677-9-21")); // beyond 64 bits of nanoseconds
+    EXPECT_FALSE(parseDateTime("LDT#1500-1-1-0:0:0"));
     for (const char* text : {"D#1996-3", "D#1996-13-1", "D#2023-2-29", "D#1996-3-15x", "T#1996-3-15", "D#99999-1-1"}) EXPECT_FALSE(parseDate(text)) << text;
     for (const char* text : {"TOD#24:00:00", "TOD#1:60:0", "TOD#1:0:60", "TOD#1", "TOD#1:2:3."}) EXPECT_FALSE(parseTimeOfDay(text)) << text;
     for (const char* text : {"DT#1996-3-15", "DT#1996-3-15-", "DT#1996-3-15 1:10:3"}) EXPECT_FALSE(parseDateTime(text)) << text;
