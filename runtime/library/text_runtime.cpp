@@ -327,7 +327,7 @@ int64_t plc_date_part(int64_t nanoseconds, int64_t which) {
 }
 
 int64_t plc_time_part(int64_t nanoseconds, int64_t which) {
-    const int64_t milliseconds = (nanoseconds - lib::dayOf(nanoseconds) * lib::kDay) / lib::kMillisecond;
+    const int64_t milliseconds = (nanoseconds % lib::kDay + lib::kDay) % lib::kDay / lib::kMillisecond; // the oldest midnight is no number of 64 bits
     switch (which) {
     case 0: return milliseconds / 3'600'000;
     case 1: return milliseconds / 60'000 % 60;
