@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 namespace plc::kit {
 
@@ -18,7 +17,9 @@ public:
         add(falls ? minimum : maximum);
         add(last);
     }
-    [[nodiscard]] std::span<const double> values() const { return std::span(m_values.data(), m_count); }
+    // A range itself, so that one made in the head of a loop lives as long as the loop.
+    [[nodiscard]] const double* begin() const { return m_values.data(); }
+    [[nodiscard]] const double* end() const { return m_values.data() + m_count; }
 
 private:
     void add(double value) {

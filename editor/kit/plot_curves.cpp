@@ -191,7 +191,7 @@ void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMa
         auto y = [&](double raw) { return mapping.yOf(curve.shown(raw)); };
         if (curve.style != CurveStyle::Line && !line.isEmpty()) line << QPointF(x, line.back().y());
         const auto number = [&](double value) { return std::isnan(value) ? bucket.minimum : value; };
-        for (const double value : PenOrder(number(bucket.first), bucket.minimum, bucket.maximum, number(bucket.last)).values()) line << QPointF(x, y(value));
+        for (const double value : PenOrder(number(bucket.first), bucket.minimum, bucket.maximum, number(bucket.last))) line << QPointF(x, y(value));
     });
     if (!line.isEmpty()) lines.push_back(line);
 }

@@ -333,7 +333,7 @@ void TrendChartView::draw(QPainter& painter) {
             const double from = px(piece.from), to = px(piece.to);
             // A piece of several samples is a vertical stroke from least to greatest, so no peak is lost.
             if (series.holds && !line.isEmpty()) line << QPointF(from, line.back().y());
-            for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last).values()) line << QPointF(from, py(value));
+            for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last)) line << QPointF(from, py(value));
             if (series.holds) line << QPointF(to, py(piece.last));
         }
         flush();
