@@ -349,7 +349,7 @@ TEST(MeasureTable, GivesBothCursorsAndLeavesEmptyColumnsOut) {
 TEST(PenOrder, APenNeverGoesBackWithoutNeed) {
     const auto order = [](double first, double minimum, double maximum, double last) {
         const PenOrder pen(first, minimum, maximum, last);
-        return std::vector<double>(pen.values().begin(), pen.values().end());
+        return std::vector<double>(pen.begin(), pen.end());
     };
     EXPECT_EQ(order(1, 1, 4, 4), (std::vector<double>{1, 4}));
     EXPECT_EQ(order(4, 1, 4, 1), (std::vector<double>{4, 1})) << "falling: the band came from 4, 1, 4, 1";
