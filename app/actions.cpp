@@ -1,4 +1,5 @@
-// The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all editable.
+// The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
+// editable.
 #include "app/editor_tabs.h"
 #include "app/main_window.h"
 #include "app/problems_view.h"
@@ -23,7 +24,6 @@ template <void (editor::StEditor::*Command)()> void inEditor(MainWindow& window)
 void say(MainWindow& window, const Result<void>& result) {
     if (!result) window.say(QString::fromStdString(result.error().text()), true);
 }
-
 
 const std::vector<ActionSpec> kActions = {
     {"file.new", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Project…"), "Ctrl+Shift+N", drawn(Icon::New), [](MainWindow& w) { w.newProject(); }},

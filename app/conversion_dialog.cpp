@@ -12,9 +12,12 @@
 
 namespace plc::app {
 
-ConversionDialog::ConversionDialog(const std::string& before, const std::string& after, const analysis::Conversion& conversion, analysis::TextLanguage to, QWidget* parent) : QDialog(parent), m_result(after) {
+ConversionDialog::ConversionDialog(const std::string& before, const std::string& after,
+                                   const analysis::Conversion& conversion, analysis::TextLanguage to, QWidget* parent)
+    : QDialog(parent), m_result(after) {
     const bool toSt = to == analysis::TextLanguage::St;
-    setWindowTitle((toSt ? tr("%1 as ST") : tr("%1 as an Instruction List")).arg(QString::fromStdString(conversion.unit)));
+    setWindowTitle(
+        (toSt ? tr("%1 as ST") : tr("%1 as an Instruction List")).arg(QString::fromStdString(conversion.unit)));
     resize(1000, 640);
     auto* sides = new QSplitter(this);
     const auto add = [&](const std::string& text, const QString& title) {
@@ -30,13 +33,16 @@ ConversionDialog::ConversionDialog(const std::string& before, const std::string&
     };
     add(before, toSt ? tr("Instruction list, as it stands") : tr("ST, as it stands"));
     add(after, toSt ? tr("The same as ST") : tr("The same as an instruction list"));
-    auto* note = new QLabel(tr("Both give the same results. Replacing is one step of undo; comments stay, each above its statement."), this);
+    auto* note = new QLabel(
+        tr("Both give the same results. Replacing is one step of undo; comments stay, each above its statement."),
+        this);
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* replace = buttons->addButton(tr("Replace the Text"), QDialogButtonBox::AcceptRole);
     replace->setObjectName("replace");
     QPushButton* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
-    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(QString::fromStdString(m_result)); });
+    connect(copy, &QPushButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(QString::fromStdString(m_result)); });
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         emit replaceRequested();
         accept();

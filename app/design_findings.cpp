@@ -6,7 +6,8 @@
 
 namespace plc::app {
 
-DesignFindings::DesignFindings(LiveViews& live, ProblemsView& problems, QObject* parent) : QObject(parent), m_live(live), m_problems(problems) {
+DesignFindings::DesignFindings(LiveViews& live, ProblemsView& problems, QObject* parent)
+    : QObject(parent), m_live(live), m_problems(problems) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(600);
     connect(&m_pause, &QTimer::timeout, this, &DesignFindings::begin);
@@ -30,7 +31,9 @@ void DesignFindings::begin() {
 }
 
 void DesignFindings::continueCheck() {
-    const auto take = [this](std::vector<hmi::Finding> found) { m_found.insert(m_found.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end())); };
+    const auto take = [this](std::vector<hmi::Finding> found) {
+        m_found.insert(m_found.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+    };
     if (m_next < m_input.panels.size()) {
         take(hmi::checkPanel(m_input, m_input.panels[m_next++]));
         return;
@@ -40,12 +43,14 @@ void DesignFindings::continueCheck() {
     std::vector<hmi::Finding> rest = hmi::checkPanels(m_input);
     std::erase_if(rest, [](const hmi::Finding& each) { return each.file.endsWith(".panel.json"); });
     take(std::move(rest));
-    std::stable_sort(m_found.begin(), m_found.end(), [](const hmi::Finding& a, const hmi::Finding& b) { return a.isError > b.isError; });
+    std::stable_sort(m_found.begin(), m_found.end(),
+                     [](const hmi::Finding& a, const hmi::Finding& b) { return a.isError > b.isError; });
     std::vector<OtherProblem> problems;
     for (const hmi::Finding& each : m_found) {
         QString place = each.file;
         if (each.line > 0) place += QString(":%1").arg(each.line);
-        if (!each.element.isEmpty()) place += "  " + each.element + (each.property.isEmpty() ? "" : "." + each.property);
+        if (!each.element.isEmpty())
+            place += "  " + each.element + (each.property.isEmpty() ? "" : "." + each.property);
         if (!each.language.isEmpty()) place += "  [" + each.language + "]";
         problems.push_back({each.code(), each.message, place, each.isError, each.file, each.element});
     }

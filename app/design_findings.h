@@ -1,5 +1,6 @@
-// What the panel check says about panels, texts and alarms, kept up to date in the list of problems: a moment after the last edit, one
-// panel per turn of the event loop, so that typing never waits. Owned by the main window; GUI thread (fonts are measured).
+// What the panel check says about panels, texts and alarms, kept up to date in the list of problems: a moment after the
+// last edit, one panel per turn of the event loop, so that typing never waits. Owned by the main window; GUI thread
+// (fonts are measured).
 #pragma once
 #include "app/problems_view.h"
 #include "hmi/view/panel_check.h"

@@ -3,8 +3,8 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
 #include "projects/analysis/conversion.h"
-#include "runtime/compiler/parse/parser.h"
 #include "runtime/compiler/driver/driver.h"
+#include "runtime/compiler/parse/parser.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -79,7 +79,8 @@ QString StPage::chartAtCursor() {
     const std::string around = editor::chartAt(*file, at);
     if (!around.empty()) return QString::fromStdString(around);
     for (const analysis::BodyPlace& place : analysis::bodiesOf(text))
-        if (at >= place.range.begin && at <= place.range.end) return QString::fromStdString(place.unit).section('.', 0, 0);
+        if (at >= place.range.begin && at <= place.range.end)
+            return QString::fromStdString(place.unit).section('.', 0, 0);
     return {};
 }
 
@@ -111,16 +112,17 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         });
         menu.exec(tabBar()->mapToGlobal(at));
     });
-    connect(&workspace, &editor::Workspace::analysed, this, [this](const std::shared_ptr<const analysis::CodeModel>& model) {
-        for (int i = 0; i < count(); ++i)
-            if (auto* page = qobject_cast<StPage*>(widget(i))) {
-                for (StEditor* editor : page->editors()) editor->setModel(model);
-                page->table().setModel(model);
-                if (page->chart()) page->chart()->setModel(model, page->file());
-            } else if (auto* text = qobject_cast<StEditor*>(widget(i))) {
-                text->setModel(model);
-            }
-    });
+    connect(&workspace, &editor::Workspace::analysed, this,
+            [this](const std::shared_ptr<const analysis::CodeModel>& model) {
+                for (int i = 0; i < count(); ++i)
+                    if (auto* page = qobject_cast<StPage*>(widget(i))) {
+                        for (StEditor* editor : page->editors()) editor->setModel(model);
+                        page->table().setModel(model);
+                        if (page->chart()) page->chart()->setModel(model, page->file());
+                    } else if (auto* text = qobject_cast<StEditor*>(widget(i))) {
+                        text->setModel(model);
+                    }
+            });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
         if (StPage* page = pageOf(file)) {
             int line = 0, column = 0;
@@ -156,7 +158,8 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
     connect(&control, &editor::RunControl::halted, this, &EditorTabs::showExecutedLine);
     connect(&control, &editor::RunControl::refreshed, this, [this] {
         // Ten times a second while it runs: more nobody reads.
-        if (m_control.status().state == controller::State::Running && !m_control.viewed() && ++m_frames % 3 != 0) return;
+        if (m_control.status().state == controller::State::Running && !m_control.viewed() && ++m_frames % 3 != 0)
+            return;
         if (auto* text = qobject_cast<StEditor*>(currentWidget())) text->refreshOnlineValues();
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
@@ -195,7 +198,8 @@ StPage* EditorTabs::openFile(const QString& file) {
     connectEditor(&page->first());
     page->table().setOnlineValues(onlineValues());
     page->table().setModel(m_workspace.model());
-    const int index = addTab(page, kit::icon(m_workspace.isTestFile(file) ? kit::Icon::Test : kit::Icon::File), QFileInfo(file).fileName());
+    const int index = addTab(page, kit::icon(m_workspace.isTestFile(file) ? kit::Icon::Test : kit::Icon::File),
+                             QFileInfo(file).fileName());
     setTabToolTip(index, m_workspace.absolutePath(file));
     setCurrentIndex(index);
     markModified(file, m_workspace.isModified(file));
@@ -230,7 +234,8 @@ std::vector<StEditor*> EditorTabs::allEditors() const {
     for (int i = 0; i < count(); ++i) {
         if (auto* page = qobject_cast<StPage*>(widget(i)))
             for (StEditor* each : page->editors()) out.push_back(each);
-        else if (auto* text = qobject_cast<StEditor*>(widget(i))) out.push_back(text);
+        else if (auto* text = qobject_cast<StEditor*>(widget(i)))
+            out.push_back(text);
     }
     return out;
 }
@@ -253,21 +258,27 @@ void EditorTabs::connectEditor(StEditor* editor) {
     });
     connect(editor, &StEditor::breakpointToggled, &m_control, &editor::RunControl::toggleBreakpoint);
     connect(editor, &StEditor::cursorMoved, this, &EditorTabs::cursorMoved);
-    connect(editor, &StEditor::hoverRequested, this, [this, editor](const QString& file, uint32_t offset, const QPoint& at) {
-        if (!m_workspace.model()) return;
-        const auto& model = *m_workspace.model();
-        const auto id = model.fileOf(file.toStdString());
-        if (!id || editor->utf8() != model.sources()[*id].text()) return;
-        const auto hover = model.hover(*id, offset);
-        if (!hover) return QToolTip::hideText();
-        QString html = "<p style='white-space:pre'><b>" + QString::fromStdString(hover->declaration).toHtmlEscaped() + "</b></p>";
-        if (!hover->comment.empty()) html += "<p>" + QString::fromStdString(hover->comment).toHtmlEscaped().replace('\n', "<br>") + "</p>";
-        if (m_control.hasValues() && !hover->path.empty()) {
-            const auto shown = m_control.valueIn(QString::fromStdString(hover->path), hover->isRelative ? QString::fromStdString(hover->pou) : QString());
-            if (!shown.text.isEmpty()) html += "<p>= " + shown.text.left(400).toHtmlEscaped() + "</p>";
-        }
-        QToolTip::showText(at, html, editor);
-    });
+    connect(editor, &StEditor::hoverRequested, this,
+            [this, editor](const QString& file, uint32_t offset, const QPoint& at) {
+                if (!m_workspace.model()) return;
+                const auto& model = *m_workspace.model();
+                const auto id = model.fileOf(file.toStdString());
+                if (!id || editor->utf8() != model.sources()[*id].text()) return;
+                const auto hover = model.hover(*id, offset);
+                if (!hover) return QToolTip::hideText();
+                QString html = "<p style='white-space:pre'><b>" +
+                               QString::fromStdString(hover->declaration).toHtmlEscaped() + "</b></p>";
+                if (!hover->comment.empty())
+                    html +=
+                        "<p>" + QString::fromStdString(hover->comment).toHtmlEscaped().replace('\n', "<br>") + "</p>";
+                if (m_control.hasValues() && !hover->path.empty()) {
+                    const auto shown =
+                        m_control.valueIn(QString::fromStdString(hover->path),
+                                          hover->isRelative ? QString::fromStdString(hover->pou) : QString());
+                    if (!shown.text.isEmpty()) html += "<p>= " + shown.text.left(400).toHtmlEscaped() + "</p>";
+                }
+                QToolTip::showText(at, html, editor);
+            });
     emit editorMade(editor);
 }
 
@@ -277,21 +288,28 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
     chart->setValues([this, chart](const QString& expression) {
         const auto shown = m_control.valueIn(expression, chart->unit().section('.', 0, 0));
         const auto* program = m_control.imageProgram();
-        const bool isTime = program && shown.type.isValid() && program->layout.types->storageKind(shown.type) == types::TypeKind::Time;
-        return editor::ChartValue{shown.text, shown.isTrue, shown.isForced, isTime && !shown.text.isEmpty() ? shown.value.integer() : 0};
+        const bool isTime =
+            program && shown.type.isValid() && program->layout.types->storageKind(shown.type) == types::TypeKind::Time;
+        return editor::ChartValue{shown.text, shown.isTrue, shown.isForced,
+                                  isTime && !shown.text.isEmpty() ? shown.value.integer() : 0};
     });
-    connect(chart, &editor::ChartView::editsRequested, text, [text](const std::vector<diagnostics::TextEdit>& edits) { text->applyEdits(edits); });
+    connect(chart, &editor::ChartView::editsRequested, text,
+            [text](const std::vector<diagnostics::TextEdit>& edits) { text->applyEdits(edits); });
     connect(chart, &editor::ChartView::placeSelected, text, [text](uint32_t offset) {
         const QSignalBlocker blocker(text); // the chart follows the cursor; here the cursor follows the chart
         text->SendScintilla(QsciScintillaBase::SCI_GOTOPOS, static_cast<unsigned long>(offset));
     });
     connect(chart, &editor::ChartView::breakpointRequested, this, [this, page, text](uint32_t offset) {
-        m_control.toggleBreakpoint(page->file(), static_cast<int>(text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))) + 1);
+        m_control.toggleBreakpoint(page->file(),
+                                   static_cast<int>(text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION,
+                                                                        static_cast<unsigned long>(offset))) +
+                                       1);
     });
     connect(chart, &editor::ChartView::forceStepRequested, this, [this, chart](const QString& step, bool active) {
         const QString path = m_control.preferredInstance(chart->unit().section('.', 0, 0)) + "." + step + ".X";
         if (!active) return m_control.unforce(path);
-        if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(QString::fromStdString(forced.error().text()), true);
+        if (auto forced = m_control.force(path, "TRUE"); !forced)
+            emit message(QString::fromStdString(forced.error().text()), true);
     });
     connect(chart, &editor::ChartView::failed, this, [this](const QString& text) { emit message(text, true); });
     connect(text, &StEditor::edited, chart, [text, chart] {
@@ -314,7 +332,9 @@ editor::OnlineValues EditorTabs::onlineValues() {
         for (const auto& [name, pou] : names) {
             const auto shown = m_control.valueIn(name, pou);
             const auto* program = m_control.imageProgram();
-            if (shown.text.isEmpty() || !program || !shown.type.isValid() || program->layout.types->isAggregate(shown.type)) continue;
+            if (shown.text.isEmpty() || !program || !shown.type.isValid() ||
+                program->layout.types->isAggregate(shown.type))
+                continue;
             out.push_back({name, shown.text.left(40), shown.isBool, shown.isTrue, shown.isForced});
         }
         return out;
@@ -376,26 +396,31 @@ QWidget* EditorTabs::pageByKey(const QString& key) const {
 
 void EditorTabs::markModified(const QString& file, bool modified) {
     for (int i = 0; i < count(); ++i)
-        if (auto* page = qobject_cast<StPage*>(widget(i)); page && page->file() == file) setTabText(i, QFileInfo(file).fileName() + (modified ? " ●" : ""));
+        if (auto* page = qobject_cast<StPage*>(widget(i)); page && page->file() == file)
+            setTabText(i, QFileInfo(file).fileName() + (modified ? " ●" : ""));
 }
 
 void EditorTabs::saveCurrent() {
     StPage* page = currentPage();
     if (!page) return emit saved();
     if (m_settings.formatOnSave()) page->active().formatText();
-    if (auto done = m_workspace.save(page->file()); !done) return emit message(QString::fromStdString(done.error().text()), true);
+    if (auto done = m_workspace.save(page->file()); !done)
+        return emit message(QString::fromStdString(done.error().text()), true);
     emit saved();
 }
 
 void EditorTabs::saveAll() {
-    if (auto done = m_workspace.saveAll(); !done) return emit message(QString::fromStdString(done.error().text()), true);
+    if (auto done = m_workspace.saveAll(); !done)
+        return emit message(QString::fromStdString(done.error().text()), true);
     emit saved();
 }
 
 bool EditorTabs::closePage(int index) {
     QWidget* closing = widget(index);
     if (auto* page = qobject_cast<StPage*>(closing); page && m_workspace.isModified(page->file())) {
-        const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(page->file()), QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+        const auto answer =
+            QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(page->file()),
+                                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
         if (answer == QMessageBox::Cancel) return false;
         if (answer == QMessageBox::Save) {
             if (auto done = m_workspace.save(page->file()); !done) {
@@ -417,8 +442,11 @@ bool EditorTabs::closePage(int index) {
 bool EditorTabs::closeAll() {
     const QStringList modified = m_workspace.isOpen() ? m_workspace.modifiedFiles() : QStringList();
     if (!modified.isEmpty()) {
-        const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%n file(s) were changed: %1. Save them?", nullptr, static_cast<int>(modified.size())).arg(modified.join(", ")),
-                                                  QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel);
+        const auto answer = QMessageBox::question(
+            this, tr("Unsaved changes"),
+            tr("%n file(s) were changed: %1. Save them?", nullptr, static_cast<int>(modified.size()))
+                .arg(modified.join(", ")),
+            QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel);
         if (answer == QMessageBox::Cancel) return false;
         if (answer == QMessageBox::SaveAll) {
             if (auto done = m_workspace.saveAll(); !done) {
@@ -433,8 +461,11 @@ bool EditorTabs::closeAll() {
 }
 
 void EditorTabs::askAboutDiskChange(const QString& file) {
-    const auto answer = QMessageBox::question(this, tr("Changed outside"), tr("%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?").arg(file),
-                                              QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    const auto answer = QMessageBox::question(
+        this, tr("Changed outside"),
+        tr("%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?")
+            .arg(file),
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
     if (answer == QMessageBox::Yes) m_workspace.revert(file);
 }
 
@@ -450,7 +481,8 @@ void EditorTabs::applyEdits(const std::vector<analysis::FileEdits>& edits, const
             continue;
         }
         std::string text = m_workspace.text(file);
-        for (size_t i = each.edits.size(); i-- > 0;) text.replace(each.edits[i].range.begin, each.edits[i].range.length(), each.edits[i].text);
+        for (size_t i = each.edits.size(); i-- > 0;)
+            text.replace(each.edits[i].range.begin, each.edits[i].range.length(), each.edits[i].text);
         m_workspace.setText(file, text);
     }
     m_workspace.checkNow();
@@ -467,7 +499,8 @@ void EditorTabs::showBreakpoints() {
             if (!b.isEnabled) disabled.insert(b.line);
         }
         editor->setBreakpoints(lines, disabled);
-        if (StPage* page = pageOf(editor->file()); page && page->chart()) page->chart()->setBreakpoints(lines, disabled);
+        if (StPage* page = pageOf(editor->file()); page && page->chart())
+            page->chart()->setBreakpoints(lines, disabled);
     }
 }
 

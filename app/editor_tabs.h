@@ -1,5 +1,5 @@
-// The open documents: ST files with split view, find bar and declaration table, and whatever other pages the window adds (panels, charts,
-// traces). Keeps editors and workspace in step. Owned by the main window; GUI thread.
+// The open documents: ST files with split view, find bar and declaration table, and whatever other pages the window
+// adds (panels, charts, traces). Keeps editors and workspace in step. Owned by the main window; GUI thread.
 #pragma once
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
@@ -29,7 +29,8 @@ public:
     [[nodiscard]] const QString& file() const { return m_file; }
     void toggleSplit();
     void toggleTable();
-    /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more when it is shown.
+    /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more
+    /// when it is shown.
     editor::ChartView* showChart(const QString& unit);
     [[nodiscard]] editor::ChartView* chart() { return m_chart; }
     /// The chart around the cursor, of a unit or of an action in it; else the unit at the cursor.
@@ -54,7 +55,8 @@ private:
 class EditorTabs : public QTabWidget {
     Q_OBJECT
 public:
-    EditorTabs(editor::Workspace& workspace, editor::RunControl& control, Settings& settings, QWidget* parent = nullptr);
+    EditorTabs(editor::Workspace& workspace, editor::RunControl& control, Settings& settings,
+               QWidget* parent = nullptr);
 
     StPage* openFile(const QString& file);
     void goTo(const QString& file, uint32_t offset, uint32_t length = 0);
@@ -64,7 +66,9 @@ public:
     void goForward();
     [[nodiscard]] StPage* currentPage() const { return qobject_cast<StPage*>(currentWidget()); }
     /// The text in front: of the project, or of a library (read-only).
-    [[nodiscard]] editor::StEditor* currentEditor() const { return currentPage() ? &currentPage()->active() : qobject_cast<editor::StEditor*>(currentWidget()); }
+    [[nodiscard]] editor::StEditor* currentEditor() const {
+        return currentPage() ? &currentPage()->active() : qobject_cast<editor::StEditor*>(currentWidget());
+    }
     /// The text of a file of the project or of a library; null when there is none of that name.
     editor::StEditor* openSource(const QString& file);
     [[nodiscard]] StPage* pageOf(const QString& file) const;

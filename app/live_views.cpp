@@ -15,7 +15,8 @@
 
 namespace plc::app {
 
-LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent) : QObject(parent), m_workspace(workspace), m_control(control) {
+LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent)
+    : QObject(parent), m_workspace(workspace), m_control(control) {
     m_trace = new trace::TraceView;
     m_slider = new trace::TimeSlider;
     m_panelArea = new QWidget;
@@ -25,10 +26,12 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
     m_panelChoice->setAccessibleName(tr("Panel shown"));
     m_panelChoice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     bar->addWidget(m_panelChoice);
-    connect(bar->addAction(kit::icon(kit::Icon::FullScreen), tr("Full screen (Esc ends it)")), &QAction::triggered, this, [this] {
-        if (m_player) m_player->setFullScreen(true);
-    });
-    auto* none = new QLabel(tr("This project has no panel yet.\nNew panels are drawn in the designer: Project, Panels, New…"), m_panelArea);
+    connect(bar->addAction(kit::icon(kit::Icon::FullScreen), tr("Full screen (Esc ends it)")), &QAction::triggered,
+            this, [this] {
+                if (m_player) m_player->setFullScreen(true);
+            });
+    auto* none = new QLabel(
+        tr("This project has no panel yet.\nNew panels are drawn in the designer: Project, Panels, New…"), m_panelArea);
     none->setAlignment(Qt::AlignCenter);
     none->setWordWrap(true);
     m_emptyPanel = none;
@@ -52,13 +55,16 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
             m_trace->programChanged();
         }
     });
-    connect(m_slider, &trace::TimeSlider::positionChanged, this, [this](std::optional<trace::Position> position) { m_control.view(position); });
+    connect(m_slider, &trace::TimeSlider::positionChanged, this,
+            [this](std::optional<trace::Position> position) { m_control.view(position); });
     connect(m_slider, &trace::TimeSlider::resumeRequested, this, [this](quint64 position) {
         m_control.view(position);
-        if (auto resumed = m_control.resumeFromView(); !resumed) emit message(QString::fromStdString(resumed.error().text()), true);
+        if (auto resumed = m_control.resumeFromView(); !resumed)
+            emit message(QString::fromStdString(resumed.error().text()), true);
     });
     connect(m_slider, &trace::TimeSlider::message, this, [this](const QString& text) { emit message(text, false); });
-    connect(m_trace, &trace::TraceView::positionActivated, this, [this](quint64 position) { m_control.view(position); });
+    connect(m_trace, &trace::TraceView::positionActivated, this,
+            [this](quint64 position) { m_control.view(position); });
     connect(m_trace, &trace::TraceView::recordingShown, this, &LiveViews::recordingShown);
     connect(&control, &editor::RunControl::recordedMustClose, this, &LiveViews::closeRecording);
     connect(m_trace, &trace::TraceView::failed, this, [this](const QString& text) { emit message(text, true); });
@@ -70,16 +76,18 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
         const analysis::Completion found = m_workspace.model()->completePath(utf8, offset);
         const int from = static_cast<int>(QString::fromStdString(utf8.substr(0, found.replaceBegin)).size());
         for (const analysis::CompletionItem& item : found.items) {
-            out.push_back({QString::fromStdString(item.text), QString::fromStdString(item.detail), kit::Icon::Variable, from});
+            out.push_back(
+                {QString::fromStdString(item.text), QString::fromStdString(item.detail), kit::Icon::Variable, from});
             if (out.size() == 100) break;
         }
         return out;
     };
     m_slider->setCompletionSource(complete);
     m_complete = complete;
-    connect(&workspace, &editor::Workspace::analysed, this, [this](const std::shared_ptr<const analysis::CodeModel>& model) {
-        if (m_design && !model->checked().analysis->hasErrors) m_design->setChecked(model->checked());
-    });
+    connect(&workspace, &editor::Workspace::analysed, this,
+            [this](const std::shared_ptr<const analysis::CodeModel>& model) {
+                if (m_design && !model->checked().analysis->hasErrors) m_design->setChecked(model->checked());
+            });
 }
 
 LiveViews::~LiveViews() {
@@ -112,17 +120,20 @@ void LiveViews::projectClosed() {
 void LiveViews::openTrace(const QString& name) {
     if (!m_workspace.isOpen()) return;
     const auto& traces = m_workspace.project().traces;
-    QString file = name.isEmpty() ? (traces.empty() ? QString() : QString::fromStdString(traces.front())) : name + ".trace.json";
+    QString file =
+        name.isEmpty() ? (traces.empty() ? QString() : QString::fromStdString(traces.front())) : name + ".trace.json";
     if (file.isEmpty()) {
         m_trace->setSetup({});
         return;
     }
-    if (auto opened = m_trace->openSetup(m_workspace.folder() + "/traces/" + file); !opened) emit message(QString::fromStdString(opened.error().text()), true);
+    if (auto opened = m_trace->openSetup(m_workspace.folder() + "/traces/" + file); !opened)
+        emit message(QString::fromStdString(opened.error().text()), true);
 }
 
 void LiveViews::saveTrace() {
     if (!m_trace->isModified() || m_trace->setupPath().isEmpty()) return;
-    if (auto stored = m_trace->storeSetup(m_trace->setupPath()); !stored) emit message(QString::fromStdString(stored.error().text()), true);
+    if (auto stored = m_trace->storeSetup(m_trace->setupPath()); !stored)
+        emit message(QString::fromStdString(stored.error().text()), true);
 }
 
 void LiveViews::reloadPanels() {
@@ -137,12 +148,15 @@ void LiveViews::reloadPanels() {
     m_design = std::make_shared<hmi::DesignContext>(m_panels);
     m_design->setCompletions(m_complete);
     m_design->setVariables([this]() -> const kit::VariableProvider& { return variables(); });
-    m_design->setPicker([this](const QString& present) { return kit::pickVariable(variables(), present, QApplication::activeWindow()); });
+    m_design->setPicker([this](const QString& present) {
+        return kit::pickVariable(variables(), present, QApplication::activeWindow());
+    });
     connect(m_design.get(), &hmi::DesignContext::textsChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::alarmsChanged, this, &LiveViews::designEdited);
     connect(m_design.get(), &hmi::DesignContext::programChanged, this, &LiveViews::designEdited);
     m_design->setSession(m_control.session());
-    if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors) m_design->setChecked(m_workspace.model()->checked());
+    if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors)
+        m_design->setChecked(m_workspace.model()->checked());
     m_emptyPanel->setVisible(m_panels.panels.empty());
     if (m_panels.panels.empty()) return;
     m_player = new hmi::PanelPlayer(m_panels, m_control.session(), m_panelArea);
@@ -151,7 +165,8 @@ void LiveViews::reloadPanels() {
     keepAlarms();
     connect(m_design.get(), &hmi::DesignContext::alarmsChanged, m_player, [this] { keepAlarms(); });
     static_cast<QVBoxLayout*>(m_panelArea->layout())->addWidget(m_player, 1);
-    connect(m_player, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) { emit message(reason, true); });
+    connect(m_player, &hmi::PanelPlayer::writeRefused, this,
+            [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
     showInPanel();
     showPanel(m_panels.startPanel.isEmpty() ? m_panels.panels.front().name : m_panels.startPanel);
@@ -161,11 +176,13 @@ void LiveViews::reloadPanels() {
 /// The alarm history outlives the window: on disk, beside what else is kept of the project.
 void LiveViews::keepAlarms() {
     if (!m_player || m_panels.alarms.definitions().empty() || m_alarmsInMemory == m_panels.folder) return;
-    if (const QString path = m_player->liveAlarms().storePath(); !path.isEmpty() && path != QLatin1String(":memory:")) return;
+    if (const QString path = m_player->liveAlarms().storePath(); !path.isEmpty() && path != QLatin1String(":memory:"))
+        return;
     const Result<void> kept = m_player->keepAlarmsInProject();
     if (kept) return;
     m_alarmsInMemory = m_panels.folder;
-    emit message(tr("The alarm history is kept in memory only: %1").arg(QString::fromStdString(kept.error().text())), true);
+    emit message(tr("The alarm history is kept in memory only: %1").arg(QString::fromStdString(kept.error().text())),
+                 true);
 }
 
 /// The variables of the program as it is written now; it need not run.
@@ -214,8 +231,11 @@ void LiveViews::recordingShown() {
         return;
     }
     m_slider->setRecording(opened.get());
-    m_control.showRecorded(editor::RecordedRun{m_trace->openedName(), &opened->history(),
-                                               [file = opened.get()](const std::string& text, const std::string& scope, const image::CompiledProgram& program) { return file->expression(text, scope, program); }, opened});
+    m_control.showRecorded(editor::RecordedRun{
+        m_trace->openedName(), &opened->history(),
+        [file = opened.get()](const std::string& text, const std::string& scope,
+                              const image::CompiledProgram& program) { return file->expression(text, scope, program); },
+        opened});
     showInPanel();
 }
 
@@ -224,8 +244,12 @@ void LiveViews::showInPanel() {
     if (!m_player) return;
     const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording());
     if (!opened) return m_player->setRecording(std::nullopt);
-    m_player->setRecording(hmi::PanelRecording{&opened->history(), opened->program(),
-                                               [file = opened.get()](const std::string& text, const image::CompiledProgram& program) { return file->expression(text, {}, program); }, opened});
+    m_player->setRecording(
+        hmi::PanelRecording{&opened->history(), opened->program(),
+                            [file = opened.get()](const std::string& text, const image::CompiledProgram& program) {
+                                return file->expression(text, {}, program);
+                            },
+                            opened});
     m_player->setPosition(m_control.viewed());
 }
 
@@ -251,7 +275,8 @@ Result<void> LiveViews::addPanel(const QString& name) {
         return {};
     }
     // Beside the others, so that designers that are open keep what was drawn in them.
-    const auto at = std::find_if(m_panels.panels.begin(), m_panels.panels.end(), [&](const hmi::NamedPanel& each) { return each.name > name; });
+    const auto at = std::find_if(m_panels.panels.begin(), m_panels.panels.end(),
+                                 [&](const hmi::NamedPanel& each) { return each.name > name; });
     m_panels.panels.insert(at, hmi::NamedPanel{name, {}});
     m_panelChoice->clear();
     for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);

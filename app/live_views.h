@@ -1,5 +1,5 @@
-// The views on the running controller that lie beside the code: trace, operator panel and the time slider over all of them. Puts them in
-// step with the controller and with each other. Owned by the main window; GUI thread.
+// The views on the running controller that lie beside the code: trace, operator panel and the time slider over all of
+// them. Puts them in step with the controller and with each other. Owned by the main window; GUI thread.
 #pragma once
 #include "editor/debug/run_control.h"
 #include "editor/trace/program_variables.h"
@@ -50,7 +50,7 @@ public:
 signals:
     void message(const QString& text, bool isError);
     void panelsChanged();
-    void designEdited(); // panels, texts or alarms: findings are looked for anew
+    void designEdited();     // panels, texts or alarms: findings are looked for anew
     void designsMustClose(); // the panels are read anew: open designers, text and alarm editors close first
 
 private:
@@ -73,7 +73,7 @@ private:
     hmi::PanelProject m_panels;
     std::shared_ptr<hmi::DesignContext> m_design;
     QPointer<hmi::PanelPlayer> m_player;
-    QString m_run; // of the controller, for the alarm history on disk
+    QString m_run;            // of the controller, for the alarm history on disk
     QString m_alarmsInMemory; // the folder whose alarm history was said to be in memory
     kit::CompletionSource m_complete;
     trace::ProgramVariables m_variables; // of m_variablesOf

@@ -19,15 +19,19 @@ namespace {
 bool isCommandLine(const std::vector<std::string>& words) {
     if (words.empty()) return false;
     const auto& commands = plc::cli::commands();
-    if (std::any_of(commands.begin(), commands.end(), [&](const auto& c) { return c.spec.name == words[0]; })) return true;
+    if (std::any_of(commands.begin(), commands.end(), [&](const auto& c) { return c.spec.name == words[0]; }))
+        return true;
     // A folder or project file opens the studio; anything else is a mistyped command and gets the help's answer.
     const QFileInfo path(QString::fromStdString(words[0]));
     return !path.isDir() && path.fileName() != "project.json";
 }
 
 int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-        std::fprintf(stderr, "stepwise: there is no display for the studio; `stepwise --help` lists the commands that need none\n");
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        std::fprintf(
+            stderr,
+            "stepwise: there is no display for the studio; `stepwise --help` lists the commands that need none\n");
         return 2;
     }
     QApplication application(argc, argv);
@@ -45,7 +49,8 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
     for (;;) { // once, and again for each change of the language
         plc::app::installTranslation(application, settings.language());
         plc::app::MainWindow window;
-        if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window.restoreGeometry(geometry);
+        if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty())
+            window.restoreGeometry(geometry);
         window.show();
         if (!folder.isEmpty()) window.openProject(folder);
         if (!settings.sawTour()) QTimer::singleShot(400, &window, &plc::app::MainWindow::startTour);

@@ -32,7 +32,9 @@ namespace plc::app {
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     setObjectName("studio");
     setWindowTitle("Stepwise");
-    setDockOptions(AllowNestedDocks | AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
+    setDockOptions(
+        AllowNestedDocks |
+        AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
     resize(1440, 900);
     m_workspace = new editor::Workspace(this);
     m_control = new editor::RunControl(*m_workspace, this);
@@ -40,7 +42,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
     m_live = new LiveViews(*m_workspace, *m_control, this);
-    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)}) page->setMinimumSize(240, 120); // the page in the back does not keep docks small
+    for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)})
+        page->setMinimumSize(240, 120); // the page in the back does not keep docks small
     m_stack->addWidget(m_startPage);
     m_stack->addWidget(m_tabs);
     setCentralWidget(m_stack);
@@ -61,7 +64,8 @@ MainWindow::~MainWindow() {
 
 // ------------------------------------------------------------------ building the window
 
-QDockWidget* MainWindow::addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area) {
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, int icon, QWidget* widget,
+                                 Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name);
     dock->setWidget(widget);
@@ -87,7 +91,8 @@ void MainWindow::makeDocks() {
     QDockWidget* forces = addDock("forces", tr("Forces"), i(Icon::Force), m_forces, Qt::RightDockWidgetArea);
     tabifyDockWidget(watch, forces);
     QDockWidget* calls = addDock("callPath", tr("Call Path"), i(Icon::CallStack), m_callPath, Qt::RightDockWidgetArea);
-    QDockWidget* breakpoints = addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);
+    QDockWidget* breakpoints =
+        addDock("breakpoints", tr("Breakpoints"), i(Icon::Breakpoint), m_breakpoints, Qt::RightDockWidgetArea);
     tabifyDockWidget(calls, breakpoints);
     QDockWidget* problems = addDock("problems", tr("Problems"), i(Icon::Warning), m_problems, Qt::BottomDockWidgetArea);
     QDockWidget* search = addDock("search", tr("Search"), i(Icon::Find), m_search, Qt::BottomDockWidgetArea);
@@ -115,7 +120,8 @@ void MainWindow::makeDocks() {
     m_recordingButton->setObjectName("recordingShown");
     m_recordingButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_recordingButton->setIcon(kit::icon(kit::Icon::Record));
-    m_recordingButton->setToolTip(tr("All values are of a recording from a file. A click goes back to the controller."));
+    m_recordingButton->setToolTip(
+        tr("All values are of a recording from a file. A click goes back to the controller."));
     connect(m_recordingButton, &QToolButton::clicked, this, &MainWindow::backToLive);
     QAction* recordingShown = timeBar->addWidget(m_recordingButton);
     recordingShown->setObjectName("recordingShownAction");
@@ -146,18 +152,26 @@ void MainWindow::makeActions() {
         auto* made = new QAction(tr(spec.text), this);
         made->setObjectName(spec.id);
         if (spec.icon >= 0) made->setIcon(kit::icon(static_cast<kit::Icon>(spec.icon)));
-        made->setShortcut(m_settings.shortcut(spec.id, QKeySequence(QString::fromLatin1(spec.shortcut), QKeySequence::PortableText)));
-        made->setToolTip(made->shortcut().isEmpty() ? made->text() : QString("%1 (%2)").arg(made->text(), made->shortcut().toString(QKeySequence::NativeText)));
+        made->setShortcut(
+            m_settings.shortcut(spec.id, QKeySequence(QString::fromLatin1(spec.shortcut), QKeySequence::PortableText)));
+        made->setToolTip(
+            made->shortcut().isEmpty()
+                ? made->text()
+                : QString("%1 (%2)").arg(made->text(), made->shortcut().toString(QKeySequence::NativeText)));
         const auto run = spec.run;
         connect(made, &QAction::triggered, this, [this, run] { run(*this); });
         // Cut, copy, paste, undo belong to whatever has the focus; the editor takes them itself.
         const QString id = spec.id;
-        if (id == "edit.cut" || id == "edit.copy" || id == "edit.paste" || id == "edit.undo" || id == "edit.redo") made->setShortcutContext(Qt::WidgetShortcut);
+        if (id == "edit.cut" || id == "edit.copy" || id == "edit.paste" || id == "edit.undo" || id == "edit.redo")
+            made->setShortcutContext(Qt::WidgetShortcut);
         menu->addAction(made);
         addAction(made);
         m_actions << made;
         if (id == "file.open") m_recentMenu = menu->addMenu(tr("Recent Projects"));
-        for (const char* last : {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename", "edit.previousProblem", "run.stop", "run.scan", "run.breakpoint", "run.resetOrigin", "run.history", "run.releaseAll", "view.values", "view.zoomOut", "view.system"})
+        for (const char* last :
+             {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename",
+              "edit.previousProblem", "run.stop", "run.scan", "run.breakpoint", "run.resetOrigin", "run.history",
+              "run.releaseAll", "view.values", "view.zoomOut", "view.system"})
             if (id == last) menu->addSeparator();
     }
     QMenu* view = menus[tr("View")];
@@ -175,9 +189,13 @@ void MainWindow::makeActions() {
     bar->setObjectName("mainToolBar");
     bar->setIconSize({20, 20});
     bar->setMovable(false);
-    for (const char* id : {"file.save", "", "run.start", "run.pause", "run.stop", "run.scan", "run.change", "", "run.stepIn", "run.stepOver", "run.stepOut", "run.breakpoint", "", "time.back", "time.forward", "time.live", "", "run.tests", "view.palette"}) {
-        if (!*id) bar->addSeparator();
-        else bar->addAction(action(id));
+    for (const char* id : {"file.save", "", "run.start", "run.pause", "run.stop", "run.scan", "run.change", "",
+                           "run.stepIn", "run.stepOver", "run.stepOut", "run.breakpoint", "", "time.back",
+                           "time.forward", "time.live", "", "run.tests", "view.palette"}) {
+        if (!*id)
+            bar->addSeparator();
+        else
+            bar->addAction(action(id));
     }
     m_palette = new kit::CommandPalette(this, [this] { return allActions(); });
 }
@@ -232,7 +250,8 @@ void MainWindow::connectParts() {
     connect(m_startPage, &StartPage::newRequested, this, &MainWindow::newProject);
     connect(m_startPage, &StartPage::openRequested, this, &MainWindow::chooseProject);
     connect(m_startPage, &StartPage::tourRequested, this, &MainWindow::startTour);
-    connect(m_tree, &ProjectTree::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_tree, &ProjectTree::placeRequested, this,
+            [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tree, &ProjectTree::chartRequested, m_tabs, &EditorTabs::showChart);
     connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnit);
     connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
@@ -247,7 +266,8 @@ void MainWindow::connectParts() {
     });
     connect(m_tree, &ProjectTree::librariesRequested, this, &MainWindow::chooseLibraries);
     connect(m_tree, &ProjectTree::testsRequested, this, &MainWindow::runTests);
-    connect(m_problems, &ProblemsView::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_problems, &ProblemsView::placeRequested, this,
+            [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_problems, &ProblemsView::countsChanged, this, &MainWindow::updateStatus);
     connect(m_tree, &ProjectTree::traceRequested, this, [this](const QString& name) {
         m_live->openTrace(name);
@@ -277,12 +297,17 @@ void MainWindow::connectParts() {
         m_live->traceView().addChannel(expression);
         showDock("trace");
     });
-    connect(m_search, &SearchView::placeRequested, this, [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
+    connect(m_search, &SearchView::placeRequested, this,
+            [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
     connect(m_search, &SearchView::message, this, &MainWindow::say);
-    connect(m_breakpoints, &editor::BreakpointView::lineRequested, this, [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
-    connect(m_callPath, &editor::CallPathView::placeRequested, this, [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
+    connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
+            [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
+    connect(m_callPath, &editor::CallPathView::placeRequested, this,
+            [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
-    connect(m_tabs, &EditorTabs::cursorMoved, this, [this](const QString&, int line, int column) { m_cursorLabel->setText(tr("%1 : %2").arg(line).arg(column)); });
+    connect(m_tabs, &EditorTabs::cursorMoved, this, [this](const QString&, int line, int column) {
+        m_cursorLabel->setText(tr("%1 : %2").arg(line).arg(column));
+    });
     connect(m_tabs, &EditorTabs::saved, this, [this] {
         if (m_settings.changeOnSave() && m_control->isRunning()) m_control->onlineChange();
     });
@@ -292,9 +317,14 @@ void MainWindow::connectParts() {
         connect(made, &editor::StEditor::renameRequested, this, &MainWindow::renameSymbol);
         connect(made, &editor::StEditor::watchRequested, this, [this, made](const QString& text) {
             // A name inside a POU becomes the path of its instance.
-            const QString pou = m_workspace->model() ? QString::fromStdString(m_workspace->model()->pouAt(*m_workspace->model()->fileOf(made->file().toStdString()), made->cursorOffset())) : QString();
+            const QString pou =
+                m_workspace->model()
+                    ? QString::fromStdString(m_workspace->model()->pouAt(
+                          *m_workspace->model()->fileOf(made->file().toStdString()), made->cursorOffset()))
+                    : QString();
             const QString instance = m_control->preferredInstance(pou);
-            const bool local = !instance.isEmpty() && m_control->value(text, instance).reason.isEmpty() && !m_control->value(text).reason.isEmpty();
+            const bool local = !instance.isEmpty() && m_control->value(text, instance).reason.isEmpty() &&
+                               !m_control->value(text).reason.isEmpty();
             m_watch->add(local ? instance + "." + text : text);
             showDock("watch");
         });
@@ -302,14 +332,17 @@ void MainWindow::connectParts() {
     connect(m_control, &editor::RunControl::statusChanged, this, [this] {
         // Figures are read by people; a change of state is shown at once.
         const auto now = m_control->status().state;
-        if (now == m_shownState && now == controller::State::Running && m_sinceStatus.isValid() && m_sinceStatus.elapsed() < 150) return;
+        if (now == m_shownState && now == controller::State::Running && m_sinceStatus.isValid() &&
+            m_sinceStatus.elapsed() < 150)
+            return;
         m_shownState = now;
         m_sinceStatus.start();
         updateStatus();
     });
     connect(m_control, &editor::RunControl::sessionChanged, this, &MainWindow::updateStatus);
     connect(m_control, &editor::RunControl::viewedChanged, this, &MainWindow::updateStatus);
-    connect(m_control, &editor::RunControl::messageAdded, this, [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
+    connect(m_control, &editor::RunControl::messageAdded, this,
+            [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
     connect(m_control, &editor::RunControl::onlineChangeFinished, this, [this](const QString& text) { say(text); });
     connect(m_control, &editor::RunControl::buildStarted, this, [this] { m_progress->show(); });
     connect(m_control, &editor::RunControl::buildFinished, this, [this](bool good, const QString& text) {
@@ -321,7 +354,8 @@ void MainWindow::connectParts() {
     connect(m_faultButton, &QToolButton::clicked, this, [this] {
         const auto& fault = m_control->status().fault;
         if (!fault || !fault->range.file.isValid() || !m_control->session()) return;
-        m_tabs->goTo(QString::fromStdString(m_control->session()->program()->sources[fault->range.file].path()), fault->range.begin, fault->range.length());
+        m_tabs->goTo(QString::fromStdString(m_control->session()->program()->sources[fault->range.file].path()),
+                     fault->range.begin, fault->range.length());
     });
     connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
     connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
@@ -334,7 +368,8 @@ void MainWindow::updateActions() {
     const bool open = m_workspace->isOpen();
     for (QAction* each : m_actions) {
         const QString id = each->objectName();
-        const bool always = id.startsWith("help.") || id.startsWith("view.") || id == "file.new" || id == "file.open" || id == "file.settings" || id == "file.quit";
+        const bool always = id.startsWith("help.") || id.startsWith("view.") || id == "file.new" || id == "file.open" ||
+                            id == "file.settings" || id == "file.quit";
         each->setEnabled(open || always);
     }
     updateStatus();
@@ -349,11 +384,21 @@ void MainWindow::updateStatus() {
     QColor ground = c.alternate, ink = c.muted;
     if (online) {
         switch (status.state) {
-        case State::Running: state = tr("RUN"), ground = c.good, ink = c.base; break;
-        case State::Paused: state = tr("PAUSE"), ground = c.warning, ink = c.base; break;
-        case State::Halted: state = tr("HALT"), ground = c.warning, ink = c.base; break;
-        case State::Fault: state = tr("FAULT"), ground = c.bad, ink = c.base; break;
-        case State::Stopped: state = tr("STOP"), ground = c.alternate, ink = c.text; break;
+        case State::Running:
+            state = tr("RUN"), ground = c.good, ink = c.base;
+            break;
+        case State::Paused:
+            state = tr("PAUSE"), ground = c.warning, ink = c.base;
+            break;
+        case State::Halted:
+            state = tr("HALT"), ground = c.warning, ink = c.base;
+            break;
+        case State::Fault:
+            state = tr("FAULT"), ground = c.bad, ink = c.base;
+            break;
+        case State::Stopped:
+            state = tr("STOP"), ground = c.alternate, ink = c.text;
+            break;
         }
         if (past) state = tr("PAST"), ground = c.info, ink = c.base;
     }
@@ -362,10 +407,19 @@ void MainWindow::updateStatus() {
     if (auto* shown = findChild<QAction*>("recordingShownAction")) shown->setVisible(recorded);
     m_recordingButton->setText(tr("%1 – back to live").arg(m_control->recordedName()));
     m_stateLabel->setText(state);
-    const QString look = QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }").arg(ground.name(), ink.name());
+    const QString look = QString("QLabel { background: %1; color: %2; border-radius: 3px; margin: 2px; }")
+                             .arg(ground.name(), ink.name());
     if (m_stateLabel->styleSheet() != look) m_stateLabel->setStyleSheet(look);
-    m_timeLabel->setText(online ? tr("%1 · scan %2").arg(QString::fromStdString(types::durationText(status.time.count() / 1'000'000 * 1'000'000)).mid(2)).arg(status.scans) : QString());
-    m_loadLabel->setText(online ? tr("%1 µs · %2 % load").arg(static_cast<double>(status.lastScanNs) / 1e3, 0, 'f', 1).arg(100 * status.load, 0, 'f', 1) : QString());
+    m_timeLabel->setText(
+        online
+            ? tr("%1 · scan %2")
+                  .arg(QString::fromStdString(types::durationText(status.time.count() / 1'000'000 * 1'000'000)).mid(2))
+                  .arg(status.scans)
+            : QString());
+    m_loadLabel->setText(online ? tr("%1 µs · %2 % load")
+                                      .arg(static_cast<double>(status.lastScanNs) / 1e3, 0, 'f', 1)
+                                      .arg(100 * status.load, 0, 'f', 1)
+                                : QString());
     if (online && m_control->session()) {
         const auto statistics = m_control->session()->history().statistics();
         m_historyLabel->setText(tr("%1 MB recorded").arg(statistics.bytes >> 20));

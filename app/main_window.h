@@ -1,5 +1,5 @@
-// The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and holds no logic of its
-// own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
+// The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and
+// holds no logic of its own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
 #pragma once
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
@@ -30,7 +30,7 @@ class EventLog;
 class ForceView;
 class TaskMonitor;
 class WatchView;
-}
+} // namespace plc::editor
 
 namespace plc::app {
 
@@ -46,7 +46,7 @@ class Tour;
 /// One line of the action table: everything a menu, a toolbar, the palette and the shortcut editor need.
 struct ActionSpec {
     const char* id;
-    const char* menu;     // "File", "Edit", … untranslated
+    const char* menu; // "File", "Edit", … untranslated
     const char* text;
     const char* shortcut; // portable text
     int icon;             // kit::Icon, -1 = none
@@ -116,7 +116,7 @@ public:
     [[nodiscard]] bool wantsRestart() const { return m_wantsRestart; }
     [[nodiscard]] const QString& folderToReopen() const { return m_folderToReopen; }
     void saveLanguages(); // that were added in the texts, to project.json
-    void saveDocument(); // text, panel, texts or alarms, whichever is in front
+    void saveDocument();  // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();
 
@@ -135,7 +135,7 @@ private:
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
     void updateActions();
     void updateStatus();
-    bool closeDesigns(); // designers, texts, alarms; false when one wants to stay
+    bool closeDesigns();               // designers, texts, alarms; false when one wants to stay
     bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
     void saveProjectState();
     void restoreProjectState();
@@ -165,7 +165,8 @@ private:
     QMenu* m_recentMenu = nullptr;
     QList<QAction*> m_actions;
     QByteArray m_defaultLayout;
-    QLabel *m_stateLabel = nullptr, *m_timeLabel = nullptr, *m_loadLabel = nullptr, *m_cursorLabel = nullptr, *m_historyLabel = nullptr;
+    QLabel *m_stateLabel = nullptr, *m_timeLabel = nullptr, *m_loadLabel = nullptr, *m_cursorLabel = nullptr,
+           *m_historyLabel = nullptr;
     controller::State m_shownState = controller::State::Stopped;
     QElapsedTimer m_sinceStatus;
     QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;

@@ -85,7 +85,8 @@ ASSERT NOT Main.Motor;
 END_TEST
 )"}};
     if (id == "pid")
-        return {{"src/main.st", std::string(R"(/// A temperature loop: the controller moves the heater, the plant warms up.
+        return {
+            {"src/main.st", std::string(R"(/// A temperature loop: the controller moves the heater, the plant warms up.
 PROGRAM Main
 VAR
     SetPoint : REAL := 50.0;           // [°C]
@@ -99,7 +100,7 @@ END_VAR
 pid(i_xEn := TRUE, i_rSp := SetPoint, i_rPv1 := Measured, i_rKp := Kp, i_rTn := Tn, i_rTd := 20.0, i_stPid := limits, q_rPidOput => Heater);
 END_PROGRAM
 )") + kConfiguration},
-                {"src/plant.st", R"(/// A vessel that the heater warms and the room cools.
+            {"src/plant.st", R"(/// A vessel that the heater warms and the room cools.
 {attribute 'simulation'}
 PROGRAM Plant
 VAR
@@ -112,7 +113,7 @@ Temperature := Temperature + (Room + Gain * Main.Heater - Temperature) * 0.01 / 
 Main.Measured := Temperature;
 END_PROGRAM
 )"},
-                {"tests/loop.st", R"(TEST 'reaches the set point'
+            {"tests/loop.st", R"(TEST 'reaches the set point'
 RUN T#5m;
 ASSERT ABS(Main.SetPoint - Main.Measured) < 1.0;
 END_TEST
@@ -190,10 +191,14 @@ END_PROGRAM
 
 const std::vector<ProjectTemplate>& projectTemplates() {
     static const std::vector<ProjectTemplate> all = {
-        {"empty", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Empty"), QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "One program in a task of 10 ms")},
-        {"motor", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Motor"), QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Start, stop, a simulated motor and a test")},
-        {"pid", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "PID loop"), QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "A temperature loop with its plant")},
-        {"sequence", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Sequence"), QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Fill, mix, empty as a sequential function chart")},
+        {"empty", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Empty"),
+         QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "One program in a task of 10 ms")},
+        {"motor", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Motor"),
+         QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Start, stop, a simulated motor and a test")},
+        {"pid", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "PID loop"),
+         QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "A temperature loop with its plant")},
+        {"sequence", QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Sequence"),
+         QT_TRANSLATE_NOOP("plc::app::NewProjectDialog", "Fill, mix, empty as a sequential function chart")},
     };
     return all;
 }
@@ -201,7 +206,8 @@ const std::vector<ProjectTemplate>& projectTemplates() {
 Result<void> createProject(const std::string& folder, const std::string& name, const std::string& templateId) {
     namespace fs = std::filesystem;
     std::error_code problem;
-    if (fs::exists(folder, problem) && !fs::is_empty(folder, problem)) return Error{"The folder exists already and is not empty; choose another name", folder};
+    if (fs::exists(folder, problem) && !fs::is_empty(folder, problem))
+        return Error{"The folder exists already and is not empty; choose another name", folder};
     for (const char* part : {"src", "tests", "hmi", "traces"}) {
         fs::create_directories(fs::path(folder) / part, problem);
         if (problem) return Error{"The folder can not be made: " + problem.message(), folder};
@@ -210,7 +216,8 @@ Result<void> createProject(const std::string& folder, const std::string& name, c
     json["name"] = name;
     json["libraries"] = templateId == "pid" ? std::vector<std::string>{"toolbox"} : std::vector<std::string>{};
     json["hmi"] = {{"languages", {"en"}}};
-    if (auto written = projects::writeFileAtomically(folder + "/project.json", json.dump(2) + "\n"); !written) return written;
+    if (auto written = projects::writeFileAtomically(folder + "/project.json", json.dump(2) + "\n"); !written)
+        return written;
     for (const File& file : filesOf(templateId))
         if (auto written = projects::writeFileAtomically(folder + "/" + file.path, file.text); !written) return written;
     return {};
@@ -234,14 +241,21 @@ const std::vector<UnitTemplate>& unitTemplates() {
 
 std::string unitText(const std::string& id, const std::string& name) {
     if (id == "program") return "/// What it does.\nPROGRAM " + name + "\nVAR\nEND_VAR\n\nEND_PROGRAM\n";
-    if (id == "block") return "/// What it does.\nFUNCTION_BLOCK " + name + "\nVAR_INPUT\nEND_VAR\nVAR_OUTPUT\nEND_VAR\nVAR\nEND_VAR\n\nEND_FUNCTION_BLOCK\n";
-    if (id == "function") return "/// What it gives.\nFUNCTION " + name + " : INT\nVAR_INPUT\n    x : INT;\nEND_VAR\n" + name + " := x;\nEND_FUNCTION\n";
+    if (id == "block")
+        return "/// What it does.\nFUNCTION_BLOCK " + name +
+               "\nVAR_INPUT\nEND_VAR\nVAR_OUTPUT\nEND_VAR\nVAR\nEND_VAR\n\nEND_FUNCTION_BLOCK\n";
+    if (id == "function")
+        return "/// What it gives.\nFUNCTION " + name + " : INT\nVAR_INPUT\n    x : INT;\nEND_VAR\n" + name +
+               " := x;\nEND_FUNCTION\n";
     if (id == "struct") return "TYPE " + name + " :\nSTRUCT\n    value : REAL;\nEND_STRUCT\nEND_TYPE\n";
     if (id == "enum") return "TYPE " + name + " : (First, Second) := First; END_TYPE\n";
     if (id == "interface") return "INTERFACE " + name + "\nMETHOD Start : BOOL\nEND_METHOD\nEND_INTERFACE\n";
     if (id == "globals") return "{gvl " + name + "}\nVAR_GLOBAL\n    value : INT;\nEND_VAR\n";
     if (id == "chart")
-        return "PROGRAM " + name + "\nVAR\n    go : BOOL;\nEND_VAR\n\nINITIAL_STEP Ready:\nEND_STEP\n\nSTEP Work:\nEND_STEP\n\nTRANSITION FROM Ready TO Work := go; END_TRANSITION\nTRANSITION FROM Work TO Ready := NOT go; END_TRANSITION\nEND_PROGRAM\n";
+        return "PROGRAM " + name +
+               "\nVAR\n    go : BOOL;\nEND_VAR\n\nINITIAL_STEP Ready:\nEND_STEP\n\nSTEP Work:\nEND_STEP\n\nTRANSITION "
+               "FROM Ready TO Work := go; END_TRANSITION\nTRANSITION FROM Work TO Ready := NOT go; "
+               "END_TRANSITION\nEND_PROGRAM\n";
     if (id == "simulation") return "{attribute 'simulation'}\nPROGRAM " + name + "\nVAR\nEND_VAR\n\nEND_PROGRAM\n";
     return "TEST '" + name + "'\nRUN T#1s;\nASSERT TRUE;\nEND_TEST\n";
 }
@@ -253,7 +267,8 @@ NewProjectDialog::NewProjectDialog(QWidget* parent) : QDialog(parent) {
     m_templates = new QListWidget(this);
     m_templates->setAccessibleName(tr("Template"));
     for (const ProjectTemplate& each : projectTemplates()) {
-        auto* item = new QListWidgetItem(kit::icon(kit::Icon::Project), tr(each.title) + "\n" + tr(each.summary), m_templates);
+        auto* item =
+            new QListWidgetItem(kit::icon(kit::Icon::Project), tr(each.title) + "\n" + tr(each.summary), m_templates);
         item->setData(Qt::UserRole, each.id);
     }
     m_templates->setCurrentRow(0);
@@ -298,12 +313,16 @@ QString NewProjectDialog::folder() const {
         if (!c.isLetterOrNumber()) c = '_';
     return m_parent->text() + "/" + file;
 }
-QString NewProjectDialog::templateId() const { return m_templates->currentItem() ? m_templates->currentItem()->data(Qt::UserRole).toString() : "empty"; }
+QString NewProjectDialog::templateId() const {
+    return m_templates->currentItem() ? m_templates->currentItem()->data(Qt::UserRole).toString() : "empty";
+}
 
 void NewProjectDialog::check() {
     QString complaint;
-    if (name().isEmpty()) complaint = tr("The project needs a name");
-    else if (QDir(folder()).exists() && !QDir(folder()).isEmpty()) complaint = tr("%1 exists already and is not empty").arg(folder());
+    if (name().isEmpty())
+        complaint = tr("The project needs a name");
+    else if (QDir(folder()).exists() && !QDir(folder()).isEmpty())
+        complaint = tr("%1 exists already and is not empty").arg(folder());
     QPalette palette = m_complaint->palette();
     palette.setColor(QPalette::WindowText, complaint.isEmpty() ? kit::colors().muted : kit::colors().bad);
     m_complaint->setPalette(palette);
@@ -351,8 +370,10 @@ QString NewUnitDialog::file() const {
 
 void NewUnitDialog::check() {
     QString complaint;
-    if (name().isEmpty()) complaint = tr("Give it a name");
-    else if (templateId() != "test" && !isName(name())) complaint = tr("A name has letters, digits and _, begins with a letter and is no keyword");
+    if (name().isEmpty())
+        complaint = tr("Give it a name");
+    else if (templateId() != "test" && !isName(name()))
+        complaint = tr("A name has letters, digits and _, begins with a letter and is no keyword");
     m_complaint->setText(complaint);
     m_create->setEnabled(complaint.isEmpty());
 }

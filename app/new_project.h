@@ -1,5 +1,6 @@
-// New projects from templates (empty, motor, PID loop, sequence) and new program units (program, block, function, type, interface, globals,
-// test): what is written, and the two dialogs that ask. The texts are plain functions; the dialogs are GUI.
+// New projects from templates (empty, motor, PID loop, sequence) and new program units (program, block, function, type,
+// interface, globals, test): what is written, and the two dialogs that ask. The texts are plain functions; the dialogs
+// are GUI.
 #pragma once
 #include "runtime/base/result.h"
 
@@ -19,7 +20,7 @@ namespace plc::app {
 
 struct ProjectTemplate {
     const char* id;
-    const char* title;   // translated when shown
+    const char* title; // translated when shown
     const char* summary;
 };
 [[nodiscard]] const std::vector<ProjectTemplate>& projectTemplates();

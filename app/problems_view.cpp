@@ -19,7 +19,8 @@ namespace {
 QString translated(const diagnostics::Diagnostic& d) {
     const std::string_view source = diagnostics::templateOf(d.kind);
     QString text = QCoreApplication::translate("Diagnostics", std::string(source).c_str());
-    for (size_t i = 0; i < d.arguments.size(); ++i) text.replace(QString("{%1}").arg(i), QString::fromStdString(d.arguments[i]));
+    for (size_t i = 0; i < d.arguments.size(); ++i)
+        text.replace(QString("{%1}").arg(i), QString::fromStdString(d.arguments[i]));
     return text;
 }
 } // namespace
@@ -66,7 +67,9 @@ ProblemsView::ProblemsView(editor::Workspace& workspace, QWidget* parent) : QWid
     connect(&workspace, &editor::Workspace::analysed, this, &ProblemsView::reload);
     connect(&workspace, &editor::Workspace::closed, this, &ProblemsView::reload);
     connect(m_list, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-        if (!item->data(1, Qt::UserRole).toString().isEmpty()) return emit elementRequested(item->data(1, Qt::UserRole).toString(), item->data(2, Qt::UserRole).toString());
+        if (!item->data(1, Qt::UserRole).toString().isEmpty())
+            return emit elementRequested(item->data(1, Qt::UserRole).toString(),
+                                         item->data(2, Qt::UserRole).toString());
         emit placeRequested(item->data(0, Qt::UserRole).toString(), item->data(0, Qt::UserRole + 1).toUInt());
     });
     connect(m_list, &QTreeWidget::itemClicked, m_list, &QTreeWidget::itemActivated);
@@ -81,13 +84,20 @@ void ProblemsView::reload() {
     m_list->clear();
     m_errors = m_warnings = 0;
     int infos = 0;
-    const auto add = [&](Severity severity, const QString& message, const QString& code, const QString& place) -> QTreeWidgetItem* {
+    const auto add = [&](Severity severity, const QString& message, const QString& code,
+                         const QString& place) -> QTreeWidgetItem* {
         int& count = severity == Severity::Error ? m_errors : severity == Severity::Warning ? m_warnings : infos;
         ++count;
-        const bool shown = severity == Severity::Error ? m_showErrors->isChecked() : severity == Severity::Warning ? m_showWarnings->isChecked() : m_showInfos->isChecked();
-        if (!shown || !(m_filter->text().isEmpty() || (message + " " + code + " " + place).contains(m_filter->text(), Qt::CaseInsensitive))) return nullptr;
+        const bool shown = severity == Severity::Error     ? m_showErrors->isChecked()
+                           : severity == Severity::Warning ? m_showWarnings->isChecked()
+                                                           : m_showInfos->isChecked();
+        if (!shown || !(m_filter->text().isEmpty() ||
+                        (message + " " + code + " " + place).contains(m_filter->text(), Qt::CaseInsensitive)))
+            return nullptr;
         auto* item = new QTreeWidgetItem(m_list, {message, code, place});
-        item->setIcon(0, kit::icon(severity == Severity::Error ? kit::Icon::Error : severity == Severity::Warning ? kit::Icon::Warning : kit::Icon::Information));
+        item->setIcon(0, kit::icon(severity == Severity::Error     ? kit::Icon::Error
+                                   : severity == Severity::Warning ? kit::Icon::Warning
+                                                                   : kit::Icon::Information));
         item->setForeground(1, kit::colors().muted);
         item->setForeground(2, kit::colors().muted);
         return item;
@@ -105,7 +115,8 @@ void ProblemsView::reload() {
                     place = QString("%1:%2").arg(file).arg(source.lineColumn(d.range.begin).line);
                 }
                 const auto code = diagnostics::codeOf(d.kind);
-                if (QTreeWidgetItem* item = add(d.severity, translated(d), QString::fromUtf8(code.data(), static_cast<int>(code.size())), place)) {
+                if (QTreeWidgetItem* item = add(d.severity, translated(d),
+                                                QString::fromUtf8(code.data(), static_cast<int>(code.size())), place)) {
                     item->setData(0, Qt::UserRole, file);
                     item->setData(0, Qt::UserRole + 1, d.range.begin);
                 }
@@ -113,7 +124,8 @@ void ProblemsView::reload() {
             }
     }
     for (const OtherProblem& other : m_others)
-        if (QTreeWidgetItem* item = add(other.isError ? Severity::Error : Severity::Warning, other.message, other.code, other.place)) {
+        if (QTreeWidgetItem* item =
+                add(other.isError ? Severity::Error : Severity::Warning, other.message, other.code, other.place)) {
             item->setData(1, Qt::UserRole, other.panel);
             item->setData(2, Qt::UserRole, other.element);
         }

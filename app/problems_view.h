@@ -1,4 +1,5 @@
-// All diagnostics of the project, by severity and text; panels' findings come in beside the compiler's. F4 goes to the next. Owned by its dock; GUI thread.
+// All diagnostics of the project, by severity and text; panels' findings come in beside the compiler's. F4 goes to the
+// next. Owned by its dock; GUI thread.
 #pragma once
 #include "editor/analysis/workspace.h"
 

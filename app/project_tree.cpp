@@ -22,7 +22,8 @@ namespace {
 /// Variables leave it as paths for watch, trace and panel, and as their name for the text.
 class VariableTree : public QTreeWidget {
 public:
-    VariableTree(QWidget* parent, int kindRole, int pathRole) : QTreeWidget(parent), m_kind(kindRole), m_path(pathRole) {
+    VariableTree(QWidget* parent, int kindRole, int pathRole)
+        : QTreeWidget(parent), m_kind(kindRole), m_path(pathRole) {
         setDragEnabled(true);
         setDragDropMode(DragOnly);
     }
@@ -66,8 +67,10 @@ ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidge
     connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
         if (item->childCount() == 0 || item->data(0, Kind).toString() == "unit") activate(item);
     });
-    connect(m_tree, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* item) { m_collapsed << item->data(0, Name).toString(); });
-    connect(m_tree, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) { m_collapsed.removeAll(item->data(0, Name).toString()); });
+    connect(m_tree, &QTreeWidget::itemCollapsed, this,
+            [this](QTreeWidgetItem* item) { m_collapsed << item->data(0, Name).toString(); });
+    connect(m_tree, &QTreeWidget::itemExpanded, this,
+            [this](QTreeWidgetItem* item) { m_collapsed.removeAll(item->data(0, Name).toString()); });
     connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &ProjectTree::showMenu);
     connect(m_filter, &QLineEdit::textChanged, this, &ProjectTree::filter);
     connect(&workspace, &editor::Workspace::analysed, this, &ProjectTree::reload);
@@ -86,19 +89,32 @@ QTreeWidgetItem* ProjectTree::group(const QString& title, int icon, const QStrin
 namespace {
 Icon iconOf(SymbolKind kind) {
     switch (kind) {
-    case SymbolKind::Program: return Icon::Program;
-    case SymbolKind::Function: return Icon::Function;
-    case SymbolKind::FunctionBlock: return Icon::Block;
-    case SymbolKind::Method: return Icon::Method;
-    case SymbolKind::Property: return Icon::Property;
-    case SymbolKind::Action: return Icon::Action;
-    case SymbolKind::Interface: return Icon::Interface;
-    case SymbolKind::Type: return Icon::Structure;
-    case SymbolKind::Step: return Icon::Sfc;
-    case SymbolKind::Task: return Icon::Task;
-    case SymbolKind::GlobalList: return Icon::Globals;
-    case SymbolKind::Namespace: return Icon::Namespace;
-    default: return Icon::Variable;
+    case SymbolKind::Program:
+        return Icon::Program;
+    case SymbolKind::Function:
+        return Icon::Function;
+    case SymbolKind::FunctionBlock:
+        return Icon::Block;
+    case SymbolKind::Method:
+        return Icon::Method;
+    case SymbolKind::Property:
+        return Icon::Property;
+    case SymbolKind::Action:
+        return Icon::Action;
+    case SymbolKind::Interface:
+        return Icon::Interface;
+    case SymbolKind::Type:
+        return Icon::Structure;
+    case SymbolKind::Step:
+        return Icon::Sfc;
+    case SymbolKind::Task:
+        return Icon::Task;
+    case SymbolKind::GlobalList:
+        return Icon::Globals;
+    case SymbolKind::Namespace:
+        return Icon::Namespace;
+    default:
+        return Icon::Variable;
     }
 }
 } // namespace
@@ -136,7 +152,8 @@ void ProjectTree::addVariables(QTreeWidgetItem* parent, const std::string& owner
     const auto& model = *m_workspace.model();
     for (const sema::Symbol* symbol : found->second) {
         // Globals belong to the list they stand in.
-        if (owner.empty() && (QString::fromStdString(model.sources()[symbol->declaration.file].path()) != file || symbol->declaration.begin < parent->data(0, Offset).toUInt() ||
+        if (owner.empty() && (QString::fromStdString(model.sources()[symbol->declaration.file].path()) != file ||
+                              symbol->declaration.begin < parent->data(0, Offset).toUInt() ||
                               symbol->declaration.begin >= parent->data(0, EndOffset).toUInt()))
             continue;
         auto* item = new QTreeWidgetItem(parent, {QString::fromStdString(symbol->name)});
@@ -147,7 +164,8 @@ void ProjectTree::addVariables(QTreeWidgetItem* parent, const std::string& owner
         item->setData(0, Name, file + "/" + QString::fromStdString(owner + "." + symbol->name));
         item->setData(0, Path, QString::fromStdString(symbol->path.empty() ? symbol->name : symbol->path));
         QString tip = QString::fromStdString(symbol->path.empty() ? symbol->name : symbol->path);
-        if (symbol->type.isValid() && model.checked().analysis->program) tip += " : " + QString::fromStdString((*model.checked().analysis->program->types)[symbol->type].name);
+        if (symbol->type.isValid() && model.checked().analysis->program)
+            tip += " : " + QString::fromStdString((*model.checked().analysis->program->types)[symbol->type].name);
         if (!symbol->comment.empty()) tip += "\n" + QString::fromStdString(symbol->comment);
         item->setToolTip(0, tip);
     }
@@ -172,26 +190,31 @@ void ProjectTree::reload() {
         if (!id) continue;
         const auto place = [&](auto&& self, const std::vector<analysis::OutlineItem>& items) -> void {
             for (const analysis::OutlineItem& item : items) {
-                const QString key = item.isSimulation                           ? "simulation"
-                                    : item.kind == SymbolKind::Program          ? "programs"
-                                    : item.kind == SymbolKind::FunctionBlock || item.kind == SymbolKind::Interface ? "blocks"
-                                    : item.kind == SymbolKind::Function         ? "functions"
-                                    : item.kind == SymbolKind::Type             ? "types"
-                                    : item.kind == SymbolKind::GlobalList       ? "globals"
-                                    : item.kind == SymbolKind::Task             ? "tasks"
-                                                                                : "";
+                const QString key = item.isSimulation                  ? "simulation"
+                                    : item.kind == SymbolKind::Program ? "programs"
+                                    : item.kind == SymbolKind::FunctionBlock || item.kind == SymbolKind::Interface
+                                        ? "blocks"
+                                    : item.kind == SymbolKind::Function   ? "functions"
+                                    : item.kind == SymbolKind::Type       ? "types"
+                                    : item.kind == SymbolKind::GlobalList ? "globals"
+                                    : item.kind == SymbolKind::Task       ? "tasks"
+                                                                          : "";
                 if (item.kind == SymbolKind::Namespace) self(self, item.children);
                 if (key.isEmpty()) continue;
                 parts[key].push_back({file, item});
-                shape += key + file + QString::fromStdString(item.name) + QString::number(item.nameRange.begin) + QString::number(item.children.size());
+                shape += key + file + QString::fromStdString(item.name) + QString::number(item.nameRange.begin) +
+                         QString::number(item.children.size());
             }
         };
         place(place, model.outline(*id));
     }
     m_variables.clear();
     for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
-        if ((symbol.kind != SymbolKind::Variable && symbol.kind != SymbolKind::Constant) || !symbol.declaration.file.isValid()) continue;
-        if (!m_workspace.files().contains(QString::fromStdString(model.sources()[symbol.declaration.file].path()))) continue;
+        if ((symbol.kind != SymbolKind::Variable && symbol.kind != SymbolKind::Constant) ||
+            !symbol.declaration.file.isValid())
+            continue;
+        if (!m_workspace.files().contains(QString::fromStdString(model.sources()[symbol.declaration.file].path())))
+            continue;
         m_variables[foldCase(symbol.owner)].push_back(&symbol);
         shape += QString::fromStdString(symbol.owner + "." + symbol.name) + QString::number(symbol.declaration.begin);
     }
@@ -215,7 +238,8 @@ void ProjectTree::reload() {
     fill(tr("Globals"), Icon::Globals, "globals");
     fill(tr("Tasks"), Icon::Task, "tasks");
     fill(tr("Simulation"), Icon::Simulation, "simulation");
-    const auto names = [&](QTreeWidgetItem* parent, const std::vector<std::string>& list, const QString& kind, Icon icon, const QString& ending) {
+    const auto names = [&](QTreeWidgetItem* parent, const std::vector<std::string>& list, const QString& kind,
+                           Icon icon, const QString& ending) {
         for (const std::string& name : list) {
             QString shown = QString::fromStdString(name);
             if (shown.endsWith(ending)) shown.chop(ending.size());
@@ -225,14 +249,16 @@ void ProjectTree::reload() {
             item->setData(0, Name, shown);
         }
     };
-    names(group(tr("Panels"), static_cast<int>(Icon::Panel), "panels"), project.panels, "panel", Icon::Panel, ".panel.json");
+    names(group(tr("Panels"), static_cast<int>(Icon::Panel), "panels"), project.panels, "panel", Icon::Panel,
+          ".panel.json");
     auto* texts = new QTreeWidgetItem(m_tree, {tr("Texts")});
     texts->setIcon(0, kit::icon(Icon::Texts));
     texts->setData(0, Kind, "texts");
     auto* alarms = new QTreeWidgetItem(m_tree, {tr("Alarms")});
     alarms->setIcon(0, kit::icon(Icon::Alarm));
     alarms->setData(0, Kind, "alarms");
-    names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace, ".trace.json");
+    names(group(tr("Traces"), static_cast<int>(Icon::Trace), "traces"), project.traces, "trace", Icon::Trace,
+          ".trace.json");
     QTreeWidgetItem* tests = group(tr("Tests"), static_cast<int>(Icon::Test), "tests");
     for (const QString& file : m_workspace.files()) {
         if (!m_workspace.isTestFile(file)) continue;
@@ -243,11 +269,13 @@ void ProjectTree::reload() {
         item->setData(0, Offset, 0u);
         item->setData(0, Name, file);
     }
-    names(group(tr("Libraries"), static_cast<int>(Icon::Library), "libraries"), project.libraries, "library", Icon::Library, "");
+    names(group(tr("Libraries"), static_cast<int>(Icon::Library), "libraries"), project.libraries, "library",
+          Icon::Library, "");
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = m_tree->topLevelItem(i);
         if (!m_collapsed.contains(item->data(0, Name).toString())) item->setExpanded(true);
-        if (item->childCount() == 0 && item->data(0, Kind).toString().startsWith("group:")) item->setForeground(0, kit::colors().muted);
+        if (item->childCount() == 0 && item->data(0, Kind).toString().startsWith("group:"))
+            item->setForeground(0, kit::colors().muted);
     }
     m_variables.clear();
     filter(m_filter->text());
@@ -255,13 +283,20 @@ void ProjectTree::reload() {
 
 void ProjectTree::activate(QTreeWidgetItem* item) {
     const QString kind = item->data(0, Kind).toString();
-    if (kind == "unit" || kind == "variable") emit placeRequested(item->data(0, File).toString(), item->data(0, Offset).toUInt());
-    else if (kind == "chart") emit chartRequested(item->data(0, File).toString(), item->data(0, Name).toString());
-    else if (kind == "panel") emit panelRequested(item->data(0, Name).toString());
-    else if (kind == "trace") emit traceRequested(item->data(0, Name).toString());
-    else if (kind == "texts") emit textsRequested();
-    else if (kind == "alarms") emit alarmsRequested();
-    else if (kind == "library") emit librariesRequested();
+    if (kind == "unit" || kind == "variable")
+        emit placeRequested(item->data(0, File).toString(), item->data(0, Offset).toUInt());
+    else if (kind == "chart")
+        emit chartRequested(item->data(0, File).toString(), item->data(0, Name).toString());
+    else if (kind == "panel")
+        emit panelRequested(item->data(0, Name).toString());
+    else if (kind == "trace")
+        emit traceRequested(item->data(0, Name).toString());
+    else if (kind == "texts")
+        emit textsRequested();
+    else if (kind == "alarms")
+        emit alarmsRequested();
+    else if (kind == "library")
+        emit librariesRequested();
 }
 
 void ProjectTree::showMenu(const QPoint& position) {
@@ -272,9 +307,12 @@ void ProjectTree::showMenu(const QPoint& position) {
     const QString kind = item ? item->data(0, Kind).toString() : QString();
     QMenu menu(this);
     connect(menu.addAction(kit::icon(Icon::New), tr("New…")), &QAction::triggered, this, [this, kind] {
-        if (kind == "panel" || kind == "group:panels") emit newPanelRequested();
-        else if (kind == "trace" || kind == "group:traces") emit newTraceRequested();
-        else emit newUnitRequested();
+        if (kind == "panel" || kind == "group:panels")
+            emit newPanelRequested();
+        else if (kind == "trace" || kind == "group:traces")
+            emit newTraceRequested();
+        else
+            emit newUnitRequested();
     });
     if (item && !kind.startsWith("group:")) {
         connect(menu.addAction(kit::icon(Icon::Open), tr("Open")), &QAction::triggered, this, [this, here] {
@@ -293,38 +331,51 @@ void ProjectTree::showMenu(const QPoint& position) {
     }
     if (kind == "variable") {
         const QString path = item->data(0, Path).toString();
-        connect(menu.addAction(kit::icon(Icon::Watch), tr("Watch")), &QAction::triggered, this, [this, path] { emit watchRequested(path); });
+        connect(menu.addAction(kit::icon(Icon::Watch), tr("Watch")), &QAction::triggered, this,
+                [this, path] { emit watchRequested(path); });
     }
-    connect(menu.addAction(kit::icon(Icon::Library), tr("Libraries…")), &QAction::triggered, this, &ProjectTree::librariesRequested);
-    connect(menu.addAction(kit::icon(Icon::Test), tr("Run Tests")), &QAction::triggered, this, &ProjectTree::testsRequested);
+    connect(menu.addAction(kit::icon(Icon::Library), tr("Libraries…")), &QAction::triggered, this,
+            &ProjectTree::librariesRequested);
+    connect(menu.addAction(kit::icon(Icon::Test), tr("Run Tests")), &QAction::triggered, this,
+            &ProjectTree::testsRequested);
     menu.exec(m_tree->viewport()->mapToGlobal(position));
 }
 
 void ProjectTree::rename(QTreeWidgetItem* item) {
     const QString kind = item->data(0, Kind).toString(), file = item->data(0, File).toString();
-    if (kind == "panel" || kind == "trace") emit renameFileRequested(kind, item->data(0, Name).toString());
-    else if (kind == "unit" && editor::Workspace::isTestFile(file)) emit renameFileRequested("test", file);
-    else if (kind == "unit" || kind == "variable") emit renameRequested(file, item->data(0, Offset).toUInt());
+    if (kind == "panel" || kind == "trace")
+        emit renameFileRequested(kind, item->data(0, Name).toString());
+    else if (kind == "unit" && editor::Workspace::isTestFile(file))
+        emit renameFileRequested("test", file);
+    else if (kind == "unit" || kind == "variable")
+        emit renameRequested(file, item->data(0, Offset).toUInt());
 }
 
 void ProjectTree::remove(QTreeWidgetItem* item) {
     const QString kind = item->data(0, Kind).toString(), file = item->data(0, File).toString();
-    if (kind == "panel" || kind == "trace") emit deleteFileRequested(kind, item->data(0, Name).toString());
-    else if (kind == "unit" && editor::Workspace::isTestFile(file)) emit deleteFileRequested("test", file);
-    else if (kind == "unit") emit deleteRequested(file, item->data(0, Offset).toUInt(), item->data(0, EndOffset).toUInt(), item->text(0));
+    if (kind == "panel" || kind == "trace")
+        emit deleteFileRequested(kind, item->data(0, Name).toString());
+    else if (kind == "unit" && editor::Workspace::isTestFile(file))
+        emit deleteFileRequested("test", file);
+    else if (kind == "unit")
+        emit deleteRequested(file, item->data(0, Offset).toUInt(), item->data(0, EndOffset).toUInt(), item->text(0));
 }
 
 bool ProjectTree::eventFilter(QObject* watched, QEvent* event) {
-    const bool isKey = watched == m_tree && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride);
+    const bool isKey =
+        watched == m_tree && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride);
     if (!isKey || !m_tree->currentItem()) return QWidget::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->modifiers() != Qt::NoModifier || (key->key() != Qt::Key_F2 && key->key() != Qt::Key_Delete)) return QWidget::eventFilter(watched, event);
+    if (key->modifiers() != Qt::NoModifier || (key->key() != Qt::Key_F2 && key->key() != Qt::Key_Delete))
+        return QWidget::eventFilter(watched, event);
     if (event->type() == QEvent::ShortcutOverride) { // F2 here is the tree's, not the editor's
         event->accept();
         return true;
     }
-    if (key->key() == Qt::Key_F2) rename(m_tree->currentItem());
-    else remove(m_tree->currentItem());
+    if (key->key() == Qt::Key_F2)
+        rename(m_tree->currentItem());
+    else
+        remove(m_tree->currentItem());
     return true;
 }
 

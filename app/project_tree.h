@@ -1,5 +1,5 @@
-// The project as a tree made from the parsed files: programs, blocks, functions, types, globals, tasks, libraries, panels, texts, traces,
-// tests, simulation. Owned by its dock; GUI thread.
+// The project as a tree made from the parsed files: programs, blocks, functions, types, globals, tasks, libraries,
+// panels, texts, traces, tests, simulation. Owned by its dock; GUI thread.
 #pragma once
 #include "editor/analysis/workspace.h"
 

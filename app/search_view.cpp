@@ -54,7 +54,8 @@ SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(
     connect(find, &QPushButton::clicked, this, &SearchView::search);
     connect(replace, &QPushButton::clicked, this, &SearchView::replaceAll);
     connect(m_results, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-        emit placeRequested(item->data(0, Qt::UserRole).toString(), item->data(0, Qt::UserRole + 1).toUInt(), item->data(0, Qt::UserRole + 2).toUInt());
+        emit placeRequested(item->data(0, Qt::UserRole).toString(), item->data(0, Qt::UserRole + 1).toUInt(),
+                            item->data(0, Qt::UserRole + 2).toUInt());
     });
     connect(m_results, &QTreeWidget::itemClicked, m_results, &QTreeWidget::itemActivated);
 }
@@ -68,7 +69,9 @@ void SearchView::openSearch(const QString& text) {
 void SearchView::addLine(const QString& file, const SourceText& source, SourceRange range, const QString& kind) {
     const uint32_t line = source.lineColumn(range.begin).line;
     const std::string_view text = source.line(line);
-    auto* item = new QTreeWidgetItem(m_results, {QString("%1:%2").arg(file).arg(line), kind, QString::fromUtf8(text.data(), static_cast<int>(text.size())).trimmed()});
+    auto* item =
+        new QTreeWidgetItem(m_results, {QString("%1:%2").arg(file).arg(line), kind,
+                                        QString::fromUtf8(text.data(), static_cast<int>(text.size())).trimmed()});
     item->setFont(2, QFont("Noto Sans Mono"));
     item->setForeground(0, kit::colors().muted);
     item->setData(0, Qt::UserRole, file);
@@ -80,7 +83,9 @@ void SearchView::search() {
     m_results->clear();
     if (m_text->text().isEmpty() || !m_workspace.isOpen()) return;
     const QRegularExpression pattern(m_regex->isChecked() ? m_text->text() : QRegularExpression::escape(m_text->text()),
-                                     m_case->isChecked() ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
+                                     m_case->isChecked() ? QRegularExpression::MultilineOption
+                                                         : QRegularExpression::MultilineOption |
+                                                               QRegularExpression::CaseInsensitiveOption);
     if (!pattern.isValid()) return m_summary->setText(tr("Not a pattern: %1").arg(pattern.errorString()));
     int files = 0;
     const QStringList all = m_workspace.files();
@@ -97,25 +102,36 @@ void SearchView::search() {
         for (auto matches = pattern.globalMatch(content); matches.hasNext() && m_results->topLevelItemCount() < 5000;) {
             const auto match = matches.next();
             if (match.capturedLength() == 0) continue;
-            begin += static_cast<uint32_t>(QStringView(content).mid(counted, match.capturedStart() - counted).toUtf8().size());
+            begin += static_cast<uint32_t>(
+                QStringView(content).mid(counted, match.capturedStart() - counted).toUtf8().size());
             counted = match.capturedStart();
-            addLine(file, source, {FileId(0), begin, begin + static_cast<uint32_t>(match.captured().toUtf8().size())}, {});
+            addLine(file, source, {FileId(0), begin, begin + static_cast<uint32_t>(match.captured().toUtf8().size())},
+                    {});
             any = true;
-            if (m_results->topLevelItemCount() % 200 == 0 && !task.reached((static_cast<double>(i) + static_cast<double>(counted) / static_cast<double>(content.size() + 1)) / static_cast<double>(all.size()))) break;
+            if (m_results->topLevelItemCount() % 200 == 0 &&
+                !task.reached(
+                    (static_cast<double>(i) + static_cast<double>(counted) / static_cast<double>(content.size() + 1)) /
+                    static_cast<double>(all.size())))
+                break;
         }
         files += any;
     }
-    m_summary->setText((task.isCancelled() ? tr("Cancelled; so far: %1 in %2") : tr("%1 in %2")).arg(tr("%n place(s)", nullptr, m_results->topLevelItemCount()), tr("%n file(s)", nullptr, files)));
+    m_summary->setText(
+        (task.isCancelled() ? tr("Cancelled; so far: %1 in %2") : tr("%1 in %2"))
+            .arg(tr("%n place(s)", nullptr, m_results->topLevelItemCount()), tr("%n file(s)", nullptr, files)));
 }
 
 int SearchView::replaceAll() {
     const QRegularExpression pattern(m_regex->isChecked() ? m_text->text() : QRegularExpression::escape(m_text->text()),
-                                     m_case->isChecked() ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
+                                     m_case->isChecked() ? QRegularExpression::MultilineOption
+                                                         : QRegularExpression::MultilineOption |
+                                                               QRegularExpression::CaseInsensitiveOption);
     if (!pattern.isValid() || m_text->text().isEmpty()) return 0;
     QString replacement = m_replacement->text();
     if (!m_regex->isChecked()) replacement.replace('\\', "\\\\");
     int count = 0;
-    std::vector<std::pair<QString, std::string>> changed; // nothing is replaced before all is known: a cancel changes nothing
+    std::vector<std::pair<QString, std::string>>
+        changed; // nothing is replaced before all is known: a cancel changes nothing
     const QStringList all = m_workspace.files();
     kit::LongTask task(tr("Replacing in all files…"), this);
     for (qsizetype i = 0; i < all.size(); ++i) {
@@ -148,7 +164,11 @@ void SearchView::showUses(const QString& name, const std::vector<analysis::Use>&
         reads += use.isRead;
         writes += use.isWrite;
         const SourceText& source = sources[use.range.file];
-        addLine(QString::fromStdString(source.path()), source, use.range, use.isDeclaration ? tr("declared") : use.isWrite && use.isRead ? tr("read, write") : use.isWrite ? tr("write") : tr("read"));
+        addLine(QString::fromStdString(source.path()), source, use.range,
+                use.isDeclaration           ? tr("declared")
+                : use.isWrite && use.isRead ? tr("read, write")
+                : use.isWrite               ? tr("write")
+                                            : tr("read"));
     }
     m_summary->setText(tr("%1: %2 read, %3 written").arg(name).arg(reads).arg(writes));
 }

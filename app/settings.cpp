@@ -64,12 +64,22 @@ QKeySequence Settings::shortcut(const QString& action, const QKeySequence& fallb
     const QVariant stored = m_store.value("shortcuts/" + action);
     return stored.isValid() ? QKeySequence(stored.toString(), QKeySequence::PortableText) : fallback;
 }
-void Settings::setShortcut(const QString& action, const QKeySequence& keys) { m_store.setValue("shortcuts/" + action, keys.toString(QKeySequence::PortableText)); }
+void Settings::setShortcut(const QString& action, const QKeySequence& keys) {
+    m_store.setValue("shortcuts/" + action, keys.toString(QKeySequence::PortableText));
+}
 
 QString Settings::projectKey(const QString& folder, const QString& key) {
-    return "projects/" + QString::fromLatin1(QCryptographicHash::hash(QDir(folder).absolutePath().toUtf8(), QCryptographicHash::Sha1).toHex().left(16)) + "/" + key;
+    return "projects/" +
+           QString::fromLatin1(QCryptographicHash::hash(QDir(folder).absolutePath().toUtf8(), QCryptographicHash::Sha1)
+                                   .toHex()
+                                   .left(16)) +
+           "/" + key;
 }
-QVariant Settings::projectValue(const QString& folder, const QString& key) const { return m_store.value(projectKey(folder, key)); }
-void Settings::setProjectValue(const QString& folder, const QString& key, const QVariant& value) { m_store.setValue(projectKey(folder, key), value); }
+QVariant Settings::projectValue(const QString& folder, const QString& key) const {
+    return m_store.value(projectKey(folder, key));
+}
+void Settings::setProjectValue(const QString& folder, const QString& key, const QVariant& value) {
+    m_store.setValue(projectKey(folder, key), value);
+}
 
 } // namespace plc::app

@@ -1,5 +1,5 @@
-// What the user set: theme, language, editor, shortcuts, recent projects; and per project what was open. Kept by QSettings in the user's
-// configuration folder. GUI thread.
+// What the user set: theme, language, editor, shortcuts, recent projects; and per project what was open. Kept by
+// QSettings in the user's configuration folder. GUI thread.
 #pragma once
 #include "editor/kit/theme.h"
 #include "editor/text/st_editor.h"

@@ -16,7 +16,8 @@
 
 namespace plc::app {
 
-SettingsDialog::SettingsDialog(Settings& settings, const QList<QAction*>& actions, QWidget* parent) : QDialog(parent), m_settings(settings), m_actions(actions) {
+SettingsDialog::SettingsDialog(Settings& settings, const QList<QAction*>& actions, QWidget* parent)
+    : QDialog(parent), m_settings(settings), m_actions(actions) {
     setWindowTitle(tr("Settings"));
     auto* tabs = new QTabWidget(this);
     tabs->addTab(makeGeneral(), tr("General"));
@@ -103,7 +104,8 @@ QWidget* SettingsDialog::makeShortcuts() {
         connect(edit, &QKeySequenceEdit::keySequenceChanged, this, &SettingsDialog::markConflicts);
     }
     connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
-        for (int row = 0; row < m_shortcuts->rowCount(); ++row) m_shortcuts->setRowHidden(row, !m_shortcuts->item(row, 0)->text().contains(text, Qt::CaseInsensitive));
+        for (int row = 0; row < m_shortcuts->rowCount(); ++row)
+            m_shortcuts->setRowHidden(row, !m_shortcuts->item(row, 0)->text().contains(text, Qt::CaseInsensitive));
     });
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(filter);
@@ -113,7 +115,11 @@ QWidget* SettingsDialog::makeShortcuts() {
 
 void SettingsDialog::markConflicts() {
     QMap<QString, int> uses;
-    const auto keys = [&](int row) { return static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1))->keySequence().toString(QKeySequence::PortableText); };
+    const auto keys = [&](int row) {
+        return static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1))
+            ->keySequence()
+            .toString(QKeySequence::PortableText);
+    };
     for (int row = 0; row < m_shortcuts->rowCount(); ++row)
         if (!keys(row).isEmpty()) ++uses[keys(row)];
     for (int row = 0; row < m_shortcuts->rowCount(); ++row) {

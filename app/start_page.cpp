@@ -27,7 +27,9 @@ constexpr int kPictureHeight = 124;
 QString titleOf(const QString& folder) {
     QFile file(folder + "/project.json");
     if (file.open(QIODevice::ReadOnly))
-        if (const QString name = QJsonDocument::fromJson(file.readAll()).object().value("name").toString(); !name.isEmpty()) return name;
+        if (const QString name = QJsonDocument::fromJson(file.readAll()).object().value("name").toString();
+            !name.isEmpty())
+            return name;
     return QDir(folder).dirName();
 }
 
@@ -44,7 +46,8 @@ QString summaryOf(const QString& folder) {
 
 QPixmap pictureOf(const QString& folder) {
     for (const char* name : {"/docs/panel.png", "/panel.png", "/docs/trace.png", "/picture.png"})
-        if (const QPixmap picture(folder + name); !picture.isNull()) return picture.scaledToWidth(2 * kCard.width(), Qt::SmoothTransformation); // lines stay lines
+        if (const QPixmap picture(folder + name); !picture.isNull())
+            return picture.scaledToWidth(2 * kCard.width(), Qt::SmoothTransformation); // lines stay lines
     return {};
 }
 
@@ -68,11 +71,13 @@ public:
         painter->fillRect(pictureArea, c.alternate);
         if (!picture.isNull()) {
             const QSizeF scaled = QSizeF(picture.size()).scaled(pictureArea.size(), Qt::KeepAspectRatioByExpanding);
-            const QRectF target(pictureArea.center().x() - scaled.width() / 2, pictureArea.top(), scaled.width(), scaled.height());
+            const QRectF target(pictureArea.center().x() - scaled.width() / 2, pictureArea.top(), scaled.width(),
+                                scaled.height());
             painter->setClipRect(pictureArea, Qt::IntersectClip);
             painter->drawPixmap(target, picture, picture.rect());
         } else {
-            kit::paintIcon(painter, QRectF(pictureArea.center() - QPointF(22, 22), QSizeF(44, 44)), kit::Icon::Project, true);
+            kit::paintIcon(painter, QRectF(pictureArea.center() - QPointF(22, 22), QSizeF(44, 44)), kit::Icon::Project,
+                           true);
         }
         painter->setClipping(false);
         QFont bold = option.font;
@@ -80,11 +85,16 @@ public:
         painter->setFont(bold);
         painter->setPen(c.text);
         const QRectF name(card.left() + 12, pictureArea.bottom() + 6, card.width() - 24, 20);
-        painter->drawText(name, Qt::AlignVCenter, QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight, static_cast<int>(name.width())));
+        painter->drawText(
+            name, Qt::AlignVCenter,
+            QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight, static_cast<int>(name.width())));
         painter->setFont(option.font);
         painter->setPen(c.muted);
         const QRectF line(card.left() + 12, name.bottom(), card.width() - 24, 34);
-        painter->drawText(line, Qt::AlignTop | Qt::TextWordWrap, QFontMetrics(option.font).elidedText(index.data(Qt::UserRole + 2).toString(), Qt::ElideRight, static_cast<int>(line.width() * 1.8)));
+        painter->drawText(line, Qt::AlignTop | Qt::TextWordWrap,
+                          QFontMetrics(option.font)
+                              .elidedText(index.data(Qt::UserRole + 2).toString(), Qt::ElideRight,
+                                          static_cast<int>(line.width() * 1.8)));
         painter->setPen(QPen(hot ? c.accent : c.border, hot ? 1.6 : 1));
         painter->drawPath(shape);
         painter->restore();
@@ -108,7 +118,8 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     font.setPointSizeF(font.pointSizeF() * 2.4);
     font.setBold(true);
     title->setFont(font);
-    auto* subtitle = new QLabel(tr("Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too."), this);
+    auto* subtitle =
+        new QLabel(tr("Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too."), this);
     subtitle->setWordWrap(true);
     const auto button = [&](kit::Icon icon, const QString& text, auto signal) {
         auto* b = new QPushButton(kit::icon(icon), text, this);
@@ -132,8 +143,10 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     m_examples->setAccessibleName(tr("Examples"));
     for (QListWidget* list : {m_recent, m_examples}) {
         list->viewport()->setAutoFillBackground(false);
-        connect(list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { emit projectRequested(item->data(Qt::UserRole).toString()); });
-        connect(list, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { emit projectRequested(item->data(Qt::UserRole).toString()); });
+        connect(list, &QListWidget::itemActivated, this,
+                [this](QListWidgetItem* item) { emit projectRequested(item->data(Qt::UserRole).toString()); });
+        connect(list, &QListWidget::itemClicked, this,
+                [this](QListWidgetItem* item) { emit projectRequested(item->data(Qt::UserRole).toString()); });
     }
     auto* left = new QVBoxLayout;
     left->setSpacing(8);
@@ -158,9 +171,11 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
 }
 
 QString StartPage::examplesFolder() {
-    if (const QString wanted = qEnvironmentVariable("STEPWISE_EXAMPLES"); !wanted.isEmpty()) return wanted; // packages that keep them elsewhere
+    if (const QString wanted = qEnvironmentVariable("STEPWISE_EXAMPLES"); !wanted.isEmpty())
+        return wanted; // packages that keep them elsewhere
     const QString beside = QCoreApplication::applicationDirPath();
-    for (const QString& candidate : {beside + "/../../../projects/examples", beside + "/../share/stepwise/examples", QDir::currentPath() + "/projects/examples"})
+    for (const QString& candidate : {beside + "/../../../projects/examples", beside + "/../share/stepwise/examples",
+                                     QDir::currentPath() + "/projects/examples"})
         if (QDir(candidate).exists()) return QDir(candidate).canonicalPath();
     return {};
 }

@@ -1,4 +1,5 @@
-// What the window shows without a project: recent projects and the shipped examples, a picture each. Owned by the main window; GUI thread.
+// What the window shows without a project: recent projects and the shipped examples, a picture each. Owned by the main
+// window; GUI thread.
 #pragma once
 #include <QListWidget>
 #include <QWidget>

@@ -89,10 +89,14 @@ void Tour::place() {
     QPoint at = area.center() - QPoint(m_card->width() / 2, m_card->height() / 2);
     if (m_target && m_target->isVisible()) {
         const QRect target(m_target->mapTo(parentWidget(), QPoint(0, 0)), m_target->size());
-        if (target.bottom() + m_card->height() + 16 < area.bottom()) at = {target.left(), target.bottom() + 12};
-        else if (target.top() - m_card->height() - 16 > area.top()) at = {target.left(), target.top() - m_card->height() - 12};
-        else if (target.right() + m_card->width() + 16 < area.right()) at = {target.right() + 12, target.top()};
-        else at = {target.left() - m_card->width() - 12, target.top() + 30};
+        if (target.bottom() + m_card->height() + 16 < area.bottom())
+            at = {target.left(), target.bottom() + 12};
+        else if (target.top() - m_card->height() - 16 > area.top())
+            at = {target.left(), target.top() - m_card->height() - 12};
+        else if (target.right() + m_card->width() + 16 < area.right())
+            at = {target.right() + 12, target.top()};
+        else
+            at = {target.left() - m_card->width() - 12, target.top() + 30};
     }
     at.setX(std::clamp(at.x(), area.left(), std::max(area.left(), area.right() - m_card->width())));
     at.setY(std::clamp(at.y(), area.top(), std::max(area.top(), area.bottom() - m_card->height())));
@@ -106,7 +110,8 @@ void Tour::paintEvent(QPaintEvent*) {
     QPainterPath shade;
     shade.addRect(rect());
     if (m_target && m_target->isVisible()) {
-        const QRectF target = QRectF(QPointF(m_target->mapTo(parentWidget(), QPoint(0, 0))), QSizeF(m_target->size())).adjusted(-4, -4, 4, 4);
+        const QRectF target = QRectF(QPointF(m_target->mapTo(parentWidget(), QPoint(0, 0))), QSizeF(m_target->size()))
+                                  .adjusted(-4, -4, 4, 4);
         QPainterPath hole;
         hole.addRoundedRect(target, 6, 6);
         shade = shade.subtracted(hole);

@@ -1,4 +1,5 @@
-// A short tour over the real window: one thing at a time is pointed at, the rest dimmed. Owned by the window it lies over; GUI thread.
+// A short tour over the real window: one thing at a time is pointed at, the rest dimmed. Owned by the window it lies
+// over; GUI thread.
 #pragma once
 #include <QPointer>
 #include <QWidget>

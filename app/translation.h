@@ -1,4 +1,5 @@
-// The studio's own language: loads translations/stepwise_<tag>.qm (built in as resources) before the window is made. GUI thread.
+// The studio's own language: loads translations/stepwise_<tag>.qm (built in as resources) before the window is made.
+// GUI thread.
 #pragma once
 #include <QString>
 #include <QStringList>

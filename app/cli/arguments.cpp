@@ -40,7 +40,9 @@ Result<Arguments> Arguments::parse(const CommandSpec& spec, const std::vector<st
             std::vector<std::string> known;
             for (const OptionSpec& each : spec.options) known.emplace_back(each.name);
             const auto near = nearestName(name, known);
-            return Error{"There is no option " + name + (near ? "; did you mean " + *near + "?" : "") + " (stepwise " + std::string(spec.name) + " --help)", ""};
+            return Error{"There is no option " + name + (near ? "; did you mean " + *near + "?" : "") + " (stepwise " +
+                             std::string(spec.name) + " --help)",
+                         ""};
         }
         if (option->value.empty()) {
             if (equals != std::string::npos) return Error{name + " takes no value", ""};
@@ -73,7 +75,8 @@ std::vector<std::string> Arguments::values(std::string_view option) const {
 }
 
 std::string helpText(const CommandSpec& spec) {
-    std::string out = std::string(spec.summary) + "\n\nUsage: stepwise " + std::string(spec.name) + " " + std::string(spec.usage) + "\n";
+    std::string out = std::string(spec.summary) + "\n\nUsage: stepwise " + std::string(spec.name) + " " +
+                      std::string(spec.usage) + "\n";
     size_t width = 0;
     for (const OptionSpec& option : spec.options) width = std::max(width, option.name.size() + 1 + option.value.size());
     if (!spec.options.empty()) out += "\nOptions:\n";
@@ -96,14 +99,21 @@ Result<std::chrono::nanoseconds> parseDuration(std::string_view text) {
     std::erase(rest, '_');
     double total = 0;
     bool any = false;
-    for (const char* at = rest.data(), *end = at + rest.size(); at < end; any = true) {
+    for (const char *at = rest.data(), *end = at + rest.size(); at < end; any = true) {
         double number = 0;
         const auto [after, error] = std::from_chars(at, end, number, std::chars_format::fixed);
         if (error != std::errc() || number < 0) return wrong;
         const char* unitEnd = after;
         while (unitEnd < end && *unitEnd >= 'a' && *unitEnd <= 'z') ++unitEnd;
         const std::string_view unit(after, static_cast<size_t>(unitEnd - after));
-        const double scale = unit == "d" ? 86400e9 : unit == "h" ? 3600e9 : unit == "m" || unit == "min" ? 60e9 : unit == "s" ? 1e9 : unit == "ms" ? 1e6 : unit == "us" ? 1e3 : unit == "ns" ? 1 : 0;
+        const double scale = unit == "d"                    ? 86400e9
+                             : unit == "h"                  ? 3600e9
+                             : unit == "m" || unit == "min" ? 60e9
+                             : unit == "s"                  ? 1e9
+                             : unit == "ms"                 ? 1e6
+                             : unit == "us"                 ? 1e3
+                             : unit == "ns"                 ? 1
+                                                            : 0;
         if (scale == 0) return wrong;
         total += number * scale;
         at = unitEnd;
@@ -115,7 +125,8 @@ Result<std::chrono::nanoseconds> parseDuration(std::string_view text) {
 Result<uint64_t> parseCount(std::string_view text) {
     uint64_t number = 0;
     const auto [after, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || after != text.data() + text.size()) return Error{"\"" + std::string(text) + "\" is not a whole number", ""};
+    if (error != std::errc() || after != text.data() + text.size())
+        return Error{"\"" + std::string(text) + "\" is not a whole number", ""};
     return number;
 }
 

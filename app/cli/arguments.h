@@ -1,5 +1,5 @@
-// The words of a command line, checked against what a command knows: options with or without a value, paths, --help. Wrong use
-// names the word, the nearest known one and the way to the help. Values, any thread.
+// The words of a command line, checked against what a command knows: options with or without a value, paths, --help.
+// Wrong use names the word, the nearest known one and the way to the help. Values, any thread.
 #pragma once
 #include "runtime/base/result.h"
 
@@ -12,8 +12,8 @@
 namespace plc::cli {
 
 struct OptionSpec {
-    std::string_view name;   // "--for"
-    std::string_view value;  // "10s" (shown in the help); empty: a flag
+    std::string_view name;  // "--for"
+    std::string_view value; // "10s" (shown in the help); empty: a flag
     std::string_view help;
 };
 

@@ -7,7 +7,8 @@ namespace plc::cli {
 
 namespace {
 int check(const Arguments& arguments) {
-    if (arguments.paths().empty()) return wrongUse({"check needs a project folder or ST files (stepwise check --help)", ""});
+    if (arguments.paths().empty())
+        return wrongUse({"check needs a project folder or ST files (stepwise check --help)", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const driver::Checked checked = driver::check(project->buildInput());
@@ -20,7 +21,8 @@ int check(const Arguments& arguments) {
     std::vector<std::string> objects;
     if (arguments.wantsJson())
         for (const hmi::Finding& finding : findings) objects.push_back(renderJson(finding));
-    bool wrong = printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(), objects);
+    bool wrong =
+        printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(), objects);
     if (!arguments.wantsJson()) printFindings(findings, std::cerr);
     for (const hmi::Finding& finding : findings) wrong |= finding.isError;
     if (!arguments.wantsJson() && !wrong) std::cout << project->name << ": no errors\n";
@@ -29,10 +31,13 @@ int check(const Arguments& arguments) {
 } // namespace
 
 Command checkCommand() {
-    return {{"check", "PATH… [OPTIONS]", "Checks a project, or ST files, and lists what is wrong.",
+    return {{"check",
+             "PATH… [OPTIONS]",
+             "Checks a project, or ST files, and lists what is wrong.",
              {{"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
               {"--infos", "", "also what is only worth knowing"},
-              {"--format", "text|json", "text (default), or a list of objects with file, range, code, severity, message, fixes"}},
+              {"--format", "text|json",
+               "text (default), or a list of objects with file, range, code, severity, message, fixes"}},
              "stepwise check projects/examples/motor"},
             check};
 }

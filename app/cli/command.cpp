@@ -3,8 +3,8 @@
 #include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
-#include "runtime/controller/controller.h"
 #include "runtime/compiler/jit/jit.h"
+#include "runtime/controller/controller.h"
 
 #include <QApplication>
 
@@ -40,9 +40,9 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(), runCommand(),    formatCommand(), testCommand(),
-                                             traceCommand(), replayCommand(), panelCommand(),  docCommand(),
-                                             convertCommand()};
+    static const std::vector<Command> all = {checkCommand(), runCommand(),   formatCommand(),
+                                             testCommand(),  traceCommand(), replayCommand(),
+                                             panelCommand(), docCommand(),   convertCommand()};
     return all;
 }
 
@@ -61,12 +61,15 @@ int runCommandLine(const std::vector<std::string>& words) {
         return kGood;
     }
     const auto& all = commands();
-    const auto it = std::find_if(all.begin(), all.end(), [&](const Command& command) { return command.spec.name == words[0]; });
+    const auto it =
+        std::find_if(all.begin(), all.end(), [&](const Command& command) { return command.spec.name == words[0]; });
     if (it == all.end()) {
         std::vector<std::string> names;
         for (const Command& command : all) names.emplace_back(command.spec.name);
         const auto near = nearestName(words[0], names);
-        return wrongUse({"There is no command " + words[0] + (near ? "; did you mean " + *near + "?" : "") + " (stepwise --help lists them)", ""});
+        return wrongUse({"There is no command " + words[0] + (near ? "; did you mean " + *near + "?" : "") +
+                             " (stepwise --help lists them)",
+                         ""});
     }
     const auto arguments = Arguments::parse(it->spec, {words.begin() + 1, words.end()});
     if (!arguments) return wrongUse(arguments.error());
@@ -74,7 +77,8 @@ int runCommandLine(const std::vector<std::string>& words) {
         std::cout << helpText(it->spec);
         return kGood;
     }
-    if (const auto format = arguments->value("--format"); format && *format != "text" && *format != "json" && *format != "junit")
+    if (const auto format = arguments->value("--format");
+        format && *format != "text" && *format != "json" && *format != "junit")
         return wrongUse({"--format is text or json, not " + *format, ""});
     jit::setRuntimeSymbols(controller::runtimeSymbols());
     const int code = it->run(*arguments);
@@ -98,7 +102,8 @@ Result<projects::Project> openNamedProject(const Arguments& arguments) {
     return project;
 }
 
-bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos, const std::vector<std::string>& moreJson) {
+bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,
+                      const std::vector<std::string>& moreJson) {
     const bool colours = wantsColours(STDERR_FILENO);
     std::string out;
     size_t shown = 0;
@@ -109,16 +114,20 @@ bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfo
         ++shown;
     }
     for (const std::string& object : moreJson) out += (shown++ ? ",\n " : "[") + object;
-    if (asJson) std::cout << (shown ? out + "]" : "[]") << "\n";
-    else std::cerr << out;
+    if (asJson)
+        std::cout << (shown ? out + "]" : "[]") << "\n";
+    else
+        std::cerr << out;
     return checked.analysis->hasErrors;
 }
 
 void needApplication() {
     if (QCoreApplication::instance()) return;
-    static const QtMessageHandler others = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
-        if (!text.startsWith("QStandardPaths:") && others) others(type, context, text); // where there is no session, nobody asked for one
-    });
+    static const QtMessageHandler others =
+        qInstallMessageHandler([](QtMsgType type, const QMessageLogContext& context, const QString& text) {
+            if (!text.startsWith("QStandardPaths:") && others)
+                others(type, context, text); // where there is no session, nobody asked for one
+        });
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     static int count = 1;
     static char name[] = "stepwise";
@@ -134,11 +143,15 @@ void catchInterrupt() {
     std::signal(SIGTERM, onInterrupt);
 }
 
-std::string jsonString(std::string_view text) { return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
+std::string jsonString(std::string_view text) {
+    return nlohmann::json(std::string(text)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 
 void ProgressLine::show(const std::string& text) {
     const auto now = std::chrono::steady_clock::now();
-    if (now - m_begin < std::chrono::seconds(1) || now - m_last < std::chrono::milliseconds(100) || !::isatty(STDERR_FILENO)) return;
+    if (now - m_begin < std::chrono::seconds(1) || now - m_last < std::chrono::milliseconds(100) ||
+        !::isatty(STDERR_FILENO))
+        return;
     m_last = now;
     m_isShown = true;
     std::fprintf(stderr, "\r\033[K%s", text.c_str());

@@ -1,5 +1,5 @@
-// What the window does, the command line does (D9): one file per command, all on the same libraries, none needs a display.
-// Exit codes: 0 good, 1 the program has errors or faulted, 2 wrong use.
+// What the window does, the command line does (D9): one file per command, all on the same libraries, none needs a
+// display. Exit codes: 0 good, 1 the program has errors or faulted, 2 wrong use.
 #pragma once
 #include "app/cli/arguments.h"
 #include "projects/model/project.h"
@@ -34,8 +34,10 @@ int runCommandLine(const std::vector<std::string>& words);
 int wrongUse(const Error& error);
 /// Opens PATH… with the libraries of --library added.
 [[nodiscard]] Result<projects::Project> openNamedProject(const Arguments& arguments);
-/// Prints diagnostics to stderr (text) or stdout (json list, with the objects of `moreJson` behind); true when there are errors.
-bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos, const std::vector<std::string>& moreJson = {});
+/// Prints diagnostics to stderr (text) or stdout (json list, with the objects of `moreJson` behind); true when there
+/// are errors.
+bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,
+                      const std::vector<std::string>& moreJson = {});
 /// Colours only on a terminal and without NO_COLOR.
 [[nodiscard]] bool wantsColours(int fileDescriptor);
 /// Charts and panels need an application object, but no display.

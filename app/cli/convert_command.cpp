@@ -15,17 +15,22 @@ namespace {
 std::string onDisk(const Arguments& arguments, const std::string& path) {
     std::error_code problem;
     const std::string& first = arguments.paths().front();
-    if (arguments.paths().size() == 1 && std::filesystem::is_directory(first, problem)) return (std::filesystem::path(first) / path).string();
+    if (arguments.paths().size() == 1 && std::filesystem::is_directory(first, problem))
+        return (std::filesystem::path(first) / path).string();
     return path;
 }
 
 int convert(const Arguments& arguments) {
-    if (arguments.paths().empty()) return wrongUse({"convert needs a project folder or ST files (stepwise convert --help)", ""});
+    if (arguments.paths().empty())
+        return wrongUse({"convert needs a project folder or ST files (stepwise convert --help)", ""});
     const auto wanted = arguments.value("--to");
-    if (!wanted || (!equalsIgnoringCase(*wanted, "st") && !equalsIgnoringCase(*wanted, "il"))) return wrongUse({"--to is st or il", wanted.value_or("")});
-    const analysis::TextLanguage to = equalsIgnoringCase(*wanted, "st") ? analysis::TextLanguage::St : analysis::TextLanguage::Il;
+    if (!wanted || (!equalsIgnoringCase(*wanted, "st") && !equalsIgnoringCase(*wanted, "il")))
+        return wrongUse({"--to is st or il", wanted.value_or("")});
+    const analysis::TextLanguage to =
+        equalsIgnoringCase(*wanted, "st") ? analysis::TextLanguage::St : analysis::TextLanguage::Il;
     const auto unit = arguments.value("--unit");
-    if (!unit && to == analysis::TextLanguage::Il) return wrongUse({"--to il needs --unit NAME: the unit that becomes an instruction list", ""});
+    if (!unit && to == analysis::TextLanguage::Il)
+        return wrongUse({"--to il needs --unit NAME: the unit that becomes an instruction list", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     driver::BuildInput input = project->buildInput();
@@ -63,9 +68,12 @@ int convert(const Arguments& arguments) {
 } // namespace
 
 Command convertCommand() {
-    return {{"convert", "PATH… --to st|il [OPTIONS]", "Shows instruction lists as ST, and ST as instruction lists.",
+    return {{"convert",
+             "PATH… --to st|il [OPTIONS]",
+             "Shows instruction lists as ST, and ST as instruction lists.",
              {{"--to", "st|il", "the language that comes out; the file that changes is printed"},
-              {"--unit", "NAME", "only this program, function, block, Unit.Method or Unit.Action (needed for il; st: every list)"},
+              {"--unit", "NAME",
+               "only this program, function, block, Unit.Method or Unit.Action (needed for il; st: every list)"},
               {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
               {"--write", "", "change the files instead of printing them"}},
              "stepwise convert projects/examples/weigh --to st --unit NetWeightIl"},

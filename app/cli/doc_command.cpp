@@ -37,8 +37,11 @@ int document(const Arguments& arguments) {
 } // namespace
 
 Command docCommand() {
-    return {{"doc", "library [OPTIONS]", "Writes the reference of all libraries as Markdown, from the comments of their ST texts.",
-             {{"--out", "FOLDER", "where the pages go (docs/library)"}, {"--check", "", "writes nothing; exit code 1 where a page is stale"}},
+    return {{"doc",
+             "library [OPTIONS]",
+             "Writes the reference of all libraries as Markdown, from the comments of their ST texts.",
+             {{"--out", "FOLDER", "where the pages go (docs/library)"},
+              {"--check", "", "writes nothing; exit code 1 where a page is stale"}},
              "stepwise doc library --out /tmp/reference"},
             document};
 }

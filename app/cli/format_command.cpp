@@ -23,7 +23,8 @@ Result<std::vector<std::string>> filesOf(const std::vector<std::string>& paths) 
             const auto project = projects::openProject({path});
             if (!project) return project.error();
             for (const auto* list : {&project->sources, &project->tests})
-                for (const driver::SourceFile& file : *list) out.push_back(path + (path.ends_with('/') ? "" : "/") + file.path);
+                for (const driver::SourceFile& file : *list)
+                    out.push_back(path + (path.ends_with('/') ? "" : "/") + file.path);
         } else if (fs::exists(path, problem)) {
             out.push_back(path);
         } else {
@@ -43,7 +44,8 @@ std::vector<std::string> linesOf(const std::string& text) {
 /// Changed stretches, old lines with -, new ones with +; lines between the common begin and end are aligned greedily.
 std::string difference(const std::string& path, const std::string& before, const std::string& after, bool colours) {
     const std::vector<std::string> a = linesOf(before), b = linesOf(after);
-    const std::string red = colours ? "\033[31m" : "", green = colours ? "\033[32m" : "", plain = colours ? "\033[0m" : "";
+    const std::string red = colours ? "\033[31m" : "", green = colours ? "\033[32m" : "",
+                      plain = colours ? "\033[0m" : "";
     std::string out = "--- " + path + "\n+++ " + path + " (formatted)\n";
     for (size_t i = 0, k = 0; i < a.size() || k < b.size();) {
         if (i < a.size() && k < b.size() && a[i] == b[k]) {
@@ -54,7 +56,8 @@ std::string difference(const std::string& path, const std::string& before, const
         bool found = false;
         for (size_t distance = 1; distance < 60 && !found; ++distance)
             for (size_t left = 0; left <= distance && !found; ++left)
-                if (i + left < a.size() && k + distance - left < b.size() && a[i + left] == b[k + distance - left]) skipA = left, skipB = distance - left, found = true;
+                if (i + left < a.size() && k + distance - left < b.size() && a[i + left] == b[k + distance - left])
+                    skipA = left, skipB = distance - left, found = true;
         if (!found) skipA = a.size() - i, skipB = b.size() - k;
         out += "@@ line " + std::to_string(i + 1) + " @@\n";
         for (size_t n = 0; n < skipA; ++n) out += red + "-" + a[i + n] + plain + "\n";
@@ -65,7 +68,8 @@ std::string difference(const std::string& path, const std::string& before, const
 }
 
 int formatFiles(const Arguments& arguments) {
-    if (arguments.paths().empty()) return wrongUse({"fmt needs a project folder or ST files (stepwise fmt --help)", ""});
+    if (arguments.paths().empty())
+        return wrongUse({"fmt needs a project folder or ST files (stepwise fmt --help)", ""});
     const auto files = filesOf(arguments.paths());
     if (!files) return wrongUse(files.error());
     format::FormatOptions options;
@@ -92,15 +96,19 @@ int formatFiles(const Arguments& arguments) {
             std::cout << difference(path, *before, after, wantsColours(STDOUT_FILENO));
         }
     }
-    if (json) std::cout << "{\"changed\":[" << list << "],\"files\":" << files->size() << "}\n";
-    else std::cout << changed << " of " << files->size() << (onlyCheck ? " files would change\n" : " files changed\n");
+    if (json)
+        std::cout << "{\"changed\":[" << list << "],\"files\":" << files->size() << "}\n";
+    else
+        std::cout << changed << " of " << files->size() << (onlyCheck ? " files would change\n" : " files changed\n");
     return onlyCheck && changed ? kProgramWrong : kGood;
 }
 
 } // namespace
 
 Command formatCommand() {
-    return {{"fmt", "PATH… [OPTIONS]", "Formats ST files in place.",
+    return {{"fmt",
+             "PATH… [OPTIONS]",
+             "Formats ST files in place.",
              {{"--check", "", "change nothing; show the difference and exit 1 when there is one"},
               {"--indent", "4", "blanks per level"},
               {"--align", "", "also the colons of neighbouring declarations"},

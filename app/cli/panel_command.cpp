@@ -38,7 +38,8 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
     driver::Built built = driver::build(project.buildInput());
     printDiagnostics(built.checked, false, false);
     if (built.checked.analysis->hasErrors) return kProgramWrong;
-    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
+    if (!built.program)
+        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
     hmi::PictureOptions options;
     options.folder = QString::fromStdString(folder);
     for (const std::string& language : arguments.values("--language"))
@@ -49,13 +50,15 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
         return wrongUse({"--theme is light, dark or contrast", options.theme.toStdString()});
     if (const auto text = arguments.value("--scale")) {
         options.scale = std::atof(text->c_str());
-        if (!(options.scale >= 0.25 && options.scale <= 8)) return wrongUse({"--scale needs a number from 0.25 to 8", *text});
+        if (!(options.scale >= 0.25 && options.scale <= 8))
+            return wrongUse({"--scale needs a number from 0.25 to 8", *text});
     }
     catchInterrupt();
     session::Settings settings;
     settings.historyBudget = size_t(1) << 30;
     session::Session session(std::move(built), settings);
-    if (auto ran = runProject(arguments, session.built(), session, std::chrono::nanoseconds(0), "--at"); !ran) return wrongUse(ran.error());
+    if (auto ran = runProject(arguments, session.built(), session, std::chrono::nanoseconds(0), "--at"); !ran)
+        return wrongUse(ran.error());
     needApplication();
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
     for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
@@ -66,12 +69,14 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
 }
 
 int play(const Arguments& arguments, const projects::Project& project) {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         return wrongUse({"There is no display to play the panel on; --pictures needs none", ""});
     driver::Built built = driver::build(project.buildInput());
     printDiagnostics(built.checked, false, false);
     if (built.checked.analysis->hasErrors) return kProgramWrong;
-    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
+    if (!built.program)
+        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
     if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
     static int count = 1;
     static char name[] = "stepwise";
@@ -82,7 +87,8 @@ int play(const Arguments& arguments, const projects::Project& project) {
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
     for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
     if (panels.panels.empty()) return wrongUse({"The project has no panel", project.name});
-    return hmi::playPanels(panels, session, QString::fromStdString(arguments.value("--panel").value_or("")), arguments.has("--full-screen"));
+    return hmi::playPanels(panels, session, QString::fromStdString(arguments.value("--panel").value_or("")),
+                           arguments.has("--full-screen"));
 }
 
 int format(const projects::Project& project) {
@@ -107,24 +113,27 @@ int run(const Arguments& arguments) {
 } // namespace
 
 Command panelCommand() {
-    return {{"panel", "PROJECT [OPTIONS]", "Checks the operator panels, makes pictures of them in every language, or plays them.",
-             {{"--check", "", "what is wrong with panels, texts and alarms (this is what happens without options)"},
-              {"--pseudo", "", "measure the texts of the pseudo-language too: longer and accented"},
-              {"--format", "text|json", "how findings are printed"},
-              {"--pictures", "DIR", "a PNG of every panel in every language"},
-              {"--language", "TAG", "only this language, or all (repeatable)"},
-              {"--panel", "NAME", "only this panel (repeatable)"},
-              {"--at", "10s", "the pictures are of this moment of a run"},
-              {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
-              {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
-              {"--theme", "light|dark|contrast", "another theme than the panel's own"},
-              {"--scale", "1", "pixels of the picture per pixel of the panel"},
-              {"--play", "", "run the controller and show the panel in a window"},
-              {"--full-screen", "", "play on the whole screen"},
-              {"--format-files", "", "write panels, texts and alarms in the canonical order"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
-             "stepwise panel projects/examples/alarm_texts --pictures out --language all --at 10s --set Panel.Start=TRUE"},
-            run};
+    return {
+        {"panel",
+         "PROJECT [OPTIONS]",
+         "Checks the operator panels, makes pictures of them in every language, or plays them.",
+         {{"--check", "", "what is wrong with panels, texts and alarms (this is what happens without options)"},
+          {"--pseudo", "", "measure the texts of the pseudo-language too: longer and accented"},
+          {"--format", "text|json", "how findings are printed"},
+          {"--pictures", "DIR", "a PNG of every panel in every language"},
+          {"--language", "TAG", "only this language, or all (repeatable)"},
+          {"--panel", "NAME", "only this panel (repeatable)"},
+          {"--at", "10s", "the pictures are of this moment of a run"},
+          {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
+          {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
+          {"--theme", "light|dark|contrast", "another theme than the panel's own"},
+          {"--scale", "1", "pixels of the picture per pixel of the panel"},
+          {"--play", "", "run the controller and show the panel in a window"},
+          {"--full-screen", "", "play on the whole screen"},
+          {"--format-files", "", "write panels, texts and alarms in the canonical order"},
+          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+         "stepwise panel projects/examples/alarm_texts --pictures out --language all --at 10s --set Panel.Start=TRUE"},
+        run};
 }
 
 } // namespace plc::cli

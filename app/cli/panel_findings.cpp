@@ -11,13 +11,15 @@ bool hasPanels(const projects::Project& project) {
     if (project.folder.empty()) return false;
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::path(project.folder) / "hmi";
-    return !project.panels.empty() || std::filesystem::exists(folder / "texts.csv", ignored) || std::filesystem::exists(folder / "alarms.json", ignored);
+    return !project.panels.empty() || std::filesystem::exists(folder / "texts.csv", ignored) ||
+           std::filesystem::exists(folder / "alarms.json", ignored);
 }
 
 void printFindings(const std::vector<hmi::Finding>& findings, std::ostream& out) {
     std::vector<const hmi::Finding*> order;
     for (const hmi::Finding& one : findings) order.push_back(&one);
-    std::stable_sort(order.begin(), order.end(), [](const hmi::Finding* a, const hmi::Finding* b) { return a->isError > b->isError; });
+    std::stable_sort(order.begin(), order.end(),
+                     [](const hmi::Finding* a, const hmi::Finding* b) { return a->isError > b->isError; });
     for (const hmi::Finding* one : order) out << one->text().toStdString() << "\n";
 }
 

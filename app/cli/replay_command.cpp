@@ -10,22 +10,27 @@ namespace plc::cli {
 
 namespace {
 
-/// The versions of the program that the recording was made with, built again. An expression means something else in each.
+/// The versions of the program that the recording was made with, built again. An expression means something else in
+/// each.
 class Versions {
 public:
-    std::shared_ptr<const image::CompiledProgram> build(const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries) {
+    std::shared_ptr<const image::CompiledProgram> build(const std::vector<std::pair<std::string, std::string>>& sources,
+                                                        const std::vector<std::string>& libraries) {
         driver::BuildInput input;
         for (const auto& [path, text] : sources) input.files.push_back({path, text});
         input.libraries = libraries;
         m_all.push_back(driver::build(input));
-        if (!m_all.back().program) m_failure = m_all.back().failure.empty() ? "the program in it has errors" : m_all.back().failure;
+        if (!m_all.back().program)
+            m_failure = m_all.back().failure.empty() ? "the program in it has errors" : m_all.back().failure;
         return m_all.back().program;
     }
     [[nodiscard]] const driver::Built& newest() const { return m_all.back(); }
     [[nodiscard]] const std::string& failure() const { return m_failure; }
-    [[nodiscard]] Result<expression::Expression> compile(const image::CompiledProgram& program, const std::string& text) const {
+    [[nodiscard]] Result<expression::Expression> compile(const image::CompiledProgram& program,
+                                                         const std::string& text) const {
         for (const driver::Built& built : m_all)
-            if (built.program && built.program->version == program.version) return driver::compileExpression(built.checked, text);
+            if (built.program && built.program->version == program.version)
+                return driver::compileExpression(built.checked, text);
         return Error{"this version of the program is not in the recording", text};
     }
     [[nodiscard]] history::Recompile recompile(const std::string& text) const {
@@ -43,7 +48,8 @@ private:
 /// The watches as the version meant them that made the scan; those it did not know have no value.
 class WatchesAt {
 public:
-    WatchesAt(const Versions& versions, std::vector<Watch> watches) : m_versions(versions), m_watches(std::move(watches)) {}
+    WatchesAt(const Versions& versions, std::vector<Watch> watches)
+        : m_versions(versions), m_watches(std::move(watches)) {}
     const std::vector<Watch>& of(const std::shared_ptr<const image::CompiledProgram>& program) {
         if (program && program != m_program) {
             m_program = program;
@@ -59,10 +65,17 @@ private:
 };
 
 int replay(const Arguments& arguments) {
-    if (arguments.paths().size() != 1) return wrongUse({"replay needs one recording (made by stepwise run --record)", ""});
+    if (arguments.paths().size() != 1)
+        return wrongUse({"replay needs one recording (made by stepwise run --record)", ""});
     Versions versions;
-    const auto loaded = history::History::load(arguments.paths()[0], [&versions](const auto& sources, const auto& libraries) { return versions.build(sources, libraries); });
-    if (!loaded) return wrongUse(versions.failure().empty() ? loaded.error() : Error{"The recording can not be opened: " + versions.failure(), arguments.paths()[0]});
+    const auto loaded =
+        history::History::load(arguments.paths()[0], [&versions](const auto& sources, const auto& libraries) {
+            return versions.build(sources, libraries);
+        });
+    if (!loaded)
+        return wrongUse(versions.failure().empty()
+                            ? loaded.error()
+                            : Error{"The recording can not be opened: " + versions.failure(), arguments.paths()[0]});
     const history::History& history = **loaded;
     const history::Statistics statistics = history.statistics();
     if (statistics.end == statistics.first) return wrongUse({"The recording holds no scan", arguments.paths()[0]});
@@ -83,8 +96,11 @@ int replay(const Arguments& arguments) {
     if (const auto text = arguments.value("--find")) {
         const auto expression = driver::compileExpression(versions.newest().checked, *text);
         if (!expression) return wrongUse({"--find: " + expression.error().message, *text});
-        if (expression->types().storageKind(expression->type()) != types::TypeKind::Bool) return wrongUse({"--find needs a condition (BOOL), for example \"Main.level > 80\"", *text});
-        const auto found = history.find(*expression, versions.recompile(*text), arguments.has("--at") ? at : statistics.first, history::History::Direction::Forward);
+        if (expression->types().storageKind(expression->type()) != types::TypeKind::Bool)
+            return wrongUse({"--find needs a condition (BOOL), for example \"Main.level > 80\"", *text});
+        const auto found =
+            history.find(*expression, versions.recompile(*text), arguments.has("--at") ? at : statistics.first,
+                         history::History::Direction::Forward);
         if (!found) {
             std::cout << *text << " does not become true\n";
             return kProgramWrong;
@@ -111,22 +127,29 @@ int replay(const Arguments& arguments) {
     if (image.empty() || !stamp) return wrongUse({"This scan is not in the recording any more", arguments.paths()[0]});
     watches = seen.of(program);
     if (arguments.wantsJson()) {
-        std::cout << "{\"scans\":" << statistics.scans << ",\"scan\":" << stamp->scan << ",\"time_s\":" << secondsText(stamp->time) << ",\"values\":{";
+        std::cout << "{\"scans\":" << statistics.scans << ",\"scan\":" << stamp->scan
+                  << ",\"time_s\":" << secondsText(stamp->time) << ",\"values\":{";
         for (size_t i = 0; i < watches.size(); ++i) {
             const expression::Outcome outcome = watches[i].expression.evaluate(image);
-            std::cout << (i ? "," : "") << jsonString(watches[i].text) << ":" << (outcome.hasValue() ? types::toJson(watches[i].expression.types(), outcome.value) : "null");
+            std::cout << (i ? "," : "") << jsonString(watches[i].text) << ":"
+                      << (outcome.hasValue() ? types::toJson(watches[i].expression.types(), outcome.value) : "null");
         }
         std::cout << "}}\n";
         return kGood;
     }
-    std::cout << "scan " << stamp->scan << " at " << types::durationText(stamp->time.count()) << " (" << statistics.scans << " scans recorded)\n";
+    std::cout << "scan " << stamp->scan << " at " << types::durationText(stamp->time.count()) << " ("
+              << statistics.scans << " scans recorded)\n";
     size_t width = 0;
     for (const Watch& watch : watches) width = std::max(width, watch.text.size());
     for (const Watch& watch : watches) {
         const expression::Outcome outcome = watch.expression.evaluate(image);
         std::string name = watch.text;
         name.resize(width + 2, ' ');
-        std::cout << name << (outcome.hasValue() ? types::toText(watch.expression.types(), outcome.value) : watch.expression.isValid() ? "(" + outcome.reason + ")" : "(did not exist at that scan)") << "\n";
+        std::cout << name
+                  << (outcome.hasValue()           ? types::toText(watch.expression.types(), outcome.value)
+                      : watch.expression.isValid() ? "(" + outcome.reason + ")"
+                                                   : "(did not exist at that scan)")
+                  << "\n";
     }
     return kGood;
 }
@@ -134,7 +157,9 @@ int replay(const Arguments& arguments) {
 } // namespace
 
 Command replayCommand() {
-    return {{"replay", "FILE [OPTIONS]", "Looks into a recording made by run --record.",
+    return {{"replay",
+             "FILE [OPTIONS]",
+             "Looks into a recording made by run --record.",
              {{"--at", "1.5s", "the last scan at or before that PLC time (default: the last)"},
               {"--find", "EXPR", "the first scan (from --at on) in which the expression becomes true"},
               {"--watch", "EXPR", "a value to show (repeatable; default: all variables)"},

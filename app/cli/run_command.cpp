@@ -28,7 +28,8 @@ struct RunPlan {
     double speed = 1.0;
 };
 
-Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built, const controller::Controller& controller) {
+Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
+                        const controller::Controller& controller) {
     RunPlan plan;
     if (const auto text = arguments.value("--for")) {
         const auto length = parseDuration(*text);
@@ -43,14 +44,16 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built, 
     if (const auto text = arguments.value("--until")) {
         auto until = driver::compileExpression(built.checked, *text);
         if (!until) return Error{"--until: " + until.error().message, *text};
-        if (until->types().storageKind(until->type()) != types::TypeKind::Bool) return Error{"--until needs a BOOL expression", *text};
+        if (until->types().storageKind(until->type()) != types::TypeKind::Bool)
+            return Error{"--until needs a BOOL expression", *text};
         plan.until = *until;
     }
     if (!plan.length && !plan.scans && !plan.until.isValid()) plan.length = std::chrono::seconds(10);
     if (const auto text = arguments.value("--speed")) {
         char* end = nullptr;
         plan.speed = std::strtod(text->c_str(), &end);
-        if (end == text->c_str() || *end || !(plan.speed > 0)) return Error{"--speed needs a number above 0, for example 10", *text};
+        if (end == text->c_str() || *end || !(plan.speed > 0))
+            return Error{"--speed needs a number above 0, for example 10", *text};
         plan.isReal = true;
     }
     plan.isReal = plan.isReal || arguments.has("--real");
@@ -62,7 +65,8 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built, 
                 if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
             plan.writes.push_back(*write);
         }
-    std::stable_sort(plan.writes.begin(), plan.writes.end(), [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    std::stable_sort(plan.writes.begin(), plan.writes.end(),
+                     [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
     for (const std::string& text : arguments.values("--watch")) {
         auto expression = driver::compileExpression(built.checked, text);
         if (!expression) return Error{"--watch: " + expression.error().message, text};
@@ -85,8 +89,13 @@ Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::
         if (plan.length && due >= *plan.length) break;
         if (plan.scans && done >= *plan.scans) break;
         if (plan.isReal) {
-            const auto at = wallBegin + std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double, std::nano>(static_cast<double>(due.count()) / plan.speed));
-            while (!isInterrupted() && std::chrono::steady_clock::now() < at) std::this_thread::sleep_until(std::min(at, std::chrono::steady_clock::now() + std::chrono::milliseconds(50)));
+            const auto at =
+                wallBegin +
+                std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                    std::chrono::duration<double, std::nano>(static_cast<double>(due.count()) / plan.speed));
+            while (!isInterrupted() && std::chrono::steady_clock::now() < at)
+                std::this_thread::sleep_until(
+                    std::min(at, std::chrono::steady_clock::now() + std::chrono::milliseconds(50)));
             if (isInterrupted()) break;
         }
         for (; nextWrite < plan.writes.size() && plan.writes[nextWrite].at <= due; ++nextWrite)
@@ -95,13 +104,15 @@ Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::
         ++done;
         csv.scanFinished(controller);
         if (plan.until.isValid() && plan.until.isTrue(controller.image())) break;
-        if ((done & 0xfff) == 0) progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
+        if ((done & 0xfff) == 0)
+            progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
     }
     return {};
 }
 
 int run(const Arguments& arguments) {
-    if (arguments.paths().empty()) return wrongUse({"run needs a project folder or ST files (stepwise run --help)", ""});
+    if (arguments.paths().empty())
+        return wrongUse({"run needs a project folder or ST files (stepwise run --help)", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const driver::Built built = driver::build(project->buildInput());
@@ -111,7 +122,8 @@ int run(const Arguments& arguments) {
         return kProgramWrong;
     }
     if (!json) printDiagnostics(built.checked, false, false);
-    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+    if (!built.program)
+        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
     if (built.program->tasks.empty()) {
         std::cerr << "stepwise: " << project->name << ": there is no PROGRAM to run\n";
         return kProgramWrong;
@@ -121,8 +133,10 @@ int run(const Arguments& arguments) {
     session::Settings settings;
     settings.record = arguments.has("--record");
     settings.retainFile = arguments.value("--retain").value_or("");
-    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start) return wrongUse(start.error());
-    else if (*start) settings.controller.calendarStartNs = **start;
+    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
+        return wrongUse(start.error());
+    else if (*start)
+        settings.controller.calendarStartNs = **start;
     catchInterrupt();
     session::Session session(built, settings);
     const auto plan = planRun(arguments, built, session.controller());
@@ -130,14 +144,16 @@ int run(const Arguments& arguments) {
     CsvWriter csv(plan->watches);
     if (const auto every = arguments.value("--every"); every && *every != "scan") {
         const auto interval = parseDuration(*every);
-        if (!interval || interval->count() <= 0) return wrongUse(interval ? Error{"--every needs scan or a time above 0", *every} : interval.error());
+        if (!interval || interval->count() <= 0)
+            return wrongUse(interval ? Error{"--every needs scan or a time above 0", *every} : interval.error());
         csv.setInterval(*interval);
     }
     if (const auto file = arguments.value("--csv"))
         if (auto opened = csv.open(*file); !opened) return wrongUse(opened.error());
     if (auto ran = runScans(*plan, built, session, csv); !ran) return wrongUse(ran.error());
 
-    if (const std::string problem = session.status().retainProblem; !problem.empty()) std::cerr << "stepwise: " << problem << "\n";
+    if (const std::string problem = session.status().retainProblem; !problem.empty())
+        std::cerr << "stepwise: " << problem << "\n";
     RunReport report{session.controller(), built, plan->watches, arguments.has("--stats")};
     const std::string text = json ? report.toJson() : report.toText(wantsColours(1));
     const bool faulted = session.controller().state() == controller::State::Fault;
@@ -154,7 +170,9 @@ int run(const Arguments& arguments) {
 } // namespace
 
 Command runCommand() {
-    return {{"run", "PATH… [OPTIONS]", "Runs a project, or ST files, in virtual time and prints the values.",
+    return {{"run",
+             "PATH… [OPTIONS]",
+             "Runs a project, or ST files, in virtual time and prints the values.",
              {{"--for", "10s", "PLC time to run (default 10s)"},
               {"--scans", "N", "number of scans to run"},
               {"--until", "EXPR", "run until the ST expression is true"},

@@ -26,7 +26,8 @@ std::vector<Watch> allVariables(const driver::Built& built) {
             continue;
         }
         for (const types::Field& field : (*layout.types)[root.type].fields)
-            if (!field.isPrivate && !field.constant && field.section != types::FieldSection::InOut && field.section != types::FieldSection::External)
+            if (!field.isPrivate && !field.constant && field.section != types::FieldSection::InOut &&
+                field.section != types::FieldSection::External)
                 add(root.name + "." + field.name);
     }
     return out;
@@ -38,16 +39,20 @@ Result<std::optional<int64_t>> calendarStart(const std::string& text) {
     const char* begin = text.c_str();
     if (const char* hash = std::strchr(begin, '#')) begin = hash + 1;
     const int fields = std::sscanf(begin, "%d-%d-%d%*[-T ]%d:%d:%d", &year, &month, &day, &hour, &minute, &second);
-    if ((fields != 3 && fields != 5 && fields != 6) || !types::isValidDate({year, month, day}) || hour < 0 || hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
+    if ((fields != 3 && fields != 5 && fields != 6) || !types::isValidDate({year, month, day}) || hour < 0 ||
+        hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
         return Error{"\"" + text + "\" is not a date and time; write for example DT#2026-01-31-06:00:00", ""};
-    return std::optional<int64_t>(((types::daysFromCivil({year, month, day}) * 24 + hour) * 60 + minute) * 60'000'000'000 + second * 1'000'000'000ll);
+    return std::optional<int64_t>(((types::daysFromCivil({year, month, day}) * 24 + hour) * 60 + minute) *
+                                      60'000'000'000 +
+                                  second * 1'000'000'000ll);
 }
 
 std::string csvValue(const types::TypeTable& types, const Value& value) {
     if (!value.hasValue()) return {};
     if (std::holds_alternative<std::string>(value.data) || std::holds_alternative<std::u16string>(value.data)) {
         std::string json = types::toJson(types, value);
-        return json.size() >= 2 && json.front() == '"' ? nlohmann::json::parse(json, nullptr, false).get<std::string>() : json;
+        return json.size() >= 2 && json.front() == '"' ? nlohmann::json::parse(json, nullptr, false).get<std::string>()
+                                                       : json;
     }
     return types::toText(types, value);
 }
@@ -79,9 +84,12 @@ Result<void> CsvWriter::open(const std::string& path) {
     m_path = path;
     std::error_code ignored;
     const bool isOutput = path == "-";
-    m_isDirect = isOutput || (std::filesystem::exists(m_path, ignored) && !std::filesystem::is_regular_file(m_path, ignored));
-    if (std::filesystem::is_directory(m_path, ignored)) return Error{"The CSV file can not be written: this is a folder", path};
-    m_file = isOutput ? ::fdopen(::dup(STDOUT_FILENO), "wb") : std::fopen((m_path + (m_isDirect ? "" : ".part")).c_str(), "wb");
+    m_isDirect =
+        isOutput || (std::filesystem::exists(m_path, ignored) && !std::filesystem::is_regular_file(m_path, ignored));
+    if (std::filesystem::is_directory(m_path, ignored))
+        return Error{"The CSV file can not be written: this is a folder", path};
+    m_file = isOutput ? ::fdopen(::dup(STDOUT_FILENO), "wb")
+                      : std::fopen((m_path + (m_isDirect ? "" : ".part")).c_str(), "wb");
     if (!m_file) return Error{std::string("The CSV file can not be written: ") + std::strerror(errno), path};
     std::string head = "time_s,scan";
     for (const Watch& watch : m_watches) head += "," + csvCell(watch.text);
@@ -120,10 +128,12 @@ Result<void> CsvWriter::close() {
     const std::string part = m_path + ".part";
     if (bad) {
         if (!m_isDirect) std::remove(part.c_str());
-        return Error{std::string("The CSV file can not be written: ") + std::strerror(code) + "; free some space", m_path};
+        return Error{std::string("The CSV file can not be written: ") + std::strerror(code) + "; free some space",
+                     m_path};
     }
     if (m_isDirect) return {};
-    if (std::rename(part.c_str(), m_path.c_str()) != 0) return Error{std::string("The CSV file can not be put in place: ") + std::strerror(errno), m_path};
+    if (std::rename(part.c_str(), m_path.c_str()) != 0)
+        return Error{std::string("The CSV file can not be put in place: ") + std::strerror(errno), m_path};
     return {};
 }
 
@@ -149,20 +159,30 @@ std::string RunReport::toText(bool colours) const {
     }
     const auto& fault = controller.fault();
     if (fault) {
-        out += (colours ? std::string("\033[1;31m") : std::string()) + "fault" + (colours ? "\033[0m" : "") + ": " + fault->message + "\n";
-        out += "  in task " + fault->task + " at " + placeText(built, fault->range) + ", scan " + std::to_string(fault->scan) + ", " + types::durationText(fault->time.count()) + "\n";
+        out += (colours ? std::string("\033[1;31m") : std::string()) + "fault" + (colours ? "\033[0m" : "") + ": " +
+               fault->message + "\n";
+        out += "  in task " + fault->task + " at " + placeText(built, fault->range) + ", scan " +
+               std::to_string(fault->scan) + ", " + types::durationText(fault->time.count()) + "\n";
         for (const controller::FaultFrame& frame : fault->calls)
-            out += "  " + frame.function + (frame.instance.empty() ? "" : " (" + frame.instance + ")") + " at " + placeText(built, frame.range) + "\n";
+            out += "  " + frame.function + (frame.instance.empty() ? "" : " (" + frame.instance + ")") + " at " +
+                   placeText(built, frame.range) + "\n";
     }
-    if (controller.simulationFault()) out += "simulation stopped: " + controller.simulationFault()->message + " at " + placeText(built, controller.simulationFault()->range) + "\n";
-    out += std::to_string(controller.nextScan()) + " scans, last at " + types::durationText(controller.lastTime().count()) + "\n";
+    if (controller.simulationFault())
+        out += "simulation stopped: " + controller.simulationFault()->message + " at " +
+               placeText(built, controller.simulationFault()->range) + "\n";
+    out += std::to_string(controller.nextScan()) + " scans, last at " +
+           types::durationText(controller.lastTime().count()) + "\n";
     if (!withStatistics) return out;
     char line[200];
-    std::snprintf(line, sizeof line, "build: %.1f ms (check %.1f ms, code %.1f ms)\n", built.checkMs + built.codeMs, built.checkMs, built.codeMs);
+    std::snprintf(line, sizeof line, "build: %.1f ms (check %.1f ms, code %.1f ms)\n", built.checkMs + built.codeMs,
+                  built.checkMs, built.codeMs);
     out += line;
     for (const controller::TaskStatistics& task : controller.statistics()) {
-        std::snprintf(line, sizeof line, "task %-16s %10llu runs   mean %.0f ns   min %lld ns   max %lld ns   overruns %llu\n", task.name.c_str(), static_cast<unsigned long long>(task.count),
-                      task.meanNs, static_cast<long long>(task.minNs), static_cast<long long>(task.maxNs), static_cast<unsigned long long>(task.overruns));
+        std::snprintf(line, sizeof line,
+                      "task %-16s %10llu runs   mean %.0f ns   min %lld ns   max %lld ns   overruns %llu\n",
+                      task.name.c_str(), static_cast<unsigned long long>(task.count), task.meanNs,
+                      static_cast<long long>(task.minNs), static_cast<long long>(task.maxNs),
+                      static_cast<unsigned long long>(task.overruns));
         out += line;
     }
     return out;
@@ -170,24 +190,34 @@ std::string RunReport::toText(bool colours) const {
 
 std::string RunReport::toJson() const {
     const auto& fault = controller.fault();
-    std::string out = "{\"state\":" + jsonString(fault ? "fault" : "stopped") + ",\"scans\":" + std::to_string(controller.nextScan()) +
+    std::string out = "{\"state\":" + jsonString(fault ? "fault" : "stopped") +
+                      ",\"scans\":" + std::to_string(controller.nextScan()) +
                       ",\"time_s\":" + secondsText(controller.lastTime()) + ",\"values\":{";
     bool isFirst = true;
     for (const Watch& watch : watches) {
         const expression::Outcome outcome = watch.expression.evaluate(controller.image());
-        out += (isFirst ? "" : ",") + jsonString(watch.text) + ":" + (outcome.hasValue() ? types::toJson(watch.expression.types(), outcome.value) : "null");
+        out += (isFirst ? "" : ",") + jsonString(watch.text) + ":" +
+               (outcome.hasValue() ? types::toJson(watch.expression.types(), outcome.value) : "null");
         isFirst = false;
     }
     out += "},\"fault\":";
     if (fault) {
         const bool known = fault->range.file.isValid();
-        const auto lineOf = [&](SourceRange range) { return range.file.isValid() ? std::to_string(built.program->sources[range.file].lineColumn(range.begin).line) : "null"; };
-        const auto fileOf = [&](SourceRange range) { return range.file.isValid() ? jsonString(built.program->sources[range.file].path()) : "null"; };
-        out += "{\"code\":" + jsonString(controller::name(fault->code)) + ",\"message\":" + jsonString(fault->message) + ",\"file\":" + (known ? fileOf(fault->range) : "null") +
-               ",\"line\":" + lineOf(fault->range) + ",\"calls\":[";
+        const auto lineOf = [&](SourceRange range) {
+            return range.file.isValid()
+                       ? std::to_string(built.program->sources[range.file].lineColumn(range.begin).line)
+                       : "null";
+        };
+        const auto fileOf = [&](SourceRange range) {
+            return range.file.isValid() ? jsonString(built.program->sources[range.file].path()) : "null";
+        };
+        out += "{\"code\":" + jsonString(controller::name(fault->code)) + ",\"message\":" + jsonString(fault->message) +
+               ",\"file\":" + (known ? fileOf(fault->range) : "null") + ",\"line\":" + lineOf(fault->range) +
+               ",\"calls\":[";
         for (size_t i = 0; i < fault->calls.size(); ++i) {
             const controller::FaultFrame& frame = fault->calls[i];
-            out += (i ? "," : "") + std::string("{\"function\":") + jsonString(frame.function) + ",\"instance\":" + jsonString(frame.instance) + ",\"file\":" + fileOf(frame.range) +
+            out += (i ? "," : "") + std::string("{\"function\":") + jsonString(frame.function) +
+                   ",\"instance\":" + jsonString(frame.instance) + ",\"file\":" + fileOf(frame.range) +
                    ",\"line\":" + lineOf(frame.range) + "}";
         }
         out += "]}";
@@ -200,7 +230,8 @@ std::string RunReport::toJson() const {
     isFirst = true;
     for (const controller::TaskStatistics& task : controller.statistics()) {
         std::snprintf(number, sizeof number, "%.1f", task.meanNs);
-        out += (isFirst ? "{" : ",{") + std::string("\"name\":") + jsonString(task.name) + ",\"count\":" + std::to_string(task.count) + ",\"mean_ns\":" + number +
+        out += (isFirst ? "{" : ",{") + std::string("\"name\":") + jsonString(task.name) +
+               ",\"count\":" + std::to_string(task.count) + ",\"mean_ns\":" + number +
                ",\"max_ns\":" + std::to_string(task.maxNs) + "}";
         isFirst = false;
     }

@@ -47,7 +47,8 @@ void printText(const ProjectReport& project, bool coverage) {
         plc += std::chrono::duration<double>(result.plcTime).count();
     }
     const char* verdict = project.report.hasErrors ? "does not build" : failed ? "FAILED" : "ok";
-    std::snprintf(line, sizeof line, "%-50s %-14s %3zu passed %3zu failed   %8.1f s of plant time in %.0f ms\n", project.name.c_str(), verdict, all - failed, failed, plc, ms);
+    std::snprintf(line, sizeof line, "%-50s %-14s %3zu passed %3zu failed   %8.1f s of plant time in %.0f ms\n",
+                  project.name.c_str(), verdict, all - failed, failed, plc, ms);
     std::cout << line;
     for (const std::string& text : project.report.diagnostics) std::cerr << text;
     for (const testing::TestResult& result : project.report.results) {
@@ -57,9 +58,11 @@ void printText(const ProjectReport& project, bool coverage) {
     }
     if (!coverage) return;
     for (const testing::PouCoverage& pou : project.report.coverage) {
-        std::snprintf(line, sizeof line, "  %-40s %5.1f %%  %u of %u lines", pou.pou.c_str(), pou.lines ? 100.0 * pou.covered / pou.lines : 100.0, pou.covered, pou.lines);
+        std::snprintf(line, sizeof line, "  %-40s %5.1f %%  %u of %u lines", pou.pou.c_str(),
+                      pou.lines ? 100.0 * pou.covered / pou.lines : 100.0, pou.covered, pou.lines);
         std::cout << line;
-        for (size_t i = 0; i < pou.missed.size() && i < 12; ++i) std::cout << (i ? ", " : "   not run: ") << pou.missed[i];
+        for (size_t i = 0; i < pou.missed.size() && i < 12; ++i)
+            std::cout << (i ? ", " : "   not run: ") << pou.missed[i];
         std::cout << "\n";
     }
 }
@@ -69,16 +72,21 @@ void printJson(const std::vector<ProjectReport>& projects) {
     for (size_t i = 0; i < projects.size(); ++i) {
         const ProjectReport& project = projects[i];
         std::cout << (i ? ",\n " : "") << "{\"project\":" << jsonString(project.name) << ",\"errors\":[";
-        for (size_t k = 0; k < project.report.diagnostics.size(); ++k) std::cout << (k ? "," : "") << jsonString(project.report.diagnostics[k]);
+        for (size_t k = 0; k < project.report.diagnostics.size(); ++k)
+            std::cout << (k ? "," : "") << jsonString(project.report.diagnostics[k]);
         std::cout << "],\"tests\":[";
         for (size_t k = 0; k < project.report.results.size(); ++k) {
             const testing::TestResult& result = project.report.results[k];
-            std::cout << (k ? "," : "") << "{\"title\":" << jsonString(result.title) << ",\"file\":" << jsonString(result.file) << ",\"line\":" << result.line
-                      << ",\"passed\":" << (result.passed() ? "true" : "false") << ",\"scans\":" << result.scans << ",\"failures\":[";
+            std::cout << (k ? "," : "") << "{\"title\":" << jsonString(result.title)
+                      << ",\"file\":" << jsonString(result.file) << ",\"line\":" << result.line
+                      << ",\"passed\":" << (result.passed() ? "true" : "false") << ",\"scans\":" << result.scans
+                      << ",\"failures\":[";
             for (size_t f = 0; f < result.failures.size(); ++f) {
                 const testing::Failure& failure = result.failures[f];
-                std::cout << (f ? "," : "") << "{\"message\":" << jsonString(failure.message) << ",\"detail\":" << jsonString(failure.detail) << ",\"file\":" << jsonString(failure.file)
-                          << ",\"line\":" << failure.line << ",\"scan\":" << failure.scan << ",\"time\":" << jsonString(types::durationText(failure.time.count()))
+                std::cout << (f ? "," : "") << "{\"message\":" << jsonString(failure.message)
+                          << ",\"detail\":" << jsonString(failure.detail) << ",\"file\":" << jsonString(failure.file)
+                          << ",\"line\":" << failure.line << ",\"scan\":" << failure.scan
+                          << ",\"time\":" << jsonString(types::durationText(failure.time.count()))
                           << ",\"recording\":" << jsonString(failure.recording) << "}";
             }
             std::cout << "]}";
@@ -86,7 +94,8 @@ void printJson(const std::vector<ProjectReport>& projects) {
         std::cout << "],\"coverage\":[";
         for (size_t k = 0; k < project.report.coverage.size(); ++k) {
             const testing::PouCoverage& pou = project.report.coverage[k];
-            std::cout << (k ? "," : "") << "{\"pou\":" << jsonString(pou.pou) << ",\"file\":" << jsonString(pou.file) << ",\"lines\":" << pou.lines << ",\"covered\":" << pou.covered << "}";
+            std::cout << (k ? "," : "") << "{\"pou\":" << jsonString(pou.pou) << ",\"file\":" << jsonString(pou.file)
+                      << ",\"lines\":" << pou.lines << ",\"covered\":" << pou.covered << "}";
         }
         std::cout << "]}";
     }
@@ -96,11 +105,16 @@ void printJson(const std::vector<ProjectReport>& projects) {
 std::string xmlText(std::string_view text) {
     std::string out;
     for (const char c : text) {
-        if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '&') out += "&amp;";
-        else if (c == '"') out += "&quot;";
-        else out += c;
+        if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '&')
+            out += "&amp;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += c;
     }
     return out;
 }
@@ -108,14 +122,18 @@ std::string xmlText(std::string_view text) {
 void printJunit(const std::vector<ProjectReport>& projects) {
     std::cout << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
     for (const ProjectReport& project : projects) {
-        std::cout << "  <testsuite name=\"" << xmlText(project.name) << "\" tests=\"" << project.report.results.size() << "\" failures=\"" << project.report.failed() << "\" errors=\""
-                  << (project.report.hasErrors ? 1 : 0) << "\">\n";
-        for (const std::string& text : project.report.diagnostics) std::cout << "    <testcase name=\"build\"><error>" << xmlText(text) << "</error></testcase>\n";
+        std::cout << "  <testsuite name=\"" << xmlText(project.name) << "\" tests=\"" << project.report.results.size()
+                  << "\" failures=\"" << project.report.failed() << "\" errors=\"" << (project.report.hasErrors ? 1 : 0)
+                  << "\">\n";
+        for (const std::string& text : project.report.diagnostics)
+            std::cout << "    <testcase name=\"build\"><error>" << xmlText(text) << "</error></testcase>\n";
         for (const testing::TestResult& result : project.report.results) {
-            std::cout << "    <testcase classname=\"" << xmlText(project.name) << "\" name=\"" << xmlText(result.title) << "\" file=\"" << xmlText(result.file) << "\" line=\"" << result.line
-                      << "\" time=\"" << result.wallMs / 1000 << "\">";
+            std::cout << "    <testcase classname=\"" << xmlText(project.name) << "\" name=\"" << xmlText(result.title)
+                      << "\" file=\"" << xmlText(result.file) << "\" line=\"" << result.line << "\" time=\""
+                      << result.wallMs / 1000 << "\">";
             for (const testing::Failure& failure : result.failures)
-                std::cout << "\n      <failure message=\"" << xmlText(failure.message) << "\">" << xmlText(failureText(failure)) << "</failure>\n    ";
+                std::cout << "\n      <failure message=\"" << xmlText(failure.message) << "\">"
+                          << xmlText(failureText(failure)) << "</failure>\n    ";
             std::cout << "</testcase>\n";
         }
         std::cout << "  </testsuite>\n";
@@ -138,7 +156,8 @@ int test(const Arguments& arguments) {
             const auto project = projects::openProject({folder});
             if (!project) return wrongUse(project.error());
             progress.show("testing " + project->name);
-            options.recordingFolder = project->folder.empty() ? "" : (fs::current_path() / "out" / "recordings" / project->name).string();
+            options.recordingFolder =
+                project->folder.empty() ? "" : (fs::current_path() / "out" / "recordings" / project->name).string();
             auto report = testing::runTests(*project, options);
             if (!report) return wrongUse(report.error());
             failed += report->failed();
@@ -147,17 +166,23 @@ int test(const Arguments& arguments) {
             reports.push_back({project->name, folder, std::move(*report)});
             if (format == "text") printText(reports.back(), options.coverage);
         }
-    if (format == "json") printJson(reports);
-    else if (format == "junit") printJunit(reports);
-    else std::cout << passed << " passed, " << failed << " failed\n";
-    if (passed + failed == 0 && !broken && !options.filter.empty()) return wrongUse({"No test has \"" + options.filter + "\" in its title", ""});
+    if (format == "json")
+        printJson(reports);
+    else if (format == "junit")
+        printJunit(reports);
+    else
+        std::cout << passed << " passed, " << failed << " failed\n";
+    if (passed + failed == 0 && !broken && !options.filter.empty())
+        return wrongUse({"No test has \"" + options.filter + "\" in its title", ""});
     return failed || broken ? kProgramWrong : kGood;
 }
 
 } // namespace
 
 Command testCommand() {
-    return {{"test", "PATH… [OPTIONS]", "Runs the TESTs of projects (tests/*.st) in virtual time.",
+    return {{"test",
+             "PATH… [OPTIONS]",
+             "Runs the TESTs of projects (tests/*.st) in virtual time.",
              {{"--filter", "TEXT", "only tests whose title holds TEXT (* and ? as in file names)"},
               {"--coverage", "", "lines of each POU that ran"},
               {"--format", "text|json|junit", "text (default), JSON or JUnit XML"}},

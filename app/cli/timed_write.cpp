@@ -11,14 +11,17 @@ namespace plc::cli {
 Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
     const size_t equals = word.find('=');
     if (equals == std::string::npos || equals == 0)
-        return Error{"\"" + word + "\" is not a write; give PATH=VALUE or PATH=VALUE@TIME, for example Main.start=TRUE@1.5s", ""};
+        return Error{"\"" + word +
+                         "\" is not a write; give PATH=VALUE or PATH=VALUE@TIME, for example Main.start=TRUE@1.5s",
+                     ""};
     TimedWrite write;
     write.isForce = isForce;
     write.path = word.substr(0, equals);
     write.text = word.substr(equals + 1);
     // The last @ is the time, unless it stands inside a text literal.
     const size_t at = write.text.rfind('@');
-    if (at != std::string::npos && std::count(write.text.begin() + static_cast<std::ptrdiff_t>(at), write.text.end(), '\'') % 2 == 0) {
+    if (at != std::string::npos &&
+        std::count(write.text.begin() + static_cast<std::ptrdiff_t>(at), write.text.end(), '\'') % 2 == 0) {
         const auto time = parseDuration(write.text.substr(at + 1));
         if (!time) return time.error();
         write.at = *time;
@@ -29,7 +32,8 @@ Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
     return write;
 }
 
-Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write) {
+Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller,
+                              const TimedWrite& write) {
     const auto place = controller.program().layout.find(write.path);
     if (!place) return place.error();
     return session::parseValue(checked, place->type, write.text, write.path);
@@ -42,8 +46,8 @@ Result<void> apply(const driver::Checked& checked, controller::Controller& contr
     return write.isForce ? controller.force(write.path, *value) : controller.write(write.path, *value);
 }
 
-Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session, std::chrono::nanoseconds length,
-                        std::string_view lengthOption) {
+Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session,
+                        std::chrono::nanoseconds length, std::string_view lengthOption) {
     controller::Controller& controller = session.controller();
     if (const auto text = arguments.value(lengthOption)) {
         const auto time = parseDuration(*text);
@@ -59,15 +63,19 @@ Result<void> runProject(const Arguments& arguments, const driver::Built& built, 
                 if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
             writes.push_back(*write);
         }
-    std::stable_sort(writes.begin(), writes.end(), [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    std::stable_sort(writes.begin(), writes.end(),
+                     [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
     controller.start();
     ProgressLine progress;
     size_t next = 0;
-    for (uint64_t done = 0; !isInterrupted() && controller.state() == controller::State::Running && controller.nextDue() < length; ++done) {
+    for (uint64_t done = 0;
+         !isInterrupted() && controller.state() == controller::State::Running && controller.nextDue() < length;
+         ++done) {
         for (; next < writes.size() && writes[next].at <= controller.nextDue(); ++next)
             if (auto written = apply(built.checked, controller, writes[next]); !written) return written;
         controller.scan();
-        if ((done & 0xfff) == 0) progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
+        if ((done & 0xfff) == 0)
+            progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));
     }
     return {};
 }

@@ -21,12 +21,13 @@ struct TimedWrite {
 
 [[nodiscard]] Result<TimedWrite> parseWrite(const std::string& word, bool isForce);
 /// The value as the variable's type reads it.
-[[nodiscard]] Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller, const TimedWrite& write);
+[[nodiscard]] Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller,
+                                            const TimedWrite& write);
 Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write);
 
-/// Runs the project as `run` does, in virtual time, with the writes and forces of --set and --force at their times, until the time
-/// that the option `lengthOption` says, else `length`.
-Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session, std::chrono::nanoseconds length,
-                        std::string_view lengthOption);
+/// Runs the project as `run` does, in virtual time, with the writes and forces of --set and --force at their times,
+/// until the time that the option `lengthOption` says, else `length`.
+Result<void> runProject(const Arguments& arguments, const driver::Built& built, session::Session& session,
+                        std::chrono::nanoseconds length, std::string_view lengthOption);
 
 } // namespace plc::cli

@@ -24,12 +24,18 @@ std::vector<std::string> splitExpressions(const std::string& list) {
     int depth = 0;
     char quote = 0;
     for (const char c : list) {
-        if (quote) quote = c == quote ? 0 : quote;
-        else if (c == '\'' || c == '"') quote = c;
-        else if (c == '(' || c == '[') ++depth;
-        else if (c == ')' || c == ']') --depth;
-        if (c == ',' && depth == 0 && !quote) out.emplace_back();
-        else out.back() += c;
+        if (quote)
+            quote = c == quote ? 0 : quote;
+        else if (c == '\'' || c == '"')
+            quote = c;
+        else if (c == '(' || c == '[')
+            ++depth;
+        else if (c == ')' || c == ']')
+            --depth;
+        if (c == ',' && depth == 0 && !quote)
+            out.emplace_back();
+        else
+            out.back() += c;
     }
     for (std::string& text : out) {
         text.erase(0, text.find_first_not_of(' '));
@@ -61,15 +67,20 @@ Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Pr
     if (setup.channels.empty() && expressions.empty()) {
         std::string known;
         if (project)
-            for (const std::string& trace : project->traces) known += (known.empty() ? "" : ", ") + trace.substr(0, trace.find(".trace.json"));
-        return Error{"trace needs --channels EXPR,… or --setup NAME" + (known.empty() ? std::string() : " (the project has " + known + ")"), ""};
+            for (const std::string& trace : project->traces)
+                known += (known.empty() ? "" : ", ") + trace.substr(0, trace.find(".trace.json"));
+        return Error{"trace needs --channels EXPR,… or --setup NAME" +
+                         (known.empty() ? std::string() : " (the project has " + known + ")"),
+                     ""};
     }
-    for (trace::ChannelSetup& channel : trace::setupOf(expressions).channels) setup.channels.push_back(std::move(channel));
+    for (trace::ChannelSetup& channel : trace::setupOf(expressions).channels)
+        setup.channels.push_back(std::move(channel));
     if (const auto trigger = arguments.value("--trigger")) {
         setup.trigger.expression = *trigger;
         if (setup.trigger.mode == trace::TriggerMode::Off) setup.trigger.mode = trace::TriggerMode::Single;
     }
-    for (const auto& [option, target] : {std::pair{"--before", &setup.trigger.before}, std::pair{"--after", &setup.trigger.after}})
+    for (const auto& [option, target] :
+         {std::pair{"--before", &setup.trigger.before}, std::pair{"--after", &setup.trigger.after}})
         if (const auto text = arguments.value(option)) {
             const auto time = parseDuration(*text);
             if (!time) return time.error();
@@ -102,7 +113,9 @@ Result<trace::TraceOutput> outputOf(const Arguments& arguments, trace::TraceSetu
         }
     if (const auto text = arguments.value("--size")) {
         int width = 0, height = 0, used = 0;
-        if (std::sscanf(text->c_str(), "%dx%d%n", &width, &height, &used) != 2 || static_cast<size_t>(used) != text->size() || width < 200 || height < 120 || width > 20'000 || height > 20'000)
+        if (std::sscanf(text->c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+            static_cast<size_t>(used) != text->size() || width < 200 || height < 120 || width > 20'000 ||
+            height > 20'000)
             return Error{"--size needs WIDTHxHEIGHT, for example 1200x700", *text};
         out.size = QSize(width, height);
     }
@@ -134,7 +147,8 @@ int traceRecording(const Arguments& arguments, const std::string& file) {
 
 int run(const Arguments& arguments) {
     if (const auto file = arguments.value("--recording")) return traceRecording(arguments, *file);
-    if (arguments.paths().empty()) return wrongUse({"trace needs a project folder or ST files (stepwise trace --help)", ""});
+    if (arguments.paths().empty())
+        return wrongUse({"trace needs a project folder or ST files (stepwise trace --help)", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const auto setup = setupOf(arguments, &*project);
@@ -144,19 +158,23 @@ int run(const Arguments& arguments) {
     const driver::Built built = driver::build(project->buildInput());
     printDiagnostics(built.checked, false, false);
     if (built.checked.analysis->hasErrors) return kProgramWrong;
-    if (!built.program) return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+    if (!built.program)
+        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
     if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
     session::Settings settings;
     settings.historyBudget = size_t(2) << 30;
     catchInterrupt();
     session::Session session(built, settings);
-    if (auto ran = runProject(arguments, built, session, std::chrono::seconds(10), "--for"); !ran) return wrongUse(ran.error());
+    if (auto ran = runProject(arguments, built, session, std::chrono::seconds(10), "--for"); !ran)
+        return wrongUse(ran.error());
     const bool faulted = session.controller().state() == controller::State::Fault;
-    if (faulted && session.controller().fault()) std::cerr << "stepwise: " << session.controller().fault()->message << "\n";
+    if (faulted && session.controller().fault())
+        std::cerr << "stepwise: " << session.controller().fault()->message << "\n";
     needApplication();
     std::shared_ptr<trace::FileRecording> beneath;
     std::optional<std::string> file = arguments.value("--beneath");
-    if (!file && !setup->compareWith.empty()) file = (std::filesystem::path(project->folder) / setup->compareWith).string();
+    if (!file && !setup->compareWith.empty())
+        file = (std::filesystem::path(project->folder) / setup->compareWith).string();
     if (file) {
         const auto older = trace::FileRecording::open(*file);
         if (!older) return wrongUse(older.error());
@@ -171,29 +189,33 @@ int run(const Arguments& arguments) {
 } // namespace
 
 Command traceCommand() {
-    return {{"trace", "PATH… [OPTIONS]", "Runs a project and draws its charts: picture, CSV, statistics.",
-             {{"--channels", "EXPR,…", "variables or expressions to draw (repeatable)"},
-              {"--setup", "NAME", "the project's traces/NAME.trace.json, or a file (default: its only one)"},
-              {"--for", "10s", "PLC time to run (default 10s)"},
-              {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
-              {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
-              {"--recording", "FILE", "draw a recording made by run --record instead of running"},
-              {"--beneath", "FILE", "an older recording, drawn faintly beneath"},
-              {"--picture", "FILE", "the charts as .png, .svg or .pdf"},
-              {"--csv", "FILE", "every sample shown, a row per scan"},
-              {"--statistics", "", "a table: values at the cursors (or ends), least, greatest, mean, RMS, step response"},
-              {"--cursors", "1s,2s", "two cursors in the picture, with the measuring table beneath"},
-              {"--trigger", "EXPR", "show what is around its rising edge (or as the set-up says)"},
-              {"--before", "1s", "time shown before the trigger"},
-              {"--after", "1s", "time shown after it"},
-              {"--from", "0s", "first time shown"},
-              {"--to", "10s", "last time shown"},
-              {"--size", "1200x700", "size of the picture"},
-              {"--scale", "1", "pixels per unit of a .png"},
-              {"--dark", "", "dark colours"},
-              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
-             "stepwise trace projects/examples/pid_pt1 --channels Main.setPoint,Main.actual --for 20s --picture loop.png --statistics"},
-            run};
+    return {
+        {"trace",
+         "PATH… [OPTIONS]",
+         "Runs a project and draws its charts: picture, CSV, statistics.",
+         {{"--channels", "EXPR,…", "variables or expressions to draw (repeatable)"},
+          {"--setup", "NAME", "the project's traces/NAME.trace.json, or a file (default: its only one)"},
+          {"--for", "10s", "PLC time to run (default 10s)"},
+          {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
+          {"--force", "PATH=VALUE[@TIME]", "force likewise (repeatable)"},
+          {"--recording", "FILE", "draw a recording made by run --record instead of running"},
+          {"--beneath", "FILE", "an older recording, drawn faintly beneath"},
+          {"--picture", "FILE", "the charts as .png, .svg or .pdf"},
+          {"--csv", "FILE", "every sample shown, a row per scan"},
+          {"--statistics", "", "a table: values at the cursors (or ends), least, greatest, mean, RMS, step response"},
+          {"--cursors", "1s,2s", "two cursors in the picture, with the measuring table beneath"},
+          {"--trigger", "EXPR", "show what is around its rising edge (or as the set-up says)"},
+          {"--before", "1s", "time shown before the trigger"},
+          {"--after", "1s", "time shown after it"},
+          {"--from", "0s", "first time shown"},
+          {"--to", "10s", "last time shown"},
+          {"--size", "1200x700", "size of the picture"},
+          {"--scale", "1", "pixels per unit of a .png"},
+          {"--dark", "", "dark colours"},
+          {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
+         "stepwise trace projects/examples/pid_pt1 --channels Main.setPoint,Main.actual --for 20s --picture loop.png "
+         "--statistics"},
+        run};
 }
 
 } // namespace plc::cli

@@ -40,7 +40,8 @@ Result<void> Workspace::open(const QString& folder) {
     close();
     m_project = std::move(*project);
     for (const auto* list : {&m_project->sources, &m_project->tests})
-        for (const driver::SourceFile& file : *list) m_files[QString::fromStdString(file.path)] = {file.text, file.text};
+        for (const driver::SourceFile& file : *list)
+            m_files[QString::fromStdString(file.path)] = {file.text, file.text};
     watchFiles();
     m_autosave.start();
     emit opened();
@@ -87,8 +88,10 @@ driver::BuildInput Workspace::buildInput() const {
     input.libraries = m_project->libraries;
     input.companions = m_project->companions;
     for (const auto& [file, content] : m_files)
-        if (isTestFile(file)) input.companions.push_back(content.text);
-        else input.files.push_back({toStd(file), content.text});
+        if (isTestFile(file))
+            input.companions.push_back(content.text);
+        else
+            input.files.push_back({toStd(file), content.text});
     return input;
 }
 
@@ -121,7 +124,8 @@ QStringList Workspace::modifiedFiles() const {
 Result<void> Workspace::save(const QString& file) {
     const auto it = m_files.find(file);
     if (it == m_files.end()) return Error{"There is no such file in the project", toStd(file)};
-    if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), it->second.text); !written) return written;
+    if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), it->second.text); !written)
+        return written;
     const bool was = isModified(file);
     it->second.onDisk = it->second.text;
     QFile::remove(sideFile(file));
@@ -148,7 +152,8 @@ void Workspace::revert(const QString& file) {
 }
 
 Result<void> Workspace::addFile(const QString& file, const std::string& text) {
-    if (m_files.contains(file) || QFile::exists(absolutePath(file))) return Error{"There is a file of that name already", toStd(file)};
+    if (m_files.contains(file) || QFile::exists(absolutePath(file)))
+        return Error{"There is a file of that name already", toStd(file)};
     QDir().mkpath(QFileInfo(absolutePath(file)).path());
     if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), text); !written) return written;
     m_files[file] = {text, text};
@@ -171,8 +176,10 @@ Result<void> Workspace::removeFile(const QString& file) {
 
 Result<void> Workspace::renameFile(const QString& from, const QString& to) {
     if (!m_files.contains(from)) return Error{"There is no such file in the project", toStd(from)};
-    if (m_files.contains(to) || QFile::exists(absolutePath(to))) return Error{"There is a file of that name already", toStd(to)};
-    if (!QFile::rename(absolutePath(from), absolutePath(to))) return Error{"The file can not be renamed; check the permissions of the folder", toStd(from)};
+    if (m_files.contains(to) || QFile::exists(absolutePath(to)))
+        return Error{"There is a file of that name already", toStd(to)};
+    if (!QFile::rename(absolutePath(from), absolutePath(to)))
+        return Error{"The file can not be renamed; check the permissions of the folder", toStd(from)};
     m_files[to] = m_files[from];
     QFile::remove(sideFile(from));
     m_files.erase(from);
@@ -240,7 +247,8 @@ void Workspace::readFolderChange() {
             changed = true;
         }
     for (auto it = m_files.begin(); it != m_files.end();) {
-        if (!there.contains(it->first) && it->second.text == it->second.onDisk && !QFile::exists(absolutePath(it->first))) {
+        if (!there.contains(it->first) && it->second.text == it->second.onDisk &&
+            !QFile::exists(absolutePath(it->first))) {
             it = m_files.erase(it);
             changed = true;
         } else {
@@ -295,7 +303,8 @@ void Workspace::checkNow() {
 
 void Workspace::startCheck() {
     if (!m_project) return;
-    if (!m_project->folder.empty()) m_project->companions = projects::readCompanions(m_project->folder); // a panel may have been saved since
+    if (!m_project->folder.empty())
+        m_project->companions = projects::readCompanions(m_project->folder); // a panel may have been saved since
     {
         const std::lock_guard lock(m_mutex);
         m_job = {buildInput(), ++m_revision};

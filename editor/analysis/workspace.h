@@ -1,5 +1,6 @@
-// The project as it is being edited: its files on disk, overlaid by what the open editors hold, and the newest analysis of all of it.
-// Owned by the main window; GUI thread. Checking runs on one worker thread; a result that a newer text overtook is dropped (flow 1).
+// The project as it is being edited: its files on disk, overlaid by what the open editors hold, and the newest analysis
+// of all of it. Owned by the main window; GUI thread. Checking runs on one worker thread; a result that a newer text
+// overtook is dropped (flow 1).
 #pragma once
 #include "projects/analysis/code_model.h"
 #include "projects/model/project.h"
@@ -62,9 +63,9 @@ signals:
     void opened();
     void closed();
     void filesChanged();
-    void textReplaced(const QString& file);                // changed from outside or reverted: editors load it anew
+    void textReplaced(const QString& file); // changed from outside or reverted: editors load it anew
     void modificationChanged(const QString& file, bool modified);
-    void changedOnDiskAndHere(const QString& file);        // the user must choose
+    void changedOnDiskAndHere(const QString& file); // the user must choose
     void analysed(std::shared_ptr<const plc::analysis::CodeModel> model);
     void saved(const QString& file);
 

@@ -74,9 +74,12 @@ ForceView::ForceView(RunControl& control, QWidget* parent) : QWidget(parent), m_
 void ForceView::refresh() {
     if (!isVisible()) return;
     const auto forces = m_control.session() ? m_control.session()->forces() : std::vector<controller::Forced>();
-    while (m_tree->topLevelItemCount() > static_cast<int>(forces.size())) delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
+    while (m_tree->topLevelItemCount() > static_cast<int>(forces.size()))
+        delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
     for (size_t i = 0; i < forces.size(); ++i) {
-        QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount() ? m_tree->topLevelItem(static_cast<int>(i)) : new QTreeWidgetItem(m_tree);
+        QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount()
+                                    ? m_tree->topLevelItem(static_cast<int>(i))
+                                    : new QTreeWidgetItem(m_tree);
         item->setText(0, text(forces[i].path));
         item->setText(1, text(types::toText(*m_control.session()->program()->layout.types, forces[i].value)));
         item->setIcon(0, kit::icon(kit::Icon::Force));
@@ -91,12 +94,16 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
     auto* splitter = new QSplitter(this);
     splitter->addWidget(m_frames);
     splitter->addWidget(m_values);
-    for (int column : {0, 1}) m_frames->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents); // the line in sight
+    for (int column : {0, 1})
+        m_frames->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents); // the line in sight
     stack(this, {splitter});
     connect(&control, &RunControl::halted, this, &CallPathView::refresh);
     connect(&control, &RunControl::statusChanged, this, [this] {
-        if (m_control.status().state != controller::State::Halted && m_control.status().state != controller::State::Fault) refresh();
-        else if (m_control.status().state == controller::State::Fault && m_frames->topLevelItemCount() == 0) refresh();
+        if (m_control.status().state != controller::State::Halted &&
+            m_control.status().state != controller::State::Fault)
+            refresh();
+        else if (m_control.status().state == controller::State::Fault && m_frames->topLevelItemCount() == 0)
+            refresh();
     });
     connect(m_frames, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         m_values->clear();
@@ -104,9 +111,12 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
         const auto frame = static_cast<size_t>(item->data(0, Qt::UserRole).toInt());
         if (m_control.status().state == controller::State::Halted)
             for (const auto& [name, value] : m_control.session()->frameVariables(frame))
-                new QTreeWidgetItem(m_values, {text(name), text(types::toText(*m_control.session()->program()->layout.types, value))});
+                new QTreeWidgetItem(
+                    m_values, {text(name), text(types::toText(*m_control.session()->program()->layout.types, value))});
     });
-    connect(m_frames, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { emit placeRequested(item->data(1, Qt::UserRole).toString(), item->data(2, Qt::UserRole).toUInt()); });
+    connect(m_frames, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        emit placeRequested(item->data(1, Qt::UserRole).toString(), item->data(2, Qt::UserRole).toUInt());
+    });
 }
 
 void CallPathView::refresh() {
@@ -124,9 +134,11 @@ void CallPathView::refresh() {
         item->setData(2, Qt::UserRole, range.begin);
     };
     if (m_control.status().state == controller::State::Halted)
-        for (const session::HaltFrame& frame : m_control.session()->haltFrames()) add(frame.function, frame.instance, frame.range);
+        for (const session::HaltFrame& frame : m_control.session()->haltFrames())
+            add(frame.function, frame.instance, frame.range);
     else if (m_control.status().fault)
-        for (const controller::FaultFrame& frame : m_control.status().fault->calls) add(frame.function, frame.instance, frame.range);
+        for (const controller::FaultFrame& frame : m_control.status().fault->calls)
+            add(frame.function, frame.instance, frame.range);
     if (m_frames->topLevelItemCount()) m_frames->setCurrentItem(m_frames->topLevelItem(0));
 }
 
@@ -141,15 +153,20 @@ BreakpointView::BreakpointView(RunControl& control, QWidget* parent) : QWidget(p
     connect(bar->addAction(kit::icon(kit::Icon::Delete), tr("Remove selected")), &QAction::triggered, this, [this] {
         auto list = m_control.breakpoints();
         for (QTreeWidgetItem* item : m_tree->selectedItems())
-            std::erase_if(list, [&](const EditorBreakpoint& b) { return b.file == item->data(0, Qt::UserRole).toString() && b.line == item->data(1, Qt::UserRole).toInt(); });
+            std::erase_if(list, [&](const EditorBreakpoint& b) {
+                return b.file == item->data(0, Qt::UserRole).toString() &&
+                       b.line == item->data(1, Qt::UserRole).toInt();
+            });
         m_control.setBreakpoints(list);
     });
-    connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Remove all")), &QAction::triggered, this, [this] { m_control.setBreakpoints({}); });
+    connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Remove all")), &QAction::triggered, this,
+            [this] { m_control.setBreakpoints({}); });
     stack(this, {bar, m_tree});
     connect(&control, &RunControl::breakpointsChanged, this, &BreakpointView::reload);
     connect(m_tree, &QTreeWidget::itemChanged, this, &BreakpointView::takeEdits);
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item, int column) {
-        if (column == 0) emit lineRequested(item->data(0, Qt::UserRole).toString(), item->data(1, Qt::UserRole).toInt());
+        if (column == 0)
+            emit lineRequested(item->data(0, Qt::UserRole).toString(), item->data(1, Qt::UserRole).toInt());
     });
 }
 
@@ -157,7 +174,9 @@ void BreakpointView::reload() {
     const QSignalBlocker blocker(m_tree);
     m_tree->clear();
     for (const EditorBreakpoint& each : m_control.breakpoints()) {
-        auto* item = new QTreeWidgetItem(m_tree, {QString("%1:%2").arg(each.file).arg(each.line), each.condition, each.hitCount ? QString::number(each.hitCount) : QString(), each.instance});
+        auto* item =
+            new QTreeWidgetItem(m_tree, {QString("%1:%2").arg(each.file).arg(each.line), each.condition,
+                                         each.hitCount ? QString::number(each.hitCount) : QString(), each.instance});
         item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
         item->setCheckState(0, each.isEnabled ? Qt::Checked : Qt::Unchecked);
         item->setData(0, Qt::UserRole, each.file);
@@ -174,7 +193,8 @@ void BreakpointView::takeEdits(QTreeWidgetItem* item) {
             each.instance = item->text(3).trimmed();
             each.isEnabled = item->checkState(0) == Qt::Checked;
         }
-    QMetaObject::invokeMethod(this, [this, list] { m_control.setBreakpoints(list); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, list] { m_control.setBreakpoints(list); }, Qt::QueuedConnection);
 }
 
 // ------------------------------------------------------------------ tasks
@@ -202,7 +222,8 @@ protected:
         const uint32_t highest = m_bins.empty() ? 0 : *std::max_element(m_bins.begin(), m_bins.end());
         if (highest == 0) {
             painter.setPen(c.muted);
-            painter.drawText(rect(), Qt::AlignCenter, TaskMonitor::tr("Execution times appear here while the controller runs"));
+            painter.drawText(rect(), Qt::AlignCenter,
+                             TaskMonitor::tr("Execution times appear here while the controller runs"));
             return;
         }
         const int base = height() - 20, left = 8, width = this->width() - 16;
@@ -212,14 +233,16 @@ protected:
         painter.setFont(small);
         for (size_t i = 0; i < last; ++i) {
             const double share = std::log1p(m_bins[i]) / std::log1p(highest);
-            const QRectF bar(left + column * static_cast<double>(i) + 1.5, base - share * (base - 8), column - 3, share * (base - 8));
+            const QRectF bar(left + column * static_cast<double>(i) + 1.5, base - share * (base - 8), column - 3,
+                             share * (base - 8));
             painter.setPen(Qt::NoPen);
             painter.setBrush(c.accent);
             painter.drawRoundedRect(bar, 2, 2);
             painter.setPen(c.muted);
             const QString label = nanosecondsText(1e3 * std::pow(2.0, static_cast<double>(i)));
             if (column > painter.fontMetrics().horizontalAdvance(label) + 4 || i % 4 == 0)
-                painter.drawText(QRectF(left + column * static_cast<double>(i) - 20, base + 2, column + 40, 16), Qt::AlignCenter, label);
+                painter.drawText(QRectF(left + column * static_cast<double>(i) - 20, base + 2, column + 40, 16),
+                                 Qt::AlignCenter, label);
         }
     }
 
@@ -229,7 +252,10 @@ private:
 
 TaskMonitor::TaskMonitor(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
     QToolBar* bar = makeBar(this);
-    m_tree = makeTree(this, {tr("Task"), tr("Runs"), tr("Last"), tr("Min"), tr("Mean"), tr("Max"), tr("Jitter"), tr("Overruns"), tr("Load")}, tr("Tasks"));
+    m_tree = makeTree(this,
+                      {tr("Task"), tr("Runs"), tr("Last"), tr("Min"), tr("Mean"), tr("Max"), tr("Jitter"),
+                       tr("Overruns"), tr("Load")},
+                      tr("Tasks"));
     m_histogram = new Histogram(this);
     connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Reset the statistics")), &QAction::triggered, this, [this] {
         if (m_control.session()) m_control.session()->resetTaskStatistics();
@@ -242,17 +268,28 @@ TaskMonitor::TaskMonitor(RunControl& control, QWidget* parent) : QWidget(parent)
 
 void TaskMonitor::refresh() {
     if (!isVisible()) return;
-    const auto tasks = m_control.session() ? m_control.session()->taskStatistics() : std::vector<controller::TaskStatistics>();
-    while (m_tree->topLevelItemCount() > static_cast<int>(tasks.size())) delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
+    const auto tasks =
+        m_control.session() ? m_control.session()->taskStatistics() : std::vector<controller::TaskStatistics>();
+    while (m_tree->topLevelItemCount() > static_cast<int>(tasks.size()))
+        delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
     for (size_t i = 0; i < tasks.size(); ++i) {
         const controller::TaskStatistics& task = tasks[i];
-        QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount() ? m_tree->topLevelItem(static_cast<int>(i)) : new QTreeWidgetItem(m_tree);
+        QTreeWidgetItem* item = static_cast<int>(i) < m_tree->topLevelItemCount()
+                                    ? m_tree->topLevelItem(static_cast<int>(i))
+                                    : new QTreeWidgetItem(m_tree);
         double interval = 0;
         for (const image::Task& each : m_control.session()->program()->tasks)
             if (each.name == task.name) interval = static_cast<double>(each.interval.count());
-        const QStringList columns{text(task.name), QString::number(task.count), nanosecondsText(static_cast<double>(task.lastNs)), nanosecondsText(static_cast<double>(task.minNs)), nanosecondsText(task.meanNs),
-                                  nanosecondsText(static_cast<double>(task.maxNs)), nanosecondsText(static_cast<double>(task.jitterNs)), QString::number(task.overruns),
-                                  interval > 0 ? QString("%1 %").arg(100 * task.meanNs / interval, 0, 'f', 2) : QString("–")};
+        const QStringList columns{text(task.name),
+                                  QString::number(task.count),
+                                  nanosecondsText(static_cast<double>(task.lastNs)),
+                                  nanosecondsText(static_cast<double>(task.minNs)),
+                                  nanosecondsText(task.meanNs),
+                                  nanosecondsText(static_cast<double>(task.maxNs)),
+                                  nanosecondsText(static_cast<double>(task.jitterNs)),
+                                  QString::number(task.overruns),
+                                  interval > 0 ? QString("%1 %").arg(100 * task.meanNs / interval, 0, 'f', 2)
+                                               : QString("–")};
         for (int column = 0; column < columns.size(); ++column) {
             item->setText(column, columns[column]);
             if (column) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -260,7 +297,8 @@ void TaskMonitor::refresh() {
         item->setForeground(7, task.overruns ? kit::colors().warning : kit::colors().text);
     }
     const int row = std::max(0, m_tree->indexOfTopLevelItem(m_tree->currentItem()));
-    m_histogram->show(row < static_cast<int>(tasks.size()) ? tasks[static_cast<size_t>(row)].histogram : std::vector<uint32_t>());
+    m_histogram->show(row < static_cast<int>(tasks.size()) ? tasks[static_cast<size_t>(row)].histogram
+                                                           : std::vector<uint32_t>());
 }
 
 // ------------------------------------------------------------------ log
@@ -290,11 +328,16 @@ void EventLog::refresh() {
     const auto events = m_control.session()->eventsSince(m_seen);
     m_seen += events.size();
     for (const controller::Event& event : events) {
-        auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), timeText(event.time), QString::number(event.scan), trace::markText(static_cast<int>(event.kind), event.text)});
+        auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), timeText(event.time),
+                                                  QString::number(event.scan),
+                                                  trace::markText(static_cast<int>(event.kind), event.text)});
         using controller::EventKind;
-        const kit::Icon icon = event.kind == EventKind::Fault ? kit::Icon::Error : event.kind == EventKind::Force || event.kind == EventKind::Release ? kit::Icon::Force
-                             : event.kind == EventKind::OnlineChange ? kit::Icon::OnlineChange : event.kind == EventKind::Breakpoint ? kit::Icon::Breakpoint
-                             : event.kind == EventKind::SkippedScans ? kit::Icon::Warning : kit::Icon::Information;
+        const kit::Icon icon = event.kind == EventKind::Fault                                       ? kit::Icon::Error
+                               : event.kind == EventKind::Force || event.kind == EventKind::Release ? kit::Icon::Force
+                               : event.kind == EventKind::OnlineChange ? kit::Icon::OnlineChange
+                               : event.kind == EventKind::Breakpoint   ? kit::Icon::Breakpoint
+                               : event.kind == EventKind::SkippedScans ? kit::Icon::Warning
+                                                                       : kit::Icon::Information;
         item->setIcon(3, kit::icon(icon));
         if (m_tree->topLevelItemCount() > 5000) delete m_tree->topLevelItem(0);
     }

@@ -1,5 +1,5 @@
-// The smaller views on a running controller: forces, call path with each frame's values, breakpoints, tasks with histograms, and the log of
-// events. Each is owned by its dock; GUI thread; all read through RunControl.
+// The smaller views on a running controller: forces, call path with each frame's values, breakpoints, tasks with
+// histograms, and the log of events. Each is owned by its dock; GUI thread; all read through RunControl.
 #pragma once
 #include "editor/debug/run_control.h"
 

@@ -25,9 +25,14 @@ RunControl::~RunControl() {
     if (m_builder.joinable()) m_builder.join();
 }
 
-bool RunControl::isRunning() const { return m_session && (m_status.state == controller::State::Running || m_status.state == controller::State::Paused || m_status.state == controller::State::Halted); }
+bool RunControl::isRunning() const {
+    return m_session && (m_status.state == controller::State::Running || m_status.state == controller::State::Paused ||
+                         m_status.state == controller::State::Halted);
+}
 
-QString RunControl::retainFile() const { return m_workspace.folder().isEmpty() ? QString() : m_workspace.folder() + "/.stepwise/retain.json"; }
+QString RunControl::retainFile() const {
+    return m_workspace.folder().isEmpty() ? QString() : m_workspace.folder() + "/.stepwise/retain.json";
+}
 
 // ------------------------------------------------------------------ building
 
@@ -44,10 +49,13 @@ void RunControl::build(std::function<void(bool)> then) {
                 m_isBuilding = false;
                 const bool good = built->program != nullptr;
                 size_t errors = 0;
-                for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics) errors += d.severity == diagnostics::Severity::Error;
+                for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
+                    errors += d.severity == diagnostics::Severity::Error;
                 if (good) adopt(built, false);
                 emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
-                                              : !built->failure.empty() ? text(built->failure) : tr("%n error(s): the program was not built", nullptr, static_cast<int>(errors)));
+                                         : !built->failure.empty() ? text(built->failure)
+                                                                   : tr("%n error(s): the program was not built",
+                                                                        nullptr, static_cast<int>(errors)));
                 if (then) then(good);
             },
             Qt::QueuedConnection);
@@ -57,8 +65,12 @@ void RunControl::build(std::function<void(bool)> then) {
 void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning) {
     if (changeRunning && m_session) {
         m_session->changeProgram(*built, [this](const controller::OnlineChangeReport& report) {
-            const QString summary = tr("Online change: %1 kept, %2 new, %3 lost").arg(report.kept.size()).arg(report.initialised.size()).arg(report.lost.size());
-            QMetaObject::invokeMethod(this, [this, summary] { emit onlineChangeFinished(summary); }, Qt::QueuedConnection);
+            const QString summary = tr("Online change: %1 kept, %2 new, %3 lost")
+                                        .arg(report.kept.size())
+                                        .arg(report.initialised.size())
+                                        .arg(report.lost.size());
+            QMetaObject::invokeMethod(
+                this, [this, summary] { emit onlineChangeFinished(summary); }, Qt::QueuedConnection);
         });
         return;
     }
@@ -111,7 +123,9 @@ void RunControl::showRecorded(std::optional<RecordedRun> recorded) {
     emit refreshed();
 }
 
-const history::History* RunControl::shownHistory() const { return m_recorded ? m_recorded->history : m_session ? &m_session->history() : nullptr; }
+const history::History* RunControl::shownHistory() const {
+    return m_recorded ? m_recorded->history : m_session ? &m_session->history() : nullptr;
+}
 
 void RunControl::leaveRecorded() {
     if (!m_recorded) return;
@@ -183,7 +197,10 @@ void RunControl::onlineChange() {
             [this, built] {
                 m_isBuilding = false;
                 if (built->program) adopt(built, true);
-                emit buildFinished(built->program != nullptr, built->program ? tr("The change waits for the end of the scan") : tr("The program has errors; the controller goes on with the old one"));
+                emit buildFinished(built->program != nullptr,
+                                   built->program
+                                       ? tr("The change waits for the end of the scan")
+                                       : tr("The program has errors; the controller goes on with the old one"));
             },
             Qt::QueuedConnection);
     });
@@ -203,9 +220,12 @@ void RunControl::setBreakpoints(std::vector<EditorBreakpoint> breakpoints) {
 }
 
 void RunControl::toggleBreakpoint(const QString& file, int line) {
-    const auto it = std::find_if(m_breakpoints.begin(), m_breakpoints.end(), [&](const EditorBreakpoint& b) { return b.file == file && b.line == line; });
-    if (it != m_breakpoints.end()) m_breakpoints.erase(it);
-    else m_breakpoints.push_back({file, line});
+    const auto it = std::find_if(m_breakpoints.begin(), m_breakpoints.end(),
+                                 [&](const EditorBreakpoint& b) { return b.file == file && b.line == line; });
+    if (it != m_breakpoints.end())
+        m_breakpoints.erase(it);
+    else
+        m_breakpoints.push_back({file, line});
     postBreakpoints();
     emit breakpointsChanged();
 }
@@ -217,7 +237,8 @@ void RunControl::postBreakpoints() {
     for (const EditorBreakpoint& each : m_breakpoints)
         for (size_t i = 0; i < sources.files.size(); ++i)
             if (text(sources.files[i].path()) == each.file)
-                posted.push_back({FileId(i), static_cast<uint32_t>(each.line), each.condition.toStdString(), static_cast<uint32_t>(each.hitCount), each.instance.toStdString(), each.isEnabled});
+                posted.push_back({FileId(i), static_cast<uint32_t>(each.line), each.condition.toStdString(),
+                                  static_cast<uint32_t>(each.hitCount), each.instance.toStdString(), each.isEnabled});
     m_session->setBreakpoints(std::move(posted));
 }
 
@@ -232,8 +253,10 @@ void RunControl::tick() {
     m_forced.clear();
     for (const controller::Forced& forced : m_session->forces()) m_forced.insert(foldCase(forced.path));
     const bool stateChanged = before != m_status.state;
-    if (m_status.state == controller::State::Halted) m_frames = m_session->haltFrames();
-    else m_frames.clear();
+    if (m_status.state == controller::State::Halted)
+        m_frames = m_session->haltFrames();
+    else
+        m_frames.clear();
     if (!m_viewed && !m_recorded) refreshImage();
     if (stateChanged) {
         emit statusChanged();
@@ -247,7 +270,8 @@ void RunControl::tick() {
 void RunControl::refreshImage() {
     if (m_recorded) {
         const history::Statistics statistics = m_recorded->history->statistics();
-        if (statistics.end > statistics.first) m_image = m_recorded->history->seek(m_viewed.value_or(statistics.end - 1), &m_imageProgram);
+        if (statistics.end > statistics.first)
+            m_image = m_recorded->history->seek(m_viewed.value_or(statistics.end - 1), &m_imageProgram);
         return;
     }
     if (!m_session) return;
@@ -266,7 +290,8 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     if (!hasValues() || m_image.empty() || !m_imageProgram) return shown;
     expression::Expression present;
     if (m_recorded) {
-        const std::string key = scope.toStdString() + "\n" + expression.toStdString() + "\n" + std::to_string(m_imageProgram->version);
+        const std::string key =
+            scope.toStdString() + "\n" + expression.toStdString() + "\n" + std::to_string(m_imageProgram->version);
         auto known = m_recordedExpressions.find(key);
         if (known == m_recordedExpressions.end()) {
             const auto compiled = m_recorded->compile(expression.toStdString(), scope.toStdString(), *m_imageProgram);
@@ -285,7 +310,8 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
         }
         // A recorded image of an older version has another layout: the expression is made anew for it.
         present = *compiled;
-        if (m_imageProgram->version != m_session->program()->version) present = m_session->recompile(expression.toStdString(), scope.toStdString())(*m_imageProgram);
+        if (m_imageProgram->version != m_session->program()->version)
+            present = m_session->recompile(expression.toStdString(), scope.toStdString())(*m_imageProgram);
     }
     if (!present.isValid()) {
         shown.reason = tr("did not exist in this scan");
@@ -301,8 +327,10 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     shown.text = text(types::toText(present.types(), outcome.value, format));
     shown.isBool = present.types().storageKind(present.type()) == types::TypeKind::Bool;
     shown.isTrue = shown.isBool && outcome.value.isTrue();
-    const std::string path = scope.isEmpty() ? expression.toStdString() : scope.toStdString() + "." + expression.toStdString();
-    shown.isForced = !m_recorded && (m_forced.contains(foldCase(path)) || m_forced.contains(foldCase(expression.toStdString())));
+    const std::string path =
+        scope.isEmpty() ? expression.toStdString() : scope.toStdString() + "." + expression.toStdString();
+    shown.isForced =
+        !m_recorded && (m_forced.contains(foldCase(path)) || m_forced.contains(foldCase(expression.toStdString())));
     return shown;
 }
 
@@ -322,8 +350,10 @@ std::vector<QString> RunControl::instancesOf(const QString& pou) const {
         const types::Type& t = (*layout.types)[type];
         if (t.kind == types::TypeKind::Array && depth < 6) {
             const types::TypeKind element = layout.types->kind(t.element);
-            if ((element != types::TypeKind::Block && element != types::TypeKind::Struct) || t.dimensions.size() != 1) return;
-            for (int64_t i = t.dimensions[0].low; i <= t.dimensions[0].high && i < t.dimensions[0].low + 64; ++i) self(self, path + "[" + std::to_string(i) + "]", t.element, depth + 1);
+            if ((element != types::TypeKind::Block && element != types::TypeKind::Struct) || t.dimensions.size() != 1)
+                return;
+            for (int64_t i = t.dimensions[0].low; i <= t.dimensions[0].high && i < t.dimensions[0].low + 64; ++i)
+                self(self, path + "[" + std::to_string(i) + "]", t.element, depth + 1);
             return;
         }
         if (t.kind != types::TypeKind::Block && t.kind != types::TypeKind::Struct) return;
@@ -334,7 +364,8 @@ std::vector<QString> RunControl::instancesOf(const QString& pou) const {
             }
         if (depth >= 6) return;
         for (const types::Field& field : t.fields)
-            if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External) self(self, path + "." + field.name, field.type, depth + 1);
+            if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External)
+                self(self, path + "." + field.name, field.type, depth + 1);
     };
     for (const image::Root& root : layout.roots)
         if (!root.isHidden) walk(walk, root.list.empty() ? root.name : root.list + "." + root.name, root.type, 0);
@@ -364,7 +395,8 @@ RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) c
                     shown.value = value;
                     shown.type = value.type;
                     shown.text = text(types::toText(*m_imageProgram->layout.types, value));
-                    shown.isBool = value.type.isValid() && m_imageProgram->layout.types->storageKind(value.type) == types::TypeKind::Bool;
+                    shown.isBool = value.type.isValid() &&
+                                   m_imageProgram->layout.types->storageKind(value.type) == types::TypeKind::Bool;
                     shown.isTrue = shown.isBool && value.isTrue();
                     return shown;
                 }
@@ -384,14 +416,21 @@ Result<types::Value> RunControl::parse(const QString& path, const QString& value
 Result<void> RunControl::write(const QString& path, const QString& valueText) {
     const auto value = parse(path, valueText);
     if (!value) return value.error();
-    if (m_recorded) return Error{tr("A recording from a file can not be written; go back to the running controller first").toStdString(), path.toStdString()};
-    if (m_viewed) return Error{tr("The past can not be written; resume from here first").toStdString(), path.toStdString()};
+    if (m_recorded)
+        return Error{
+            tr("A recording from a file can not be written; go back to the running controller first").toStdString(),
+            path.toStdString()};
+    if (m_viewed)
+        return Error{tr("The past can not be written; resume from here first").toStdString(), path.toStdString()};
     m_session->write(path.toStdString(), *value);
     return {};
 }
 
 Result<void> RunControl::force(const QString& path, const QString& valueText) {
-    if (m_recorded) return Error{tr("A recording from a file can not be written; go back to the running controller first").toStdString(), path.toStdString()};
+    if (m_recorded)
+        return Error{
+            tr("A recording from a file can not be written; go back to the running controller first").toStdString(),
+            path.toStdString()};
     const auto value = parse(path, valueText);
     if (!value) return value.error();
     m_session->force(path.toStdString(), *value);
@@ -430,7 +469,10 @@ void RunControl::stepView(int scans) {
 }
 
 Result<void> RunControl::resumeFromView() {
-    if (m_recorded) return Error{tr("A recording from a file can not be resumed; only what the controller itself recorded").toStdString(), ""};
+    if (m_recorded)
+        return Error{
+            tr("A recording from a file can not be resumed; only what the controller itself recorded").toStdString(),
+            ""};
     if (!m_session || !m_viewed) return {};
     const history::Position from = *m_viewed;
     if (auto resumed = m_session->resumeFrom(from); !resumed) return resumed;

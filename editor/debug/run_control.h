@@ -1,6 +1,7 @@
-// The running controller as the window sees it: builds in the background, owns the Session, looks at it 30 times a second, and decides
-// which image everybody shows: the live one or, while the time slider stands in the past, a recorded one. Owned by the main
-// window; GUI thread. Views connect to `refreshed` and read through `value()`; none of them reaches into the scan.
+// The running controller as the window sees it: builds in the background, owns the Session, looks at it 30 times a
+// second, and decides which image everybody shows: the live one or, while the time slider stands in the past, a
+// recorded one. Owned by the main window; GUI thread. Views connect to `refreshed` and read through `value()`; none of
+// them reaches into the scan.
 #pragma once
 #include "editor/analysis/workspace.h"
 #include "projects/session/session.h"
@@ -30,7 +31,9 @@ struct EditorBreakpoint {
 struct RecordedRun {
     QString name;
     const history::History* history = nullptr;
-    std::function<Result<expression::Expression>(const std::string& text, const std::string& scope, const image::CompiledProgram& program)> compile;
+    std::function<Result<expression::Expression>(const std::string& text, const std::string& scope,
+                                                 const image::CompiledProgram& program)>
+        compile;
     std::shared_ptr<const void> owner; // keeps the history alive
 };
 
@@ -57,7 +60,7 @@ public:
 
     // commands
     void build(std::function<void(bool)> then = {}); // makes a session, keeps it stopped
-    void start();                                     // builds when needed
+    void start();                                    // builds when needed
     void pause();
     void stop();
     void singleScan();
@@ -65,10 +68,10 @@ public:
     void step(session::StepKind kind);
     void runTo(const QString& file, int line);
     void reset(controller::ResetKind kind);
-    void onlineChange();                              // the edited program enters the running controller
+    void onlineChange(); // the edited program enters the running controller
     void setMode(session::RunMode mode);
     [[nodiscard]] session::RunMode mode() const { return m_mode; }
-    void disconnectSession();                         // project closes
+    void disconnectSession(); // project closes
 
     // breakpoints, kept with the project
     [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints; }
@@ -77,13 +80,14 @@ public:
 
     // values
     struct Shown {
-        QString text;      // "" = no value
+        QString text; // "" = no value
         QString reason;
         types::Value value;
         types::TypeId type;
         bool isBool = false, isTrue = false, isForced = false;
     };
-    [[nodiscard]] Shown value(const QString& expression, const QString& scope = {}, types::NumberFormat format = types::NumberFormat::Decimal) const;
+    [[nodiscard]] Shown value(const QString& expression, const QString& scope = {},
+                              types::NumberFormat format = types::NumberFormat::Decimal) const;
     /// Live value of a name as written inside a POU: its halted frame, else its only instance.
     [[nodiscard]] Shown valueIn(const QString& name, const QString& pou) const;
     [[nodiscard]] std::vector<QString> instancesOf(const QString& pou) const;
@@ -106,13 +110,13 @@ public:
 signals:
     void buildStarted();
     void buildFinished(bool good, const QString& message);
-    void sessionChanged();        // another Session, or none
-    void sessionAboutToEnd();     // views let go of it now
+    void sessionChanged();    // another Session, or none
+    void sessionAboutToEnd(); // views let go of it now
     void statusChanged();
-    void refreshed();             // 30 times a second while something may have changed
+    void refreshed(); // 30 times a second while something may have changed
     void viewedChanged();
     void halted();
-    void recordedMustClose();     // a command to the controller came while a recording is shown
+    void recordedMustClose(); // a command to the controller came while a recording is shown
     void breakpointsChanged();
     void messageAdded(const QString& text, bool isError);
     void onlineChangeFinished(const QString& summary);
@@ -133,7 +137,7 @@ private:
     session::RunMode m_mode{session::Pace::Real, 1.0};
     std::vector<EditorBreakpoint> m_breakpoints;
     std::vector<session::HaltFrame> m_frames;
-    std::map<QString, QString> m_preferredInstance; // POU → instance path
+    std::map<QString, QString> m_preferredInstance;              // POU → instance path
     mutable std::map<QString, std::vector<QString>> m_instances; // found, by POU, of m_instancesOf
     mutable std::shared_ptr<const image::CompiledProgram> m_instancesOf;
     std::optional<history::Position> m_viewed;

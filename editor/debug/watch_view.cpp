@@ -40,7 +40,8 @@ protected:
 
 } // namespace
 
-WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent) : QWidget(parent), m_control(control), m_workspace(workspace) {
+WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
+    : QWidget(parent), m_control(control), m_workspace(workspace) {
     m_tree = new WatchTree(this);
     m_tree->setDragEnabled(true);
     m_tree->setColumnCount(Column::Count);
@@ -82,7 +83,8 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
     format->addItems({tr("Decimal"), tr("Hexadecimal"), tr("Binary")});
     format->setAccessibleName(tr("Number format"));
     bar->addWidget(format);
-    connect(format, &QComboBox::currentIndexChanged, this, [this](int index) { setFormat(static_cast<types::NumberFormat>(index)); });
+    connect(format, &QComboBox::currentIndexChanged, this,
+            [this](int index) { setFormat(static_cast<types::NumberFormat>(index)); });
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -99,7 +101,8 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
     connect(m_input, &QLineEdit::textEdited, this, [this, completer](const QString& typed) {
         if (!m_workspace.model()) return;
         const std::string text = typed.toStdString();
-        const analysis::Completion completion = m_workspace.model()->completePath(text, static_cast<uint32_t>(text.size()));
+        const analysis::Completion completion =
+            m_workspace.model()->completePath(text, static_cast<uint32_t>(text.size()));
         QStringList items;
         for (const analysis::CompletionItem& item : completion.items) {
             items << QString::fromStdString(text.substr(0, completion.replaceBegin) + item.text);
@@ -161,10 +164,16 @@ void WatchView::fillRow(QTreeWidgetItem* item) {
     const bool known = program && shown.type.isValid();
     const types::Type* type = known ? &(*program->layout.types)[shown.type] : nullptr;
     const bool aggregate = known && program->layout.types->isAggregate(shown.type);
-    const QString text = !shown.reason.isEmpty() ? shown.reason : aggregate && type->kind == types::TypeKind::Block ? QString() : shown.text.left(300);
+    const QString text = !shown.reason.isEmpty()                             ? shown.reason
+                         : aggregate && type->kind == types::TypeKind::Block ? QString()
+                                                                             : shown.text.left(300);
     if (item->text(Value) != text) item->setText(Value, text);
-    if (type && item->text(Type) != QString::fromStdString(type->name)) item->setText(Type, QString::fromStdString(type->name));
-    item->setForeground(Value, !shown.reason.isEmpty() ? c.muted : shown.isForced ? c.forced : shown.isBool ? (shown.isTrue ? c.good : c.muted) : c.text);
+    if (type && item->text(Type) != QString::fromStdString(type->name))
+        item->setText(Type, QString::fromStdString(type->name));
+    item->setForeground(Value, !shown.reason.isEmpty() ? c.muted
+                               : shown.isForced        ? c.forced
+                               : shown.isBool          ? (shown.isTrue ? c.good : c.muted)
+                                                       : c.text);
     item->setToolTip(Value, shown.reason.isEmpty() ? shown.text.left(2000) : shown.reason);
     item->setIcon(Value, shown.isForced ? kit::icon(kit::Icon::Force) : QIcon());
     item->setChildIndicatorPolicy(aggregate ? QTreeWidgetItem::ShowIndicator : QTreeWidgetItem::DontShowIndicator);
@@ -194,12 +203,15 @@ void WatchView::unfold(QTreeWidgetItem* item) {
             for (const int64_t i : index) parts << QString::number(i);
             child("[" + parts.join(", ") + "]", base + "[" + parts.join(", ") + "]", {});
             size_t d = index.size();
-            while (d > 0 && ++index[d - 1] > type.dimensions[d - 1].high) index[d - 1] = type.dimensions[d - 1].low, --d;
+            while (d > 0 && ++index[d - 1] > type.dimensions[d - 1].high)
+                index[d - 1] = type.dimensions[d - 1].low, --d;
             if (d == 0) break;
         }
     } else {
         for (const types::Field& field : type.fields)
-            if (!field.isPrivate) child(QString::fromStdString(field.name), base + "." + QString::fromStdString(field.name), QString::fromStdString(field.comment));
+            if (!field.isPrivate)
+                child(QString::fromStdString(field.name), base + "." + QString::fromStdString(field.name),
+                      QString::fromStdString(field.comment));
     }
     item->setData(Name, kUnfoldedRole, true);
 }
@@ -218,7 +230,8 @@ void WatchView::refresh() {
 void WatchView::applyPrepared(bool force) {
     const auto apply = [&](auto&& self, QTreeWidgetItem* item) -> void {
         if (const QString prepared = item->text(Prepared).trimmed(); !prepared.isEmpty()) {
-            const auto done = force ? m_control.force(expressionOf(item), prepared) : m_control.write(expressionOf(item), prepared);
+            const auto done =
+                force ? m_control.force(expressionOf(item), prepared) : m_control.write(expressionOf(item), prepared);
             const QSignalBlocker blocker(m_tree);
             item->setToolTip(Prepared, done ? QString() : QString::fromStdString(done.error().text()));
             item->setForeground(Prepared, done ? kit::colors().text : kit::colors().bad);
@@ -237,10 +250,17 @@ void WatchView::showMenu(const QPoint& position) {
     QMenu menu(this);
     if (item) {
         const RunControl::Shown shown = m_control.value(expressionOf(item));
-        if (shown.isBool) connect(menu.addAction(kit::icon(kit::Icon::Write), tr("Toggle")), &QAction::triggered, this, [this, item, shown] { (void)m_control.write(expressionOf(item), shown.isTrue ? "FALSE" : "TRUE"); });
-        connect(menu.addAction(kit::icon(kit::Icon::Force), tr("Force to %1").arg(shown.text.left(30))), &QAction::triggered, this, [this, item, shown] { (void)m_control.force(expressionOf(item), shown.text); });
-        connect(menu.addAction(kit::icon(kit::Icon::Unforce), tr("Release force")), &QAction::triggered, this, [this, item] { m_control.unforce(expressionOf(item)); });
-        connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this, [this, item] { emit traceRequested(expressionOf(item)); });
+        if (shown.isBool)
+            connect(
+                menu.addAction(kit::icon(kit::Icon::Write), tr("Toggle")), &QAction::triggered, this,
+                [this, item, shown] { (void)m_control.write(expressionOf(item), shown.isTrue ? "FALSE" : "TRUE"); });
+        connect(menu.addAction(kit::icon(kit::Icon::Force), tr("Force to %1").arg(shown.text.left(30))),
+                &QAction::triggered, this,
+                [this, item, shown] { (void)m_control.force(expressionOf(item), shown.text); });
+        connect(menu.addAction(kit::icon(kit::Icon::Unforce), tr("Release force")), &QAction::triggered, this,
+                [this, item] { m_control.unforce(expressionOf(item)); });
+        connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
+                [this, item] { emit traceRequested(expressionOf(item)); });
         menu.addSeparator();
         connect(menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove")), &QAction::triggered, this, [this] {
             for (QTreeWidgetItem* each : m_tree->selectedItems())
@@ -256,10 +276,13 @@ void WatchView::showMenu(const QPoint& position) {
 }
 
 void WatchView::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->source() != m_tree && (event->mimeData()->hasText() || event->mimeData()->hasFormat(kit::VariableMime))) event->acceptProposedAction();
+    if (event->source() != m_tree && (event->mimeData()->hasText() || event->mimeData()->hasFormat(kit::VariableMime)))
+        event->acceptProposedAction();
 }
 void WatchView::dropEvent(QDropEvent* event) {
-    const QStringList paths = event->mimeData()->hasFormat(kit::VariableMime) ? kit::variablesOf(event->mimeData()) : event->mimeData()->text().split('\n', Qt::SkipEmptyParts);
+    const QStringList paths = event->mimeData()->hasFormat(kit::VariableMime)
+                                  ? kit::variablesOf(event->mimeData())
+                                  : event->mimeData()->text().split('\n', Qt::SkipEmptyParts);
     for (const QString& path : paths) add(path);
     event->acceptProposedAction();
 }

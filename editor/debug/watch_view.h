@@ -1,5 +1,6 @@
-// The watch: any ST expression, structures and arrays unfold, values in the chosen format, prepared values written or forced in one
-// click. Owned by its dock; GUI thread; reads through RunControl at its pace, only the rows that are shown.
+// The watch: any ST expression, structures and arrays unfold, values in the chosen format, prepared values written or
+// forced in one click. Owned by its dock; GUI thread; reads through RunControl at its pace, only the rows that are
+// shown.
 #pragma once
 #include "editor/debug/run_control.h"
 

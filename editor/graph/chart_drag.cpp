@@ -1,5 +1,5 @@
-// Parts dragged to another place: a step behind another transition or to another column, a branch to the left or right, a transition's end
-// to another step, an action up, down or to another step. Each drop is one edit of the text.
+// Parts dragged to another place: a step behind another transition or to another column, a branch to the left or right,
+// a transition's end to another step, an action up, down or to another step. Each drop is one edit of the text.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
 
@@ -29,12 +29,19 @@ bool ChartView::dragEvent(QEvent* event) {
     if (event->type() == QEvent::MouseMove && m_dragged.kind != ChartScene::None) {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         if (!(mouse->buttons() & Qt::LeftButton)) return endDrag(false), false;
-        if (!m_isDragging && (mouse->pos() - m_pressedAt).manhattanLength() < QApplication::startDragDistance()) return false;
+        if (!m_isDragging && (mouse->pos() - m_pressedAt).manhattanLength() < QApplication::startDragDistance())
+            return false;
         m_isDragging = true;
         const Drop drop = dropAt(m_canvas->mapToScene(mouse->pos()));
         const bool good = drop.edits && !drop.edits->empty();
-        if (drop.hint.isNull()) m_scene->dropHint().hide();
-        else m_scene->dropHint().showAt(drop.hint, good ? drop.text : drop.edits ? QString() : QString::fromStdString(drop.edits.error().text()), good);
+        if (drop.hint.isNull())
+            m_scene->dropHint().hide();
+        else
+            m_scene->dropHint().showAt(drop.hint,
+                                       good         ? drop.text
+                                       : drop.edits ? QString()
+                                                    : QString::fromStdString(drop.edits.error().text()),
+                                       good);
         m_canvas->viewport()->setCursor(good ? Qt::DragMoveCursor : Qt::ForbiddenCursor);
         return true;
     }
@@ -57,16 +64,21 @@ void ChartView::endDrag(bool) {
 
 ChartView::Drop ChartView::dropAt(const QPointF& scenePoint) const {
     switch (m_dragged.kind) {
-    case ChartScene::Step: return dropStep(scenePoint);
-    case ChartScene::Transition: return dropTransition(scenePoint);
-    case ChartScene::Action: return dropAction(scenePoint);
-    case ChartScene::None: return {};
+    case ChartScene::Step:
+        return dropStep(scenePoint);
+    case ChartScene::Transition:
+        return dropTransition(scenePoint);
+    case ChartScene::Action:
+        return dropAction(scenePoint);
+    case ChartScene::None:
+        return {};
     }
     return {};
 }
 
 /// Left or right of the sibling whose column is nearest.
-ChartView::Drop ChartView::besideSibling(const std::vector<TransitionId>& siblings, TransitionId moved, double x) const {
+ChartView::Drop ChartView::besideSibling(const std::vector<TransitionId>& siblings, TransitionId moved,
+                                         double x) const {
     Drop drop;
     TransitionId best;
     double least = 1e18;
@@ -157,14 +169,18 @@ ChartView::Drop ChartView::dropAction(const QPointF& at) const {
     // to another step
     for (size_t i = 0; i < m_chart->steps.size(); ++i) {
         QRectF box = m_scene->stepRect(static_cast<int>(i));
-        for (size_t k = 0; k < m_chart->steps[i].decl->actions.size(); ++k) box |= m_scene->actionRect(static_cast<int>(i), static_cast<int>(k));
+        for (size_t k = 0; k < m_chart->steps[i].decl->actions.size(); ++k)
+            box |= m_scene->actionRect(static_cast<int>(i), static_cast<int>(k));
         if (static_cast<int>(i) == from || !box.contains(at)) continue;
         const syntax::ActionAssociation& action = actions[static_cast<size_t>(sub)];
-        const std::string time = action.time ? m_text.substr(action.time->range.begin, action.time->range.length()) : std::string();
+        const std::string time =
+            action.time ? m_text.substr(action.time->range.begin, action.time->range.length()) : std::string();
         drop.hint = box.adjusted(-5, -5, 5, 5);
         drop.text = tr("%1 in step %2").arg(view(action.action.text), view(m_chart->steps[i].decl->name.text));
         const Result<chart::Edits> gone = editor().deleteAction(StepId(from), static_cast<size_t>(sub));
-        const Result<chart::Edits> come = editor().insertAction(StepId(i), m_chart->steps[i].decl->actions.size(), action.action.text, action.qualifier.text.empty() ? "N" : action.qualifier.text, time);
+        const Result<chart::Edits> come =
+            editor().insertAction(StepId(i), m_chart->steps[i].decl->actions.size(), action.action.text,
+                                  action.qualifier.text.empty() ? "N" : action.qualifier.text, time);
         if (!gone || !come) {
             drop.edits = gone ? come : gone;
             return drop;

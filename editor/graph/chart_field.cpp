@@ -1,4 +1,5 @@
-// Names, conditions and actions edited in place: the field over the drawing, what completes it and what it complains of.
+// Names, conditions and actions edited in place: the field over the drawing, what completes it and what it complains
+// of.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
 #include "runtime/base/text.h"
@@ -46,7 +47,8 @@ std::string instanceOf(const sema::Analysis& analysis, std::string_view unit) {
         }
         if (depth < 5)
             for (const types::Field& field : t.fields)
-                if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External) self(self, path + "." + field.name, field.type, depth + 1);
+                if (field.section != types::FieldSection::InOut && field.section != types::FieldSection::External)
+                    self(self, path + "." + field.name, field.type, depth + 1);
     };
     for (const image::Root& root : layout.roots)
         if (!root.isHidden) walk(walk, root.list.empty() ? root.name : root.list + "." + root.name, root.type, 0);
@@ -89,12 +91,14 @@ QString ChartView::complaintOf(const QString& text) const {
     const std::string scope = instanceOf(analysis, unit.substr(0, unit.find('.')));
     if (scope.empty()) return {};
     Arena arena;
-    const sema::CheckedExpression checked = sema::checkExpression(analysis, m_model->sources(), text.toStdString(), scope, arena);
+    const sema::CheckedExpression checked =
+        sema::checkExpression(analysis, m_model->sources(), text.toStdString(), scope, arena);
     for (const diagnostics::Diagnostic& d : checked.diagnostics) {
         if (d.kind == diagnostics::Kind::NotAllowedInExpression) return {}; // a call: a program may, a watch may not
         if (d.severity == diagnostics::Severity::Error) return QString::fromStdString(d.message());
     }
-    if (checked.root && analysis.program->types->storageKind(checked.root->type) != types::TypeKind::Bool) return tr("A condition is a BOOL");
+    if (checked.root && analysis.program->types->storageKind(checked.root->type) != types::TypeKind::Bool)
+        return tr("A condition is a BOOL");
     return {};
 }
 
@@ -108,16 +112,21 @@ std::vector<kit::Completion> ChartView::completions(const QString& text, int cur
             for (const char* qualifier : kQualifiers) out.push_back({qualifier, tr("qualifier")});
         for (const auto* list : {&m_place.chart->actions, &m_place.pou->actions})
             for (const syntax::ActionDecl* action : *list)
-                if (std::none_of(out.begin(), out.end(), [&](const kit::Completion& c) { return c.text == view(action->name.text); })) out.push_back({view(action->name.text), tr("action"), kit::Icon::Action});
+                if (std::none_of(out.begin(), out.end(),
+                                 [&](const kit::Completion& c) { return c.text == view(action->name.text); }))
+                    out.push_back({view(action->name.text), tr("action"), kit::Icon::Action});
     }
     // As if it stood in the text already: names resolve as they will there.
     const uint32_t at = std::min(m_fieldAt, static_cast<uint32_t>(m_text.size()));
     const std::string utf8 = text.toStdString();
     const std::string whole = m_text.substr(0, at) + utf8 + " ;" + m_text.substr(at);
-    const analysis::Completion found = m_model->complete(*id, whole, at + static_cast<uint32_t>(text.left(cursor).toUtf8().size()));
+    const analysis::Completion found =
+        m_model->complete(*id, whole, at + static_cast<uint32_t>(text.left(cursor).toUtf8().size()));
     const int from = static_cast<int>(QString::fromStdString(whole.substr(at, found.replaceBegin - at)).size());
     for (const analysis::CompletionItem& item : found.items) {
-        if (item.kind == analysis::ItemKind::Snippet || item.kind == analysis::ItemKind::Keyword || item.kind == analysis::ItemKind::Type) continue;
+        if (item.kind == analysis::ItemKind::Snippet || item.kind == analysis::ItemKind::Keyword ||
+            item.kind == analysis::ItemKind::Type)
+            continue;
         if (m_fieldKind == FieldKind::Action && item.detail != "BOOL") continue;
         kit::Completion completion{QString::fromStdString(item.text), QString::fromStdString(item.detail)};
         completion.replaceFrom = from;
@@ -129,15 +138,21 @@ std::vector<kit::Completion> ChartView::completions(const QString& text, int cur
 
 void ChartView::insertAction() {
     const Picked p = picked();
-    if (!m_chart || m_isStale || (p.kind != ChartScene::Step && p.kind != ChartScene::Action)) return emit failed(tr("Select the step that gets the action"));
+    if (!m_chart || m_isStale || (p.kind != ChartScene::Step && p.kind != ChartScene::Action))
+        return emit failed(tr("Select the step that gets the action"));
     const int step = p.index;
     const syntax::StepDecl& decl = *m_chart->steps[static_cast<size_t>(step)].decl;
     const QRectF box = m_scene->stepRect(step);
-    const double below = decl.actions.empty() ? box.top() : m_scene->actionRect(step, static_cast<int>(decl.actions.size()) - 1).bottom();
-    openField(QRectF(box.right() + kActionGap, below, 150, kActionHeight), {}, FieldKind::Action, decl.range.begin, [this, step](const QString& text) {
-        const ActionWords words(text);
-        return editor().insertAction(StepId(step), m_chart->steps[static_cast<size_t>(step)].decl->actions.size(), words.name, words.qualifier, words.time);
-    });
+    const double below = decl.actions.empty()
+                             ? box.top()
+                             : m_scene->actionRect(step, static_cast<int>(decl.actions.size()) - 1).bottom();
+    openField(QRectF(box.right() + kActionGap, below, 150, kActionHeight), {}, FieldKind::Action, decl.range.begin,
+              [this, step](const QString& text) {
+                  const ActionWords words(text);
+                  return editor().insertAction(StepId(step),
+                                               m_chart->steps[static_cast<size_t>(step)].decl->actions.size(),
+                                               words.name, words.qualifier, words.time);
+              });
 }
 
 void ChartView::editSelected() {
@@ -146,36 +161,49 @@ void ChartView::editSelected() {
     const auto index = static_cast<size_t>(p.index);
     if (p.kind == ChartScene::Step) {
         const syntax::StepDecl& step = *m_chart->steps[index].decl;
-        return openField(m_scene->stepRect(p.index), view(step.name.text), FieldKind::Name, step.range.begin, [this, p](const QString& text) { return editor().renameStep(StepId(p.index), text.toStdString()); }, true);
+        return openField(
+            m_scene->stepRect(p.index), view(step.name.text), FieldKind::Name, step.range.begin,
+            [this, p](const QString& text) { return editor().renameStep(StepId(p.index), text.toStdString()); }, true);
     }
     if (p.kind == ChartScene::Transition) {
         const syntax::TransitionDecl& decl = *m_chart->transitions[index].decl;
         QString present; // a list becomes an expression
-        if (decl.condition) present = view(std::string_view(m_text).substr(decl.condition->range.begin, decl.condition->range.length()));
+        if (decl.condition)
+            present =
+                view(std::string_view(m_text).substr(decl.condition->range.begin, decl.condition->range.length()));
         const uint32_t at = decl.condition ? decl.condition->range.begin : decl.range.begin;
-        return openField(m_scene->conditionRect(p.index).adjusted(-4, -2, 120, 2), present, FieldKind::Condition, at, [this, p](const QString& text) { return editor().setCondition(TransitionId(p.index), text.toStdString()); });
+        return openField(m_scene->conditionRect(p.index).adjusted(-4, -2, 120, 2), present, FieldKind::Condition, at,
+                         [this, p](const QString& text) {
+                             return editor().setCondition(TransitionId(p.index), text.toStdString());
+                         });
     }
     const syntax::ActionAssociation& action = m_chart->steps[index].decl->actions[static_cast<size_t>(p.sub)];
-    openField(m_scene->actionRect(p.index, p.sub), qualifierOf(action, m_text) + " " + view(action.action.text), FieldKind::Action, action.range.begin, [this, p](const QString& text) {
-        const ActionWords words(text);
-        return editor().changeAction(StepId(p.index), static_cast<size_t>(p.sub), words.name, words.qualifier, words.time);
-    });
+    openField(m_scene->actionRect(p.index, p.sub), qualifierOf(action, m_text) + " " + view(action.action.text),
+              FieldKind::Action, action.range.begin, [this, p](const QString& text) {
+                  const ActionWords words(text);
+                  return editor().changeAction(StepId(p.index), static_cast<size_t>(p.sub), words.name, words.qualifier,
+                                               words.time);
+              });
 }
 
 void ChartView::editPriority() {
     const Picked p = picked();
     if (!m_chart || m_isStale || p.kind != ChartScene::Transition) return;
     const syntax::TransitionDecl& decl = *m_chart->transitions[static_cast<size_t>(p.index)].decl;
-    const QString present = decl.priority ? view(std::string_view(m_text).substr(decl.priority->range.begin, decl.priority->range.length())) : QStringLiteral("0");
-    openField(m_scene->barRect(p.index).adjusted(-60, 10, -20, -10), present, FieldKind::Name, decl.range.begin, [this, p](const QString& text) -> Result<chart::Edits> {
-        bool isNumber = false;
-        const int priority = text.toInt(&isNumber);
-        if (!isNumber) return Error{tr("A priority is a number; 0 takes it away").toStdString(), {}};
-        return editor().setPriority(TransitionId(p.index), priority);
-    });
+    const QString present =
+        decl.priority ? view(std::string_view(m_text).substr(decl.priority->range.begin, decl.priority->range.length()))
+                      : QStringLiteral("0");
+    openField(m_scene->barRect(p.index).adjusted(-60, 10, -20, -10), present, FieldKind::Name, decl.range.begin,
+              [this, p](const QString& text) -> Result<chart::Edits> {
+                  bool isNumber = false;
+                  const int priority = text.toInt(&isNumber);
+                  if (!isNumber) return Error{tr("A priority is a number; 0 takes it away").toStdString(), {}};
+                  return editor().setPriority(TransitionId(p.index), priority);
+              });
 }
 
-void ChartView::openField(const QRectF& sceneRect, const QString& text, FieldKind kind, uint32_t at, MakeEdits make, bool keepsSelection) {
+void ChartView::openField(const QRectF& sceneRect, const QString& text, FieldKind kind, uint32_t at, MakeEdits make,
+                          bool keepsSelection) {
     closeField(false);
     m_fieldKind = kind;
     m_fieldAt = at;

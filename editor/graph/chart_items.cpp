@@ -21,7 +21,9 @@ QColor faded(const QColor& colour, double alpha) {
 QColor litGround() {
     const kit::ThemeColors& c = kit::colors();
     const double share = c.dark ? 0.32 : 0.24;
-    return QColor::fromRgbF(c.good.redF() * share + c.base.redF() * (1 - share), c.good.greenF() * share + c.base.greenF() * (1 - share), c.good.blueF() * share + c.base.blueF() * (1 - share));
+    return QColor::fromRgbF(c.good.redF() * share + c.base.redF() * (1 - share),
+                            c.good.greenF() * share + c.base.greenF() * (1 - share),
+                            c.good.blueF() * share + c.base.blueF() * (1 - share));
 }
 } // namespace
 
@@ -55,7 +57,8 @@ double qualifierWidth(const QString& qualifier) { return std::max(kQualifierLeas
 
 // ------------------------------------------------------------------ parts
 
-ChartItem::ChartItem(ChartScene& scene, ChartScene::ItemKind kind, int index, int sub, const QRectF& rect) : m_scene(scene), m_kind(kind), m_index(index), m_sub(sub), m_rect(rect) {
+ChartItem::ChartItem(ChartScene& scene, ChartScene::ItemKind kind, int index, int sub, const QRectF& rect)
+    : m_scene(scene), m_kind(kind), m_index(index), m_sub(sub), m_rect(rect) {
     setFlag(ItemIsSelectable);
     setData(ChartScene::Kind, kind);
     setData(ChartScene::Index, index);
@@ -74,10 +77,14 @@ void ChartItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     if (m_scene.m_isFaint) painter->setOpacity(0.5);
     painter->setFont(chartFont());
     switch (m_kind) {
-    case ChartScene::Step: return paintStep(*painter, isSmall);
-    case ChartScene::Transition: return paintTransition(*painter, isSmall);
-    case ChartScene::Action: return paintAction(*painter, isSmall);
-    case ChartScene::None: return;
+    case ChartScene::Step:
+        return paintStep(*painter, isSmall);
+    case ChartScene::Transition:
+        return paintTransition(*painter, isSmall);
+    case ChartScene::Action:
+        return paintAction(*painter, isSmall);
+    case ChartScene::None:
+        return;
     }
 }
 
@@ -98,7 +105,11 @@ void ChartItem::paintStep(QPainter& painter, bool isSmall) const {
     const bool known = online.isOn && index < online.steps.size();
     const ChartOnline::StepState state = known ? online.steps[index] : ChartOnline::StepState();
     const auto problem = m_scene.m_stepProblems.find(m_index);
-    const QColor frame = problem != m_scene.m_stepProblems.end() ? (problem->isError ? c.bad : c.warning) : isSelected() ? c.accent : state.isLate ? c.warning : state.isActive ? c.good : c.text;
+    const QColor frame = problem != m_scene.m_stepProblems.end() ? (problem->isError ? c.bad : c.warning)
+                         : isSelected()                          ? c.accent
+                         : state.isLate                          ? c.warning
+                         : state.isActive                        ? c.good
+                                                                 : c.text;
     const bool strong = isSelected() || state.isActive || problem != m_scene.m_stepProblems.end();
     painter.setBrush(state.isActive ? litGround() : c.base);
     painter.setPen(QPen(frame, strong ? 2 : 1.3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
@@ -115,7 +126,8 @@ void ChartItem::paintStep(QPainter& painter, bool isSmall) const {
         bold.setBold(true);
         painter.setFont(bold);
     }
-    painter.drawText(state.time.isEmpty() ? m_rect : m_rect.adjusted(0, 2, 0, -14), Qt::AlignCenter, view(step.name.text));
+    painter.drawText(state.time.isEmpty() ? m_rect : m_rect.adjusted(0, 2, 0, -14), Qt::AlignCenter,
+                     view(step.name.text));
     if (!state.time.isEmpty()) {
         QFont small = chartFont();
         small.setPointSizeF(7.5);
@@ -144,7 +156,8 @@ void ChartItem::paintTransition(QPainter& painter, bool isSmall) const {
     const auto index = static_cast<size_t>(m_index);
     const auto problem = m_scene.m_transitionProblems.find(m_index);
     QColor ink = c.text;
-    if (online.isOn && index < online.transitions.size() && online.transitions[index]) ink = *online.transitions[index] ? c.good : c.muted;
+    if (online.isOn && index < online.transitions.size() && online.transitions[index])
+        ink = *online.transitions[index] ? c.good : c.muted;
     if (problem != m_scene.m_transitionProblems.end()) ink = problem->isError ? c.bad : c.warning;
     const chart::Cell cell = m_scene.m_layout.transitions[index];
     const double x = m_scene.m_columnMiddles[static_cast<size_t>(cell.column)], y = m_scene.rowMiddle(cell.row);
@@ -164,14 +177,17 @@ void ChartItem::paintTransition(QPainter& painter, bool isSmall) const {
         small.setPointSizeF(7.5);
         painter.setFont(small);
         painter.setPen(c.muted);
-        painter.drawText(QRectF(x - kBarHalf - 34, y - 16, 30, 14), Qt::AlignRight | Qt::AlignVCenter, view(m_scene.m_text.substr(decl.priority->range.begin, decl.priority->range.length())));
+        painter.drawText(QRectF(x - kBarHalf - 34, y - 16, 30, 14), Qt::AlignRight | Qt::AlignVCenter,
+                         view(m_scene.m_text.substr(decl.priority->range.begin, decl.priority->range.length())));
         painter.setFont(chartFont());
     }
     painter.setPen(isSelected() ? c.accent : ink);
     const QStringList lines = m_scene.conditionText(m_index).split('\n');
     const QRectF place = m_scene.m_conditionRects[index];
     for (int k = 0; k < lines.size(); ++k) // tighter than the font would have it: they belong together
-        painter.drawText(QRectF(place.left(), y + 15.0 * (k - (static_cast<double>(lines.size()) - 1) / 2) - 12, place.width() + 4, 24), Qt::AlignVCenter | Qt::AlignLeft, lines[k]);
+        painter.drawText(QRectF(place.left(), y + 15.0 * (k - (static_cast<double>(lines.size()) - 1) / 2) - 12,
+                                place.width() + 4, 24),
+                         Qt::AlignVCenter | Qt::AlignLeft, lines[k]);
     paintBreakpoint(painter, {x - kBarHalf - 9, y}, m_scene.m_marks.transitions);
 }
 
@@ -180,22 +196,30 @@ void ChartItem::paintAction(QPainter& painter, bool isSmall) const {
     const auto index = static_cast<size_t>(m_index), sub = static_cast<size_t>(m_sub);
     const syntax::ActionAssociation& action = m_scene.m_chart->steps[index].decl->actions[sub];
     ChartOnline::ActionState state;
-    if (m_scene.m_online.isOn && index < m_scene.m_online.associations.size() && sub < m_scene.m_online.associations[index].size()) state = m_scene.m_online.associations[index][sub];
+    if (m_scene.m_online.isOn && index < m_scene.m_online.associations.size() &&
+        sub < m_scene.m_online.associations[index].size())
+        state = m_scene.m_online.associations[index][sub];
     const QString qualifier = qualifierOf(action, m_scene.m_text), indicators = indicatorsOf(action);
     const double split = m_rect.left() + qualifierWidth(qualifier);
     const double last = indicators.isEmpty() ? m_rect.right() : m_rect.right() - widthOf(indicators) - kIndicatorPad;
-    const QRectF left(m_rect.left(), m_rect.top(), split - m_rect.left(), m_rect.height()), middle(split, m_rect.top(), last - split, m_rect.height());
+    const QRectF left(m_rect.left(), m_rect.top(), split - m_rect.left(), m_rect.height()),
+        middle(split, m_rect.top(), last - split, m_rect.height());
     painter.setPen(Qt::NoPen);
     painter.setBrush(c.base);
     painter.drawRect(m_rect);
     if (state.isActive) painter.fillRect(middle, litGround());
     if (state.asks) painter.fillRect(left, litGround());
     if (state.progress >= 0) { // how far the time of the qualifier has gone
-        painter.fillRect(QRectF(left.left(), left.bottom() - 3.5, left.width() * std::clamp(state.progress, 0.0, 1.0), 3.5), state.progress < 1 ? c.online : c.good);
+        painter.fillRect(
+            QRectF(left.left(), left.bottom() - 3.5, left.width() * std::clamp(state.progress, 0.0, 1.0), 3.5),
+            state.progress < 1 ? c.online : c.good);
     }
     painter.setBrush(Qt::NoBrush);
     const bool problem = m_scene.m_actionProblems.contains({m_index, m_sub});
-    painter.setPen(QPen(problem ? c.bad : isSelected() ? c.accent : c.text, isSelected() || problem ? 2 : 1.2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.setPen(QPen(problem        ? c.bad
+                        : isSelected() ? c.accent
+                                       : c.text,
+                        isSelected() || problem ? 2 : 1.2, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
     painter.drawRect(m_rect);
     painter.drawLine(QPointF(split, m_rect.top()), QPointF(split, m_rect.bottom()));
     if (!indicators.isEmpty()) painter.drawLine(QPointF(last, m_rect.top()), QPointF(last, m_rect.bottom()));
@@ -203,7 +227,8 @@ void ChartItem::paintAction(QPainter& painter, bool isSmall) const {
     painter.setPen(c.text);
     painter.drawText(left, Qt::AlignCenter, qualifier);
     const bool isChart = m_scene.m_charts.contains(view(action.action.text).toLower());
-    painter.drawText(middle.adjusted(6, 0, isChart ? -14 : -2, 0), Qt::AlignVCenter | Qt::AlignLeft, view(action.action.text));
+    painter.drawText(middle.adjusted(6, 0, isChart ? -14 : -2, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                     view(action.action.text));
     if (isChart) { // a chart of its own inside
         const QPointF at(middle.right() - 9, middle.center().y());
         painter.setPen(QPen(c.muted, 1.1));
@@ -212,16 +237,22 @@ void ChartItem::paintAction(QPainter& painter, bool isSmall) const {
         painter.drawRect(QRectF(at.x() - 3.5, at.y() + 2, 7, 5));
         painter.setPen(c.text);
     }
-    if (!indicators.isEmpty()) painter.drawText(QRectF(last, m_rect.top(), m_rect.right() - last, m_rect.height()), Qt::AlignCenter, indicators);
+    if (!indicators.isEmpty())
+        painter.drawText(QRectF(last, m_rect.top(), m_rect.right() - last, m_rect.height()), Qt::AlignCenter,
+                         indicators);
 }
 
 // ------------------------------------------------------------------ lines
 
 void ChartLines::finish() {
     m_bounds = {};
-    for (const Stroke& stroke : strokes) m_bounds |= QRectF(stroke.line.p1(), stroke.line.p2()).normalized().adjusted(-4, -4, 4, 4);
-    for (const Arrow& arrow : arrows) m_bounds |= QRectF(arrow.tip.x() - 6, arrow.tip.y() - 18, 20 + widthOf(arrow.target), 22);
-    std::sort(strokes.begin(), strokes.end(), [](const Stroke& a, const Stroke& b) { return std::min(a.line.y1(), a.line.y2()) < std::min(b.line.y1(), b.line.y2()); });
+    for (const Stroke& stroke : strokes)
+        m_bounds |= QRectF(stroke.line.p1(), stroke.line.p2()).normalized().adjusted(-4, -4, 4, 4);
+    for (const Arrow& arrow : arrows)
+        m_bounds |= QRectF(arrow.tip.x() - 6, arrow.tip.y() - 18, 20 + widthOf(arrow.target), 22);
+    std::sort(strokes.begin(), strokes.end(), [](const Stroke& a, const Stroke& b) {
+        return std::min(a.line.y1(), a.line.y2()) < std::min(b.line.y1(), b.line.y2());
+    });
     for (const Stroke& stroke : strokes) m_longest = std::max(m_longest, std::abs(stroke.line.dy()));
     std::sort(arrows.begin(), arrows.end(), [](const Arrow& a, const Arrow& b) { return a.tip.y() < b.tip.y(); });
     setFlag(ItemUsesExtendedStyleOption);
@@ -235,19 +266,23 @@ void ChartLines::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
     const QRectF exposed = option->exposedRect;
     const QColor ink = kit::colors().text;
     const auto upper = [](const Stroke& stroke) { return std::min(stroke.line.y1(), stroke.line.y2()); };
-    auto stroke = std::lower_bound(strokes.begin(), strokes.end(), exposed.top() - m_longest - 4, [&](const Stroke& s, double y) { return upper(s) < y; });
+    auto stroke = std::lower_bound(strokes.begin(), strokes.end(), exposed.top() - m_longest - 4,
+                                   [&](const Stroke& s, double y) { return upper(s) < y; });
     for (; stroke != strokes.end() && upper(*stroke) <= exposed.bottom() + 4; ++stroke) {
         painter->setPen(QPen(ink, stroke->width, Qt::SolidLine, stroke->line.dx() == 0 ? Qt::FlatCap : Qt::SquareCap));
         painter->drawLine(stroke->line);
     }
     painter->setFont(chartFont());
-    auto arrow = std::lower_bound(arrows.begin(), arrows.end(), exposed.top() - 24, [](const Arrow& a, double y) { return a.tip.y() < y; });
+    auto arrow = std::lower_bound(arrows.begin(), arrows.end(), exposed.top() - 24,
+                                  [](const Arrow& a, double y) { return a.tip.y() < y; });
     for (; arrow != arrows.end() && arrow->tip.y() <= exposed.bottom() + 24; ++arrow) {
         painter->setPen(QPen(ink, 1));
         painter->setBrush(ink);
         const QPointF head[3] = {arrow->tip, arrow->tip + QPointF(-5, -9), arrow->tip + QPointF(5, -9)};
         painter->drawPolygon(head, 3);
-        if (!isSmall) painter->drawText(QRectF(arrow->tip.x() + 10, arrow->tip.y() - 16, 400, 18), Qt::AlignVCenter | Qt::AlignLeft, arrow->target);
+        if (!isSmall)
+            painter->drawText(QRectF(arrow->tip.x() + 10, arrow->tip.y() - 16, 400, 18),
+                              Qt::AlignVCenter | Qt::AlignLeft, arrow->target);
     }
 }
 

@@ -1,5 +1,6 @@
-// What a chart's drawing is made of: one item for each step, transition and action block, one for all lines, one that shows where something
-// that is dragged would go. Items know their part by index and draw it from the scene. Owned by the scene; GUI thread.
+// What a chart's drawing is made of: one item for each step, transition and action block, one for all lines, one that
+// shows where something that is dragged would go. Items know their part by index and draw it from the scene. Owned by
+// the scene; GUI thread.
 #pragma once
 #include "editor/graph/chart_scene.h"
 
@@ -7,7 +8,8 @@
 
 namespace plc::editor {
 
-inline constexpr double kStepHeight = 40, kStepLeast = 92, kActionHeight = 24, kTransitionRow = 52, kBarRow = 22, kGap = 36;
+inline constexpr double kStepHeight = 40, kStepLeast = 92, kActionHeight = 24, kTransitionRow = 52, kBarRow = 22,
+                        kGap = 36;
 inline constexpr double kQualifierLeast = 26, kBarHalf = 15, kActionGap = 18, kIndicatorPad = 12;
 
 [[nodiscard]] const QFont& chartFont();
@@ -19,7 +21,9 @@ inline constexpr double kQualifierLeast = 26, kBarHalf = 15, kActionGap = 18, kI
 class ChartItem : public QGraphicsItem {
 public:
     ChartItem(ChartScene& scene, ChartScene::ItemKind kind, int index, int sub, const QRectF& rect);
-    [[nodiscard]] QRectF boundingRect() const override { return m_rect.adjusted(m_kind == ChartScene::Transition ? -40 : -16, -8, 8, 8); }
+    [[nodiscard]] QRectF boundingRect() const override {
+        return m_rect.adjusted(m_kind == ChartScene::Transition ? -40 : -16, -8, 8, 8);
+    }
     [[nodiscard]] QPainterPath shape() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 

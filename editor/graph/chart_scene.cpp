@@ -72,7 +72,8 @@ void ChartScene::show(const chart::Chart& chart, std::string_view text, const QS
     m_transitionProblems.clear();
     m_actionProblems.clear();
     m_conditions.clear();
-    for (size_t i = 0; i < chart.transitions.size(); ++i) m_conditions.push_back(makeConditionText(static_cast<int>(i)));
+    for (size_t i = 0; i < chart.transitions.size(); ++i)
+        m_conditions.push_back(makeConditionText(static_cast<int>(i)));
     measure();
     indexCells();
     drawLines();
@@ -84,13 +85,15 @@ void ChartScene::show(const chart::Chart& chart, std::string_view text, const QS
     for (size_t i = 0; i < chart.transitions.size(); ++i) {
         const double x = m_columnMiddles[static_cast<size_t>(m_layout.transitions[i].column)];
         const int row = m_layout.transitions[i].row;
-        const QRectF rect(x - kBarHalf, rowTop(row), std::max(2 * kBarHalf, m_conditionRects[i].right() - x + kBarHalf), m_rowTops[static_cast<size_t>(row) + 1] - rowTop(row));
+        const QRectF rect(x - kBarHalf, rowTop(row), std::max(2 * kBarHalf, m_conditionRects[i].right() - x + kBarHalf),
+                          m_rowTops[static_cast<size_t>(row) + 1] - rowTop(row));
         m_transitionItems.push_back(add(Transition, i, -1, rect));
     }
     for (size_t i = 0; i < chart.steps.size(); ++i) {
         m_stepItems.push_back(add(Step, i, -1, m_stepRects[i]));
         m_actionItems.emplace_back();
-        for (size_t k = 0; k < m_actionRects[i].size(); ++k) m_actionItems.back().push_back(add(Action, i, static_cast<int>(k), m_actionRects[i][k]));
+        for (size_t k = 0; k < m_actionRects[i].size(); ++k)
+            m_actionItems.back().push_back(add(Action, i, static_cast<int>(k), m_actionRects[i][k]));
     }
     setSceneRect(itemsBoundingRect().adjusted(-30, -30, 30, 30));
 }
@@ -98,7 +101,8 @@ void ChartScene::show(const chart::Chart& chart, std::string_view text, const QS
 void ChartScene::measure() {
     const auto& steps = m_chart->steps;
     const int rows = std::max(1, m_layout.rows), columns = std::max(1, m_layout.columns);
-    std::vector<double> heights(static_cast<size_t>(rows), kBarRow), left(static_cast<size_t>(columns), kStepLeast / 2), right(static_cast<size_t>(columns), kStepLeast / 2);
+    std::vector<double> heights(static_cast<size_t>(rows), kBarRow), left(static_cast<size_t>(columns), kStepLeast / 2),
+        right(static_cast<size_t>(columns), kStepLeast / 2);
     const auto grow = [](double& value, double wanted) { value = std::max(value, wanted); };
     std::vector<double> boxWidths(steps.size()), actionWidths(steps.size());
     for (size_t i = 0; i < steps.size(); ++i) {
@@ -110,12 +114,15 @@ void ChartScene::measure() {
             grow(qualifier, qualifierWidth(qualifierOf(action, m_text)));
             grow(name, widthOf(view(action.action.text)) + 14);
             if (m_charts.contains(view(action.action.text).toLower())) grow(mark, 14);
-            if (const QString indicators = indicatorsOf(action); !indicators.isEmpty()) grow(indicator, widthOf(indicators) + kIndicatorPad);
+            if (const QString indicators = indicatorsOf(action); !indicators.isEmpty())
+                grow(indicator, widthOf(indicators) + kIndicatorPad);
         }
         if (!step.actions.empty()) actionWidths[i] = qualifier + name + mark + indicator;
-        grow(heights[static_cast<size_t>(cell.row)], std::max(kStepHeight, kActionHeight * static_cast<double>(step.actions.size())) + 14);
+        grow(heights[static_cast<size_t>(cell.row)],
+             std::max(kStepHeight, kActionHeight * static_cast<double>(step.actions.size())) + 14);
         grow(left[static_cast<size_t>(cell.column)], boxWidths[i] / 2);
-        grow(right[static_cast<size_t>(cell.column)], boxWidths[i] / 2 + (actionWidths[i] > 0 ? kActionGap + actionWidths[i] : 0));
+        grow(right[static_cast<size_t>(cell.column)],
+             boxWidths[i] / 2 + (actionWidths[i] > 0 ? kActionGap + actionWidths[i] : 0));
     }
     for (size_t i = 0; i < m_chart->transitions.size(); ++i) {
         const chart::Cell cell = m_layout.transitions[i];
@@ -124,7 +131,9 @@ void ChartScene::measure() {
     }
     for (const chart::Jump& jump : m_layout.jumps) {
         grow(heights[static_cast<size_t>(jump.at.row)], 30);
-        if (jump.target.isValid()) grow(right[static_cast<size_t>(jump.at.column)], 14 + widthOf(view((*m_chart)[jump.target].decl->name.text)));
+        if (jump.target.isValid())
+            grow(right[static_cast<size_t>(jump.at.column)],
+                 14 + widthOf(view((*m_chart)[jump.target].decl->name.text)));
     }
     m_rowTops.assign(1, 0);
     for (const double height : heights) m_rowTops.push_back(m_rowTops.back() + height);
@@ -138,18 +147,22 @@ void ChartScene::measure() {
     m_actionRects.clear();
     m_conditionRects.clear();
     for (size_t i = 0; i < steps.size(); ++i) {
-        const double middle = m_columnMiddles[static_cast<size_t>(m_layout.steps[i].column)], y = rowMiddle(m_layout.steps[i].row);
+        const double middle = m_columnMiddles[static_cast<size_t>(m_layout.steps[i].column)],
+                     y = rowMiddle(m_layout.steps[i].row);
         m_stepRects.emplace_back(middle - boxWidths[i] / 2, y - kStepHeight / 2, boxWidths[i], kStepHeight);
         std::vector<QRectF> rects;
         const double top = y - kActionHeight * static_cast<double>(steps[i].decl->actions.size()) / 2;
         for (size_t k = 0; k < steps[i].decl->actions.size(); ++k)
-            rects.emplace_back(m_stepRects[i].right() + kActionGap, top + kActionHeight * static_cast<double>(k), actionWidths[i], kActionHeight);
+            rects.emplace_back(m_stepRects[i].right() + kActionGap, top + kActionHeight * static_cast<double>(k),
+                               actionWidths[i], kActionHeight);
         m_actionRects.push_back(std::move(rects));
     }
     for (size_t i = 0; i < m_chart->transitions.size(); ++i) {
-        const double middle = m_columnMiddles[static_cast<size_t>(m_layout.transitions[i].column)], y = rowMiddle(m_layout.transitions[i].row);
+        const double middle = m_columnMiddles[static_cast<size_t>(m_layout.transitions[i].column)],
+                     y = rowMiddle(m_layout.transitions[i].row);
         const double half = 4 + 7.5 * static_cast<double>(m_conditions[i].count('\n') + 1);
-        m_conditionRects.emplace_back(middle + kBarHalf + 6, y - half, std::max(40.0, widthOfLines(m_conditions[i]) + 6), 2 * half);
+        m_conditionRects.emplace_back(middle + kBarHalf + 6, y - half,
+                                      std::max(40.0, widthOfLines(m_conditions[i]) + 6), 2 * half);
     }
 }
 
@@ -157,15 +170,20 @@ void ChartScene::indexCells() {
     m_cells.clear();
     for (const chart::Bar& bar : m_layout.bars)
         if (bar.kind == chart::BarKind::SimultaneousOpen || bar.kind == chart::BarKind::SimultaneousClose)
-            for (int column = bar.firstColumn; column <= bar.lastColumn; ++column) m_cells[{column, bar.row}] = {DoubleBarCell, 0};
-    for (size_t i = 0; i < m_layout.jumps.size(); ++i) m_cells[{m_layout.jumps[i].at.column, m_layout.jumps[i].at.row}] = {JumpCell, static_cast<int>(i)};
-    for (size_t i = 0; i < m_layout.transitions.size(); ++i) m_cells[{m_layout.transitions[i].column, m_layout.transitions[i].row}] = {TransitionCell, static_cast<int>(i)};
-    for (size_t i = 0; i < m_layout.steps.size(); ++i) m_cells[{m_layout.steps[i].column, m_layout.steps[i].row}] = {StepCell, static_cast<int>(i)};
+            for (int column = bar.firstColumn; column <= bar.lastColumn; ++column)
+                m_cells[{column, bar.row}] = {DoubleBarCell, 0};
+    for (size_t i = 0; i < m_layout.jumps.size(); ++i)
+        m_cells[{m_layout.jumps[i].at.column, m_layout.jumps[i].at.row}] = {JumpCell, static_cast<int>(i)};
+    for (size_t i = 0; i < m_layout.transitions.size(); ++i)
+        m_cells[{m_layout.transitions[i].column, m_layout.transitions[i].row}] = {TransitionCell, static_cast<int>(i)};
+    for (size_t i = 0; i < m_layout.steps.size(); ++i)
+        m_cells[{m_layout.steps[i].column, m_layout.steps[i].row}] = {StepCell, static_cast<int>(i)};
 }
 
 double ChartScene::lowerEdge(int column, int row) const {
     const auto cell = m_cells.find({column, row});
-    if (cell != m_cells.end() && cell->first == StepCell) return m_stepRects[static_cast<size_t>(cell->second)].bottom();
+    if (cell != m_cells.end() && cell->first == StepCell)
+        return m_stepRects[static_cast<size_t>(cell->second)].bottom();
     if (cell != m_cells.end() && cell->first == TransitionCell) return m_rowTops[static_cast<size_t>(row) + 1];
     if (cell != m_cells.end() && cell->first == DoubleBarCell) return rowMiddle(row) + kDoubleHalf;
     return rowMiddle(row);
@@ -182,14 +200,18 @@ double ChartScene::upperEdge(int column, int row) const {
 
 void ChartScene::drawLines() {
     auto* lines = new ChartLines;
-    const auto stroke = [&](QPointF from, QPointF to, double width = 1.3) { lines->strokes.push_back({QLineF(from, to), width}); };
+    const auto stroke = [&](QPointF from, QPointF to, double width = 1.3) {
+        lines->strokes.push_back({QLineF(from, to), width});
+    };
     for (const chart::Line& line : m_layout.lines) {
         const double x = m_columnMiddles[static_cast<size_t>(line.column)];
         stroke({x, lowerEdge(line.column, line.fromRow)}, {x, upperEdge(line.column, line.toRow)});
     }
     for (const chart::Bar& bar : m_layout.bars) {
-        const double from = m_columnMiddles[static_cast<size_t>(bar.firstColumn)], to = m_columnMiddles[static_cast<size_t>(bar.lastColumn)], y = rowMiddle(bar.row);
-        const bool simultaneous = bar.kind == chart::BarKind::SimultaneousOpen || bar.kind == chart::BarKind::SimultaneousClose;
+        const double from = m_columnMiddles[static_cast<size_t>(bar.firstColumn)],
+                     to = m_columnMiddles[static_cast<size_t>(bar.lastColumn)], y = rowMiddle(bar.row);
+        const bool simultaneous =
+            bar.kind == chart::BarKind::SimultaneousOpen || bar.kind == chart::BarKind::SimultaneousClose;
         if (simultaneous) {
             stroke({from - 26, y - kDoubleHalf}, {to + 26, y - kDoubleHalf}, 1.4);
             stroke({from - 26, y + kDoubleHalf}, {to + 26, y + kDoubleHalf}, 1.4);
@@ -198,9 +220,11 @@ void ChartScene::drawLines() {
         }
     }
     for (const chart::Jump& jump : m_layout.jumps) {
-        const double x = m_columnMiddles[static_cast<size_t>(jump.at.column)], tip = m_rowTops[static_cast<size_t>(jump.at.row) + 1] - 2;
+        const double x = m_columnMiddles[static_cast<size_t>(jump.at.column)],
+                     tip = m_rowTops[static_cast<size_t>(jump.at.row) + 1] - 2;
         stroke({x, rowTop(jump.at.row)}, {x, tip - 8});
-        lines->arrows.push_back({QPointF(x, tip), jump.target.isValid() ? view((*m_chart)[jump.target].decl->name.text) : QString()});
+        lines->arrows.push_back(
+            {QPointF(x, tip), jump.target.isValid() ? view((*m_chart)[jump.target].decl->name.text) : QString()});
     }
     for (const chart::Link& link : m_layout.links) {
         const QPointF from(m_stepRects[link.step.index()].center().x(), m_stepRects[link.step.index()].bottom());
@@ -208,7 +232,9 @@ void ChartScene::drawLines() {
         stroke(from, {to.left() - kBarHalf, to.top() - 12});
     }
     for (size_t i = 0; i < m_stepRects.size(); ++i)
-        if (!m_actionRects[i].empty()) stroke({m_stepRects[i].right(), m_stepRects[i].center().y()}, {m_actionRects[i].front().left(), m_stepRects[i].center().y()});
+        if (!m_actionRects[i].empty())
+            stroke({m_stepRects[i].right(), m_stepRects[i].center().y()},
+                   {m_actionRects[i].front().left(), m_stepRects[i].center().y()});
     lines->finish();
     m_lines = lines;
     addItem(lines);
@@ -217,7 +243,8 @@ void ChartScene::drawLines() {
 QRectF ChartScene::barRect(int index) const {
     const chart::Cell cell = m_layout.transitions[static_cast<size_t>(index)];
     const double x = m_columnMiddles[static_cast<size_t>(cell.column)];
-    return {x - kBarHalf, rowTop(cell.row), 2 * kBarHalf, m_rowTops[static_cast<size_t>(cell.row) + 1] - rowTop(cell.row)};
+    return {x - kBarHalf, rowTop(cell.row), 2 * kBarHalf,
+            m_rowTops[static_cast<size_t>(cell.row) + 1] - rowTop(cell.row)};
 }
 
 void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
@@ -225,7 +252,9 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
     m_transitionProblems.clear();
     m_actionProblems.clear();
     if (!m_chart) return;
-    const auto inside = [](SourceRange outer, SourceRange inner) { return inner.begin >= outer.begin && inner.begin <= outer.end; };
+    const auto inside = [](SourceRange outer, SourceRange inner) {
+        return inner.begin >= outer.begin && inner.begin <= outer.end;
+    };
     const auto note = [](auto& problems, const auto& key, const ChartMessage& message) {
         Problem& problem = problems[key];
         const bool first = problem.text.isEmpty();
@@ -247,16 +276,20 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
             if (!isOfAction) note(m_stepProblems, static_cast<int>(i), message);
         }
         for (size_t i = 0; i < m_chart->transitions.size(); ++i)
-            if (inside(m_chart->transitions[i].decl->range, message.range)) note(m_transitionProblems, static_cast<int>(i), message);
+            if (inside(m_chart->transitions[i].decl->range, message.range))
+                note(m_transitionProblems, static_cast<int>(i), message);
     }
     for (size_t i = 0; i < m_stepItems.size(); ++i) {
         m_stepItems[i]->setToolTip(m_stepProblems.value(static_cast<int>(i)).text);
-        for (size_t k = 0; k < m_actionItems[i].size(); ++k) m_actionItems[i][k]->setToolTip(m_actionProblems.value({static_cast<int>(i), static_cast<int>(k)}).text);
+        for (size_t k = 0; k < m_actionItems[i].size(); ++k)
+            m_actionItems[i][k]->setToolTip(m_actionProblems.value({static_cast<int>(i), static_cast<int>(k)}).text);
     }
     for (size_t i = 0; i < m_transitionItems.size(); ++i) {
         QString tip = m_transitionProblems.value(static_cast<int>(i)).text;
         const syntax::TransitionDecl& decl = *m_chart->transitions[i].decl;
-        if (tip.isEmpty() && m_conditions[i].contains(QChar(0x2026)) && decl.condition) tip = view(m_text.substr(decl.condition->range.begin, decl.condition->range.length())); // cut: the whole of it
+        if (tip.isEmpty() && m_conditions[i].contains(QChar(0x2026)) && decl.condition)
+            tip = view(
+                m_text.substr(decl.condition->range.begin, decl.condition->range.length())); // cut: the whole of it
         m_transitionItems[i]->setToolTip(tip);
     }
     update();
@@ -264,7 +297,10 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
 
 void ChartScene::setOnline(ChartOnline online) {
     const ChartOnline before = std::exchange(m_online, std::move(online));
-    if (before.isOn != m_online.isOn || before.steps.size() != m_online.steps.size() || before.transitions.size() != m_online.transitions.size() || before.associations.size() != m_online.associations.size()) return update();
+    if (before.isOn != m_online.isOn || before.steps.size() != m_online.steps.size() ||
+        before.transitions.size() != m_online.transitions.size() ||
+        before.associations.size() != m_online.associations.size())
+        return update();
     // only what changed is drawn anew
     for (size_t i = 0; i < m_stepItems.size() && i < m_online.steps.size(); ++i) {
         if (!(before.steps[i] == m_online.steps[i])) m_stepItems[i]->update();
@@ -272,7 +308,9 @@ void ChartScene::setOnline(ChartOnline online) {
             for (QGraphicsItem* item : m_actionItems[i]) item->update();
     }
     for (size_t i = 0; i < m_transitionItems.size() && i < m_online.transitions.size(); ++i)
-        if (before.transitions[i] != m_online.transitions[i] || before.taken.size() != m_online.taken.size() || before.taken[i] != m_online.taken[i]) m_transitionItems[i]->update();
+        if (before.transitions[i] != m_online.transitions[i] || before.taken.size() != m_online.taken.size() ||
+            before.taken[i] != m_online.taken[i])
+            m_transitionItems[i]->update();
 }
 
 void ChartScene::setMarks(const ChartMarks& marks) {
@@ -291,10 +329,16 @@ void ChartScene::setFaint(bool faint) {
 QGraphicsItem* ChartScene::itemOf(ItemKind kind, int index, int sub) const {
     const auto at = static_cast<size_t>(index);
     switch (kind) {
-    case Step: return at < m_stepItems.size() ? m_stepItems[at] : nullptr;
-    case Transition: return at < m_transitionItems.size() ? m_transitionItems[at] : nullptr;
-    case Action: return at < m_actionItems.size() && static_cast<size_t>(std::max(0, sub)) < m_actionItems[at].size() ? m_actionItems[at][static_cast<size_t>(std::max(0, sub))] : nullptr;
-    case None: return nullptr;
+    case Step:
+        return at < m_stepItems.size() ? m_stepItems[at] : nullptr;
+    case Transition:
+        return at < m_transitionItems.size() ? m_transitionItems[at] : nullptr;
+    case Action:
+        return at < m_actionItems.size() && static_cast<size_t>(std::max(0, sub)) < m_actionItems[at].size()
+                   ? m_actionItems[at][static_cast<size_t>(std::max(0, sub))]
+                   : nullptr;
+    case None:
+        return nullptr;
     }
     return nullptr;
 }

@@ -1,5 +1,5 @@
-// The drawing of one sequential function chart, as IEC 61131-3 draws it: a cache of the model, made anew with each text. Items know their step
-// or transition by id; nothing here edits. Owned by ChartView; GUI thread.
+// The drawing of one sequential function chart, as IEC 61131-3 draws it: a cache of the model, made anew with each
+// text. Items know their step or transition by id; nothing here edits. Owned by ChartView; GUI thread.
 #pragma once
 #include <QGraphicsScene> // before the standard library's: moc stumbles over <concepts> otherwise
 #include <QHash>
@@ -32,7 +32,7 @@ struct ChartOnline {
     std::vector<std::optional<bool>> transitions; // value of the condition
     std::vector<double> taken;                    // 1 just now … 0 long ago
     std::vector<std::vector<ActionState>> associations;
-    QHash<QString, bool> actions;                 // name in lower case → is active
+    QHash<QString, bool> actions; // name in lower case → is active
     bool isOn = false;
 };
 
@@ -52,7 +52,8 @@ class ChartScene : public QGraphicsScene {
     Q_OBJECT
 public:
     explicit ChartScene(QObject* parent = nullptr);
-    /// `text` is the file's; chart and text must outlive the next call. `charts`: actions, in lower case, that hold a chart.
+    /// `text` is the file's; chart and text must outlive the next call. `charts`: actions, in lower case, that hold a
+    /// chart.
     void show(const chart::Chart& chart, std::string_view text, const QSet<QString>& charts = {});
     void forget(); // the chart goes
     void showMessages(const std::vector<ChartMessage>& messages);
@@ -64,14 +65,18 @@ public:
     [[nodiscard]] const ChartMarks& marks() const { return m_marks; }
     [[nodiscard]] const chart::Chart* chart() const { return m_chart; }
     [[nodiscard]] const chart::Layout& layout() const { return m_layout; }
-    [[nodiscard]] int problemCount() const { return static_cast<int>(m_stepProblems.size() + m_transitionProblems.size() + m_actionProblems.size()); }
+    [[nodiscard]] int problemCount() const {
+        return static_cast<int>(m_stepProblems.size() + m_transitionProblems.size() + m_actionProblems.size());
+    }
 
     enum ItemRole { Kind = 0, Index = 1, Sub = 2 };
     enum ItemKind { None, Step, Transition, Action };
     [[nodiscard]] QGraphicsItem* itemOf(ItemKind kind, int index, int sub = -1) const;
     [[nodiscard]] QRectF stepRect(int index) const { return m_stepRects[static_cast<size_t>(index)]; }
     [[nodiscard]] QRectF conditionRect(int index) const { return m_conditionRects[static_cast<size_t>(index)]; }
-    [[nodiscard]] QRectF actionRect(int step, int action) const { return m_actionRects[static_cast<size_t>(step)][static_cast<size_t>(action)]; }
+    [[nodiscard]] QRectF actionRect(int step, int action) const {
+        return m_actionRects[static_cast<size_t>(step)][static_cast<size_t>(action)];
+    }
     /// The place of a transition's bar.
     [[nodiscard]] QRectF barRect(int index) const;
     [[nodiscard]] QString conditionText(int transition) const;
@@ -88,7 +93,9 @@ private:
     void indexCells();
     [[nodiscard]] QString makeConditionText(int transition) const;
     [[nodiscard]] double rowTop(int row) const { return m_rowTops[static_cast<size_t>(row)]; }
-    [[nodiscard]] double rowMiddle(int row) const { return (m_rowTops[static_cast<size_t>(row)] + m_rowTops[static_cast<size_t>(row) + 1]) / 2; }
+    [[nodiscard]] double rowMiddle(int row) const {
+        return (m_rowTops[static_cast<size_t>(row)] + m_rowTops[static_cast<size_t>(row) + 1]) / 2;
+    }
     [[nodiscard]] double lowerEdge(int column, int row) const;
     [[nodiscard]] double upperEdge(int column, int row) const;
 

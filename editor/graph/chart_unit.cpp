@@ -73,16 +73,23 @@ std::string chartAt(const syntax::SyntaxFile& file, uint32_t offset) {
     };
     eachUnit(file.declarations, [&](const syntax::Pou& pou) {
         look(std::string(pou.name.text), pou.body, pou.range);
-        for (const syntax::ActionDecl* action : actionsOf(pou)) look(std::string(pou.name.text) + "." + std::string(action->name.text), action->body, action->range);
+        for (const syntax::ActionDecl* action : actionsOf(pou))
+            look(std::string(pou.name.text) + "." + std::string(action->name.text), action->body, action->range);
     });
     return found;
 }
 
-std::string firedVariable(int chart, size_t transition) { return "__fired" + std::to_string(chart) + "[" + std::to_string(transition) + "]"; }
+std::string firedVariable(int chart, size_t transition) {
+    return "__fired" + std::to_string(chart) + "[" + std::to_string(transition) + "]";
+}
 
 std::string controlVariable(int chart, std::string_view action) {
     std::string name = "__action_";
-    for (const char c : action) name += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80 ? c : '_';
+    for (const char c : action)
+        name += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                        static_cast<unsigned char>(c) >= 0x80
+                    ? c
+                    : '_';
     return chart == 0 ? name : name + "_" + std::to_string(chart);
 }
 

@@ -1,4 +1,5 @@
-// Finds the chart of a unit, or of one of its actions, in a syntax tree, and names what the compiler made of it. Pure functions.
+// Finds the chart of a unit, or of one of its actions, in a syntax tree, and names what the compiler made of it. Pure
+// functions.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 

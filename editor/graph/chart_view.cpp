@@ -54,15 +54,21 @@ ChartView::ChartView(QWidget* parent) : QWidget(parent) {
     action(kit::Icon::Edit, tr("Edit name or condition (F2)"), &ChartView::editSelected);
     action(kit::Icon::Delete, tr("Delete (Del)"), &ChartView::deleteSelected);
     m_bar->addSeparator();
-    action(kit::Icon::Breakpoint, tr("Breakpoint: stops when the step becomes active, when the transition is taken (F9)"), &ChartView::toggleBreakpoint);
+    action(kit::Icon::Breakpoint,
+           tr("Breakpoint: stops when the step becomes active, when the transition is taken (F9)"),
+           &ChartView::toggleBreakpoint);
     action(kit::Icon::Force, tr("Force the step on"), [this] { forceSelected(true); });
     action(kit::Icon::Unforce, tr("Release the step"), [this] { forceSelected(false); });
     m_bar->addSeparator();
     action(kit::Icon::Fit, tr("Show all"), [this] { m_canvas->zoomToFit(); });
     action(kit::Icon::Export, tr("Export as SVG, PNG or PDF…"), [this] {
-        const QString path = QFileDialog::getSaveFileName(this, tr("Export the chart"), QString(m_unit).replace('.', '_') + ".svg", tr("SVG (*.svg);;PNG (*.png);;PDF (*.pdf)"));
+        const QString path =
+            QFileDialog::getSaveFileName(this, tr("Export the chart"), QString(m_unit).replace('.', '_') + ".svg",
+                                         tr("SVG (*.svg);;PNG (*.png);;PDF (*.pdf)"));
         if (path.isEmpty()) return;
-        const bool good = path.endsWith(".png") ? m_canvas->exportPng(path) : path.endsWith(".pdf") ? m_canvas->exportPdf(path) : m_canvas->exportSvg(path);
+        const bool good = path.endsWith(".png")   ? m_canvas->exportPng(path)
+                          : path.endsWith(".pdf") ? m_canvas->exportPdf(path)
+                                                  : m_canvas->exportSvg(path);
         if (!good) emit failed(tr("%1 can not be written").arg(path));
     });
     action(kit::Icon::Print, tr("Print…"), [this] {
@@ -128,7 +134,9 @@ void ChartView::setText(const std::string& text) {
     const ChartPlace place = findChart(*syntax, m_unit.toStdString());
     if (!place.pou) return showStale(tr("The unit %1 is not in the text any more").arg(m_unit));
     for (const diagnostics::Diagnostic& d : sink.all())
-        if (d.severity == diagnostics::Severity::Error && d.range.begin >= place.pou->range.begin && d.range.begin <= place.pou->range.end) return showStale(tr("The text has errors: this is the last good drawing"));
+        if (d.severity == diagnostics::Severity::Error && d.range.begin >= place.pou->range.begin &&
+            d.range.begin <= place.pou->range.end)
+            return showStale(tr("The text has errors: this is the last good drawing"));
     if (!place) return showStale(tr("%1 is not a chart").arg(m_unit));
     m_isStale = false;
     m_state->clear();
@@ -161,7 +169,8 @@ void ChartView::rebuild() {
     diagnostics::Sink sink;
     chart::check(*m_chart, sink);
     std::vector<ChartMessage> messages;
-    for (const diagnostics::Diagnostic& d : sink.all()) messages.push_back({d.range, QString::fromStdString(d.message()), d.severity == diagnostics::Severity::Error});
+    for (const diagnostics::Diagnostic& d : sink.all())
+        messages.push_back({d.range, QString::fromStdString(d.message()), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
     applyBreakpoints();
     if (!m_selectAfter.isEmpty())
@@ -173,16 +182,19 @@ void ChartView::rebuild() {
                 }
     m_selectAfter.clear();
     if (std::exchange(m_isFresh, false))
-        QMetaObject::invokeMethod(m_canvas, [this] {
-            m_canvas->zoomToFit();
-            if (m_canvas->zoom() > 1) m_canvas->setZoom(1);
-            if (m_canvas->zoom() < 0.45) { // too long to be read as a whole: from the top
-                m_canvas->setZoom(0.8);
-                m_canvas->centerOn(m_scene->sceneRect().center().x(), 0);
-                m_canvas->verticalScrollBar()->setValue(m_canvas->verticalScrollBar()->minimum());
-            }
-            updateMap();
-        }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            m_canvas,
+            [this] {
+                m_canvas->zoomToFit();
+                if (m_canvas->zoom() > 1) m_canvas->setZoom(1);
+                if (m_canvas->zoom() < 0.45) { // too long to be read as a whole: from the top
+                    m_canvas->setZoom(0.8);
+                    m_canvas->centerOn(m_scene->sceneRect().center().x(), 0);
+                    m_canvas->verticalScrollBar()->setValue(m_canvas->verticalScrollBar()->minimum());
+                }
+                updateMap();
+            },
+            Qt::QueuedConnection);
     updateMap();
     updateActions();
 }
@@ -190,7 +202,8 @@ void ChartView::rebuild() {
 void ChartView::updateMap() {
     const QRectF scene = m_scene->sceneRect();
     const double zoom = m_canvas->zoom();
-    const bool isBig = m_chart && (scene.width() * zoom > m_canvas->viewport()->width() * 1.3 || scene.height() * zoom > m_canvas->viewport()->height() * 1.3);
+    const bool isBig = m_chart && (scene.width() * zoom > m_canvas->viewport()->width() * 1.3 ||
+                                   scene.height() * zoom > m_canvas->viewport()->height() * 1.3);
     if (isBig != m_canvas->isMapVisible()) m_canvas->setMapVisible(isBig);
 }
 
@@ -214,11 +227,14 @@ void ChartView::setModel(const std::shared_ptr<const analysis::CodeModel>& model
         const syntax::Block& list = m_chart->transitions[i].decl->ilCondition;
         if (list.empty()) continue;
         for (const analysis::AccumulatorPlace& result : results)
-            if (result.at >= list.front()->range.begin && result.at <= list.back()->range.end) m_listConditions[i] = QString::fromStdString(result.expression);
+            if (result.at >= list.front()->range.begin && result.at <= list.back()->range.end)
+                m_listConditions[i] = QString::fromStdString(result.expression);
     }
     std::vector<ChartMessage> messages;
     for (const diagnostics::Diagnostic& d : model->diagnostics())
-        if (d.range.file == *id && d.severity != diagnostics::Severity::Info) messages.push_back({d.range, QString::fromStdString(d.message()), d.severity == diagnostics::Severity::Error});
+        if (d.range.file == *id && d.severity != diagnostics::Severity::Info)
+            messages.push_back(
+                {d.range, QString::fromStdString(d.message()), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
 }
 
@@ -235,11 +251,13 @@ void ChartView::applyBreakpoints() {
         for (size_t i = 0; i < m_text.size(); ++i)
             if (m_text[i] == '\n') lineBegins.push_back(static_cast<uint32_t>(i) + 1);
         const auto mark = [&](QHash<int, bool>& where, size_t index, uint32_t at) {
-            const int line = static_cast<int>(std::upper_bound(lineBegins.begin(), lineBegins.end(), at) - lineBegins.begin());
+            const int line =
+                static_cast<int>(std::upper_bound(lineBegins.begin(), lineBegins.end(), at) - lineBegins.begin());
             if (m_breakpoints.contains(line)) where[static_cast<int>(index)] = !m_disabled.contains(line);
         };
         for (size_t i = 0; i < m_chart->steps.size(); ++i) mark(marks.steps, i, m_chart->steps[i].decl->range.begin);
-        for (size_t i = 0; i < m_chart->transitions.size(); ++i) mark(marks.transitions, i, m_chart->transitions[i].decl->range.begin);
+        for (size_t i = 0; i < m_chart->transitions.size(); ++i)
+            mark(marks.transitions, i, m_chart->transitions[i].decl->range.begin);
     }
     m_scene->setMarks(marks);
 }
@@ -249,13 +267,15 @@ void ChartView::applyBreakpoints() {
 ChartView::Picked ChartView::picked() const {
     const auto selected = m_scene->selectedItems();
     if (selected.isEmpty()) return {};
-    return {static_cast<ChartScene::ItemKind>(selected.first()->data(ChartScene::Kind).toInt()), selected.first()->data(ChartScene::Index).toInt(), selected.first()->data(ChartScene::Sub).toInt()};
+    return {static_cast<ChartScene::ItemKind>(selected.first()->data(ChartScene::Kind).toInt()),
+            selected.first()->data(ChartScene::Index).toInt(), selected.first()->data(ChartScene::Sub).toInt()};
 }
 
 ChartView::Picked ChartView::pickedAt(QPoint viewportPoint) const {
     for (QGraphicsItem* item : m_canvas->items(viewportPoint))
         if (item->data(ChartScene::Kind).toInt() != ChartScene::None)
-            return {static_cast<ChartScene::ItemKind>(item->data(ChartScene::Kind).toInt()), item->data(ChartScene::Index).toInt(), item->data(ChartScene::Sub).toInt()};
+            return {static_cast<ChartScene::ItemKind>(item->data(ChartScene::Kind).toInt()),
+                    item->data(ChartScene::Index).toInt(), item->data(ChartScene::Sub).toInt()};
     return {};
 }
 
@@ -269,7 +289,8 @@ SourceRange ChartView::rangeOf(const Picked& p) const {
 void ChartView::selectionMoved() {
     const Picked p = picked();
     if (!m_chart || m_isStale || p.kind == ChartScene::None) return;
-    emit placeSelected(p.kind == ChartScene::Step ? m_chart->steps[static_cast<size_t>(p.index)].decl->name.range.begin : rangeOf(p).begin);
+    emit placeSelected(p.kind == ChartScene::Step ? m_chart->steps[static_cast<size_t>(p.index)].decl->name.range.begin
+                                                  : rangeOf(p).begin);
 }
 
 void ChartView::showCursor(uint32_t offset) {
@@ -291,12 +312,14 @@ void ChartView::showCursor(uint32_t offset) {
     }
     for (size_t i = 0; i < m_chart->transitions.size(); ++i)
         if (m_chart->transitions[i].decl->range.contains(offset)) return select(ChartScene::Transition, i);
-    for (const auto* list : {&m_place.chart->actions, &m_place.pou->actions}) // in the body of an action: who asks for it
+    for (const auto* list :
+         {&m_place.chart->actions, &m_place.pou->actions}) // in the body of an action: who asks for it
         for (const syntax::ActionDecl* action : *list) {
             if (!action->range.contains(offset)) continue;
             for (size_t i = 0; i < m_chart->steps.size(); ++i)
                 for (size_t k = 0; k < m_chart->steps[i].decl->actions.size(); ++k)
-                    if (equalsIgnoringCase(m_chart->steps[i].decl->actions[k].action.text, action->name.text)) return select(ChartScene::Action, i, static_cast<int>(k));
+                    if (equalsIgnoringCase(m_chart->steps[i].decl->actions[k].action.text, action->name.text))
+                        return select(ChartScene::Action, i, static_cast<int>(k));
         }
 }
 
@@ -308,7 +331,9 @@ void ChartView::selectTowards(int dx, int dy) {
     }
     const auto middle = [](const QGraphicsItem* item) { // of a transition, its bar: conditions differ in length
         const QRectF rect = item->boundingRect();
-        return item->data(ChartScene::Kind).toInt() == ChartScene::Transition ? QPointF(rect.left() + 40 + kBarHalf, rect.center().y()) : rect.center();
+        return item->data(ChartScene::Kind).toInt() == ChartScene::Transition
+                   ? QPointF(rect.left() + 40 + kBarHalf, rect.center().y())
+                   : rect.center();
     };
     const QPointF from = middle(selected.first());
     QGraphicsItem* best = nullptr;
@@ -342,23 +367,28 @@ void ChartView::insertStep() {
     const Picked p = picked();
     if (!m_chart || m_isStale) return;
     const std::string name = editor().freeStepName();
-    if (p.kind == ChartScene::Transition) return request(editor().insertStepAfter(TransitionId(p.index), name), QString::fromStdString(name));
+    if (p.kind == ChartScene::Transition)
+        return request(editor().insertStepAfter(TransitionId(p.index), name), QString::fromStdString(name));
     const int step = p.kind == ChartScene::None ? static_cast<int>(m_chart->steps.size()) - 1 : p.index;
     if (step >= 0) request(editor().insertStepAfter(StepId(step), name), QString::fromStdString(name));
 }
 
 void ChartView::insertAlternative() {
     const Picked p = picked();
-    if (!m_chart || p.kind == ChartScene::None) return emit failed(tr("Select the step from which the branch goes out"));
+    if (!m_chart || p.kind == ChartScene::None)
+        return emit failed(tr("Select the step from which the branch goes out"));
     if (p.kind == ChartScene::Transition && m_chart->transitions[static_cast<size_t>(p.index)].from.empty()) return;
-    const StepId step = p.kind == ChartScene::Transition ? m_chart->transitions[static_cast<size_t>(p.index)].from.front() : StepId(p.index);
+    const StepId step = p.kind == ChartScene::Transition
+                            ? m_chart->transitions[static_cast<size_t>(p.index)].from.front()
+                            : StepId(p.index);
     const std::string name = editor().freeStepName();
     request(editor().insertAlternativeBranch(step, name), QString::fromStdString(name));
 }
 
 void ChartView::insertSimultaneous() {
     const Picked p = picked();
-    if (!m_chart || p.kind != ChartScene::Transition) return emit failed(tr("Select the transition behind which the steps run at the same time"));
+    if (!m_chart || p.kind != ChartScene::Transition)
+        return emit failed(tr("Select the transition behind which the steps run at the same time"));
     const std::string name = editor().freeStepName();
     request(editor().insertSimultaneousBranch(TransitionId(p.index), name), QString::fromStdString(name));
 }
@@ -366,9 +396,12 @@ void ChartView::insertSimultaneous() {
 void ChartView::deleteSelected() {
     const Picked p = picked();
     if (!m_chart) return;
-    if (p.kind == ChartScene::Step) request(editor().deleteStep(StepId(p.index)));
-    else if (p.kind == ChartScene::Transition) request(editor().deleteTransition(TransitionId(p.index)));
-    else if (p.kind == ChartScene::Action) request(editor().deleteAction(StepId(p.index), static_cast<size_t>(p.sub)));
+    if (p.kind == ChartScene::Step)
+        request(editor().deleteStep(StepId(p.index)));
+    else if (p.kind == ChartScene::Transition)
+        request(editor().deleteTransition(TransitionId(p.index)));
+    else if (p.kind == ChartScene::Action)
+        request(editor().deleteAction(StepId(p.index), static_cast<size_t>(p.sub)));
 }
 
 void ChartView::deleteBranch() {
@@ -382,7 +415,8 @@ void ChartView::moveSelected(int direction) {
     if (p.kind == ChartScene::Action) {
         const auto count = static_cast<int>(m_chart->steps[static_cast<size_t>(p.index)].decl->actions.size());
         const int to = p.sub + direction;
-        if (to >= 0 && to < count) request(editor().moveAction(StepId(p.index), static_cast<size_t>(p.sub), static_cast<size_t>(to)));
+        if (to >= 0 && to < count)
+            request(editor().moveAction(StepId(p.index), static_cast<size_t>(p.sub), static_cast<size_t>(to)));
         return;
     }
     if (p.kind != ChartScene::Transition || m_chart->transitions[static_cast<size_t>(p.index)].from.empty()) return;
@@ -390,7 +424,8 @@ void ChartView::moveSelected(int direction) {
     const auto at = std::find(siblings.begin(), siblings.end(), TransitionId(p.index)) - siblings.begin();
     const auto to = at + direction;
     if (to < 0 || to >= static_cast<std::ptrdiff_t>(siblings.size())) return;
-    request(editor().moveTransition(TransitionId(p.index), direction < 0 ? chart::Place::Before : chart::Place::After, siblings[static_cast<size_t>(to)]));
+    request(editor().moveTransition(TransitionId(p.index), direction < 0 ? chart::Place::Before : chart::Place::After,
+                                    siblings[static_cast<size_t>(to)]));
 }
 
 void ChartView::makeInitial() {
@@ -401,7 +436,8 @@ void ChartView::makeInitial() {
 void ChartView::openAction() {
     const Picked p = picked();
     if (!m_chart || p.kind != ChartScene::Action) return;
-    const std::string_view name = m_chart->steps[static_cast<size_t>(p.index)].decl->actions[static_cast<size_t>(p.sub)].action.text;
+    const std::string_view name =
+        m_chart->steps[static_cast<size_t>(p.index)].decl->actions[static_cast<size_t>(p.sub)].action.text;
     for (const auto* list : {&m_place.chart->actions, &m_place.pou->actions})
         for (const syntax::ActionDecl* action : *list) {
             if (!equalsIgnoringCase(action->name.text, name)) continue;
@@ -428,14 +464,16 @@ void ChartView::openParent() {
                 if (each->body.chart)
                     for (const syntax::StepDecl* step : each->body.chart->steps)
                         for (const syntax::ActionAssociation& association : step->actions)
-                            if (view(association.action.text).compare(action, Qt::CaseInsensitive) == 0) parent = pou + "." + view(each->name.text);
+                            if (view(association.action.text).compare(action, Qt::CaseInsensitive) == 0)
+                                parent = pou + "." + view(each->name.text);
     setUnit(parent);
     setText(text);
 }
 
 void ChartView::toggleBreakpoint() {
     const Picked p = picked();
-    if (!m_chart || m_isStale || p.kind == ChartScene::None || p.kind == ChartScene::Action) return emit failed(tr("Select a step or a transition"));
+    if (!m_chart || m_isStale || p.kind == ChartScene::None || p.kind == ChartScene::Action)
+        return emit failed(tr("Select a step or a transition"));
     emit breakpointRequested(rangeOf(p).begin);
 }
 
@@ -452,7 +490,8 @@ bool ChartView::eventFilter(QObject* watched, QEvent* event) {
         if (event->type() == QEvent::KeyPress) {
             const int key = static_cast<QKeyEvent*>(event)->key();
             if (key == Qt::Key_Escape && !m_field->isCompletionShown()) return closeField(false), true;
-            if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !m_field->isCompletionShown()) return closeField(true), true;
+            if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !m_field->isCompletionShown())
+                return closeField(true), true;
         }
         if (event->type() == QEvent::FocusOut && !m_field->isCompletionShown()) closeField(true);
         return false;
@@ -461,19 +500,23 @@ bool ChartView::eventFilter(QObject* watched, QEvent* event) {
         if (event->type() == QEvent::MouseButtonDblClick) {
             const Picked p = picked();
             if (p.kind == ChartScene::Action && m_chart && !m_isStale) {
-                const std::string_view name = m_chart->steps[static_cast<size_t>(p.index)].decl->actions[static_cast<size_t>(p.sub)].action.text;
+                const std::string_view name =
+                    m_chart->steps[static_cast<size_t>(p.index)].decl->actions[static_cast<size_t>(p.sub)].action.text;
                 for (const auto* list : {&m_place.chart->actions, &m_place.pou->actions})
                     for (const syntax::ActionDecl* action : *list)
-                        if (action->body.chart && equalsIgnoringCase(action->name.text, name)) return openAction(), true;
+                        if (action->body.chart && equalsIgnoringCase(action->name.text, name))
+                            return openAction(), true;
             }
             editSelected();
             return true;
         }
         if (dragEvent(event)) return true;
     }
-    if (watched == m_canvas && event->type() == QEvent::ShortcutOverride) { // F2 edits here, it does not rename in the text
+    if (watched == m_canvas &&
+        event->type() == QEvent::ShortcutOverride) { // F2 edits here, it does not rename in the text
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_F2 || key == Qt::Key_Delete || key == Qt::Key_Insert || key == Qt::Key_Backspace) return event->accept(), true;
+        if (key == Qt::Key_F2 || key == Qt::Key_Delete || key == Qt::Key_Insert || key == Qt::Key_Backspace)
+            return event->accept(), true;
     }
     if (watched == m_canvas && event->type() == QEvent::KeyPress) {
         keyPressEvent(static_cast<QKeyEvent*>(event));
@@ -486,21 +529,29 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
     event->accept();
     const bool control = event->modifiers() & Qt::ControlModifier;
     switch (event->key()) {
-    case Qt::Key_Insert: return insertStep();
-    case Qt::Key_Delete: return event->modifiers() & Qt::ShiftModifier ? deleteBranch() : deleteSelected();
+    case Qt::Key_Insert:
+        return insertStep();
+    case Qt::Key_Delete:
+        return event->modifiers() & Qt::ShiftModifier ? deleteBranch() : deleteSelected();
     case Qt::Key_F2:
-    case Qt::Key_Return: return control ? openAction() : editSelected();
+    case Qt::Key_Return:
+        return control ? openAction() : editSelected();
     case Qt::Key_Backspace:
         if (m_unit.contains('.')) return openParent();
         break;
     case Qt::Key_Escape:
         if (m_isDragging) return endDrag(false);
         break;
-    case Qt::Key_Left: return control ? moveSelected(-1) : selectTowards(-1, 0);
-    case Qt::Key_Right: return control ? moveSelected(1) : selectTowards(1, 0);
-    case Qt::Key_Up: return control ? moveSelected(-1) : selectTowards(0, -1);
-    case Qt::Key_Down: return control ? moveSelected(1) : selectTowards(0, 1);
-    default: break;
+    case Qt::Key_Left:
+        return control ? moveSelected(-1) : selectTowards(-1, 0);
+    case Qt::Key_Right:
+        return control ? moveSelected(1) : selectTowards(1, 0);
+    case Qt::Key_Up:
+        return control ? moveSelected(-1) : selectTowards(0, -1);
+    case Qt::Key_Down:
+        return control ? moveSelected(1) : selectTowards(0, 1);
+    default:
+        break;
     }
     event->ignore();
 }
@@ -513,11 +564,14 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
     }
     const Picked p = picked();
     QMenu menu(this);
-    const auto add = [&](kit::Icon icon, const QString& text, auto run) { connect(menu.addAction(kit::icon(icon), text), &QAction::triggered, this, run); };
+    const auto add = [&](kit::Icon icon, const QString& text, auto run) {
+        connect(menu.addAction(kit::icon(icon), text), &QAction::triggered, this, run);
+    };
     if (!m_isStale) {
         add(kit::Icon::Add, tr("Insert a Step Behind"), &ChartView::insertStep);
         add(kit::Icon::Split, tr("Insert a Branch Beside"), &ChartView::insertAlternative);
-        if (p.kind == ChartScene::Transition) add(kit::Icon::Layers, tr("Insert a Simultaneous Branch"), &ChartView::insertSimultaneous);
+        if (p.kind == ChartScene::Transition)
+            add(kit::Icon::Layers, tr("Insert a Simultaneous Branch"), &ChartView::insertSimultaneous);
         if (p.kind == ChartScene::Step) {
             add(kit::Icon::Action, tr("Add an Action"), &ChartView::insertAction);
             add(kit::Icon::Home, tr("Make It the Initial Step"), &ChartView::makeInitial);
@@ -528,16 +582,20 @@ void ChartView::contextMenuEvent(QContextMenuEvent* event) {
         add(kit::Icon::Unforce, tr("Release the Step"), [this] { forceSelected(false); });
     }
     if (p.kind == ChartScene::Action) add(kit::Icon::Forward, tr("Open Its Chart or Text"), &ChartView::openAction);
-    if (p.kind == ChartScene::Step || p.kind == ChartScene::Transition) add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), &ChartView::toggleBreakpoint);
+    if (p.kind == ChartScene::Step || p.kind == ChartScene::Transition)
+        add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), &ChartView::toggleBreakpoint);
     if (p.kind != ChartScene::None && !m_isStale) {
         add(kit::Icon::Edit, tr("Edit"), &ChartView::editSelected);
         if (p.kind == ChartScene::Transition) add(kit::Icon::Edit, tr("Priority…"), &ChartView::editPriority);
         if (p.kind != ChartScene::Step) {
-            add(p.kind == ChartScene::Action ? kit::Icon::Up : kit::Icon::AlignLeft, p.kind == ChartScene::Action ? tr("Move Up") : tr("Move Left"), [this] { moveSelected(-1); });
-            add(p.kind == ChartScene::Action ? kit::Icon::Down : kit::Icon::AlignRight, p.kind == ChartScene::Action ? tr("Move Down") : tr("Move Right"), [this] { moveSelected(1); });
+            add(p.kind == ChartScene::Action ? kit::Icon::Up : kit::Icon::AlignLeft,
+                p.kind == ChartScene::Action ? tr("Move Up") : tr("Move Left"), [this] { moveSelected(-1); });
+            add(p.kind == ChartScene::Action ? kit::Icon::Down : kit::Icon::AlignRight,
+                p.kind == ChartScene::Action ? tr("Move Down") : tr("Move Right"), [this] { moveSelected(1); });
         }
         add(kit::Icon::Delete, tr("Delete"), &ChartView::deleteSelected);
-        if (p.kind == ChartScene::Transition) add(kit::Icon::Delete, tr("Delete the Whole Branch"), &ChartView::deleteBranch);
+        if (p.kind == ChartScene::Transition)
+            add(kit::Icon::Delete, tr("Delete the Whole Branch"), &ChartView::deleteBranch);
     }
     menu.exec(event->globalPos());
 }

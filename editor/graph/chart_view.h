@@ -1,5 +1,6 @@
-// The graph of a textual SFC, edited in place: every edit leaves as a list of text replacements for the one undo history of the text (D4); a text
-// with syntax errors leaves the last good drawing, read-only. Owned by its page; GUI thread.
+// The graph of a textual SFC, edited in place: every edit leaves as a list of text replacements for the one undo
+// history of the text (D4); a text with syntax errors leaves the last good drawing, read-only. Owned by its page; GUI
+// thread.
 #pragma once
 #include "editor/graph/chart_scene.h"
 #include "editor/graph/chart_unit.h"
@@ -68,7 +69,7 @@ public:
     void editSelected(); // name or condition, in place
     void editPriority();
     void makeInitial();
-    void openAction();   // the chart inside the action, or its body in the text
+    void openAction(); // the chart inside the action, or its body in the text
     void openParent();
     void toggleBreakpoint();
     void forceSelected(bool active);
@@ -116,7 +117,8 @@ private:
     void selectionMoved();
 
     // in place (chart_field.cpp)
-    void openField(const QRectF& sceneRect, const QString& text, FieldKind kind, uint32_t at, MakeEdits make, bool keepsSelection = false);
+    void openField(const QRectF& sceneRect, const QString& text, FieldKind kind, uint32_t at, MakeEdits make,
+                   bool keepsSelection = false);
     void closeField(bool accept);
     [[nodiscard]] QString complaintOf(const QString& text) const;
     [[nodiscard]] std::vector<kit::Completion> completions(const QString& text, int cursor) const;
@@ -128,7 +130,8 @@ private:
     [[nodiscard]] Drop dropStep(const QPointF& scenePoint) const;
     [[nodiscard]] Drop dropTransition(const QPointF& scenePoint) const;
     [[nodiscard]] Drop dropAction(const QPointF& scenePoint) const;
-    [[nodiscard]] Drop besideSibling(const std::vector<chart::TransitionId>& siblings, chart::TransitionId moved, double x) const;
+    [[nodiscard]] Drop besideSibling(const std::vector<chart::TransitionId>& siblings, chart::TransitionId moved,
+                                     double x) const;
 
     QString m_unit;
     std::string m_text;
@@ -153,8 +156,8 @@ private:
     QString m_file;
     std::vector<QString> m_listConditions; // transition → where the result of its instruction list is kept
     ChartValues m_values;
-    std::vector<qint64> m_takenAt;   // by the wall clock, live
-    std::vector<int> m_enteredBy;    // step → the transition that last led to it
+    std::vector<qint64> m_takenAt; // by the wall clock, live
+    std::vector<int> m_enteredBy;  // step → the transition that last led to it
     std::vector<bool> m_wasActive;
     QElapsedTimer m_clock;
 

@@ -45,14 +45,18 @@ protected:
         veil.setAlpha(30);
         painter.setBrush(veil);
         const QRectF view = m_canvas.mapToScene(m_canvas.viewport()->rect()).boundingRect();
-        painter.drawRect(QRectF(toMap(view.topLeft()), toMap(view.bottomRight())).intersected(QRectF(rect()).adjusted(1, 1, -2, -2)));
+        painter.drawRect(QRectF(toMap(view.topLeft()), toMap(view.bottomRight()))
+                             .intersected(QRectF(rect()).adjusted(1, 1, -2, -2)));
     }
     void mousePressEvent(QMouseEvent* event) override { m_canvas.centerOn(toScene(event->pos())); }
     void mouseMoveEvent(QMouseEvent* event) override { m_canvas.centerOn(toScene(event->pos())); }
 
 private:
     QRectF whole() const { return m_canvas.sceneRect(); }
-    double factor() const { return std::min((width() - 8) / std::max(1.0, whole().width()), (height() - 8) / std::max(1.0, whole().height())); }
+    double factor() const {
+        return std::min((width() - 8) / std::max(1.0, whole().width()),
+                        (height() - 8) / std::max(1.0, whole().height()));
+    }
     QPointF toMap(const QPointF& p) const { return QPointF(rect().center()) + (p - whole().center()) * factor(); }
     QPointF toScene(const QPointF& p) const { return whole().center() + (p - QPointF(rect().center())) / factor(); }
 
@@ -62,7 +66,8 @@ private:
         m_picture.fill(colors().raised);
         QPainter painter(&m_picture);
         painter.setRenderHint(QPainter::Antialiasing);
-        if (m_canvas.scene()) m_canvas.scene()->render(&painter, QRectF(toMap(whole().topLeft()), toMap(whole().bottomRight())), whole());
+        if (m_canvas.scene())
+            m_canvas.scene()->render(&painter, QRectF(toMap(whole().topLeft()), toMap(whole().bottomRight())), whole());
         painter.setPen(colors().border);
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
@@ -125,7 +130,8 @@ void Canvas::zoomToRect(const QRectF& rect) {
 void Canvas::zoomToFit() {
     if (!scene()) return;
     const QRectF rect = exportRect();
-    const double fit = std::min((viewport()->width() - 24) / std::max(1.0, rect.width()), (viewport()->height() - 24) / std::max(1.0, rect.height()));
+    const double fit = std::min((viewport()->width() - 24) / std::max(1.0, rect.width()),
+                                (viewport()->height() - 24) / std::max(1.0, rect.height()));
     setZoom(std::min(fit, 1.5));
     centerOn(rect.center());
     m_map->update();
@@ -149,7 +155,9 @@ void Canvas::setMapVisible(bool visible) {
 
 bool Canvas::isMapVisible() const { return m_map->isVisibleTo(this); }
 
-void Canvas::placeMap() { m_map->move(viewport()->geometry().bottomRight() - QPoint(m_map->width() + 9, m_map->height() + 9)); }
+void Canvas::placeMap() {
+    m_map->move(viewport()->geometry().bottomRight() - QPoint(m_map->width() + 9, m_map->height() + 9));
+}
 
 QRectF Canvas::exportRect() const {
     if (!scene()) return {};
@@ -281,11 +289,20 @@ void Canvas::keyPressEvent(QKeyEvent* event) {
         const QPoint middle = viewport()->rect().center();
         switch (event->key()) {
         case Qt::Key_Plus:
-        case Qt::Key_Equal: zoomBy(1.25, middle); return;
-        case Qt::Key_Minus: zoomBy(0.8, middle); return;
-        case Qt::Key_0: setZoom(1); return;
-        case Qt::Key_9: zoomToFit(); return;
-        default: break;
+        case Qt::Key_Equal:
+            zoomBy(1.25, middle);
+            return;
+        case Qt::Key_Minus:
+            zoomBy(0.8, middle);
+            return;
+        case Qt::Key_0:
+            setZoom(1);
+            return;
+        case Qt::Key_9:
+            zoomToFit();
+            return;
+        default:
+            break;
         }
     }
     QGraphicsView::keyPressEvent(event);

@@ -1,6 +1,6 @@
-// The drawing ground of graph views and the panel designer: a graphics view that zooms about the pointer, pans with the middle
-// button or Space, shows a grid and a small map of the whole, and gives its scene as SVG, PNG or paper.
-// Owned by its Qt parent; GUI thread. It draws no contents of its own: the scene does.
+// The drawing ground of graph views and the panel designer: a graphics view that zooms about the pointer, pans with the
+// middle button or Space, shows a grid and a small map of the whole, and gives its scene as SVG, PNG or paper. Owned by
+// its Qt parent; GUI thread. It draws no contents of its own: the scene does.
 #pragma once
 
 #include <QGraphicsView>

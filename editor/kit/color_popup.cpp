@@ -30,7 +30,8 @@ const std::vector<QColor>& ColorPopup::swatches() {
     return all;
 }
 
-ColorPopup::ColorPopup(const QColor& current, bool offersNone, QWidget* parent) : QFrame(parent, Qt::Popup), m_current(current) {
+ColorPopup::ColorPopup(const QColor& current, bool offersNone, QWidget* parent)
+    : QFrame(parent, Qt::Popup), m_current(current) {
     setAttribute(Qt::WA_DeleteOnClose);
     setMouseTracking(true);
     setAccessibleName(tr("Colours"));
@@ -40,9 +41,12 @@ ColorPopup::ColorPopup(const QColor& current, bool offersNone, QWidget* parent) 
     auto* more = new QPushButton(tr("More colours…"), this);
     layout->addWidget(more);
     connect(more, &QPushButton::clicked, this, [this] {
-        const QColor color = QColorDialog::getColor(m_current.isValid() ? m_current : Qt::white, parentWidget(), {}, QColorDialog::ShowAlphaChannel);
-        if (color.isValid()) choose(color);
-        else close();
+        const QColor color = QColorDialog::getColor(m_current.isValid() ? m_current : Qt::white, parentWidget(), {},
+                                                    QColorDialog::ShowAlphaChannel);
+        if (color.isValid())
+            choose(color);
+        else
+            close();
     });
     if (offersNone) {
         auto* none = new QPushButton(tr("No colour"), this);
@@ -104,8 +108,10 @@ void ColorPopup::mouseMoveEvent(QMouseEvent* event) {
 
 void ColorPopup::mousePressEvent(QMouseEvent* event) {
     const int hot = cellAt(event->pos());
-    if (hot >= 0) choose(swatches()[static_cast<size_t>(hot)]);
-    else QFrame::mousePressEvent(event);
+    if (hot >= 0)
+        choose(swatches()[static_cast<size_t>(hot)]);
+    else
+        QFrame::mousePressEvent(event);
 }
 
 void ColorPopup::leaveEvent(QEvent*) {

@@ -21,7 +21,8 @@ namespace plc::kit {
 
 namespace {
 
-constexpr int EntryRole = Qt::UserRole + 1, PositionsRole = Qt::UserRole + 2, ShortcutRole = Qt::UserRole + 3, EnabledRole = Qt::UserRole + 4;
+constexpr int EntryRole = Qt::UserRole + 1, PositionsRole = Qt::UserRole + 2, ShortcutRole = Qt::UserRole + 3,
+              EnabledRole = Qt::UserRole + 4;
 
 QString plainText(const QAction* action) {
     QString text = action->text();
@@ -29,8 +30,10 @@ QString plainText(const QAction* action) {
     text.remove(QChar(0x2026));
     QString result;
     for (qsizetype i = 0; i < text.size(); ++i) {
-        if (text[i] != QLatin1Char('&')) result += text[i];
-        else if (i + 1 < text.size() && text[i + 1] == QLatin1Char('&')) result += text[i++];
+        if (text[i] != QLatin1Char('&'))
+            result += text[i];
+        else if (i + 1 < text.size() && text[i + 1] == QLatin1Char('&'))
+            result += text[i++];
     }
     return result.trimmed();
 }
@@ -38,7 +41,8 @@ QString plainText(const QAction* action) {
 /// The menu that an action lies in, for "File: Save".
 QString menuOf(const QAction* action) {
     for (QObject* object : action->associatedObjects())
-        if (auto* menu = qobject_cast<QMenu*>(object); menu && !menu->title().isEmpty()) return plainText(menu->menuAction());
+        if (auto* menu = qobject_cast<QMenu*>(object); menu && !menu->title().isEmpty())
+            return plainText(menu->menuAction());
     return {};
 }
 
@@ -59,12 +63,14 @@ public:
         painter->fillRect(option.rect, option.state & QStyle::State_Selected ? c.selection : c.raised);
         const QRect row = option.rect.adjusted(10, 0, -10, 0);
         if (const auto icon = index.data(Qt::DecorationRole).value<QIcon>(); !icon.isNull())
-            icon.paint(painter, QRect(row.left(), row.center().y() - 7, 16, 16), Qt::AlignCenter, enabled ? QIcon::Normal : QIcon::Disabled);
+            icon.paint(painter, QRect(row.left(), row.center().y() - 7, 16, 16), Qt::AlignCenter,
+                       enabled ? QIcon::Normal : QIcon::Disabled);
         const QString shortcut = index.data(ShortcutRole).toString();
         const int shortcutWidth = shortcut.isEmpty() ? 0 : option.fontMetrics.horizontalAdvance(shortcut) + 12;
         painter->setPen(c.muted);
         painter->drawText(row, Qt::AlignVCenter | Qt::AlignRight, shortcut);
-        const QString text = option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, row.width() - 26 - shortcutWidth);
+        const QString text =
+            option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, row.width() - 26 - shortcutWidth);
         const QVariantList positions = index.data(PositionsRole).toList();
         int x = row.left() + 26, next = 0;
         QFont bold = option.font;
@@ -83,7 +89,8 @@ public:
 
 } // namespace
 
-CommandPalette::CommandPalette(QWidget* window, ActionSource source) : QFrame(window), m_window(window), m_source(std::move(source)) {
+CommandPalette::CommandPalette(QWidget* window, ActionSource source)
+    : QFrame(window), m_window(window), m_source(std::move(source)) {
     setObjectName(QStringLiteral("commandPalette"));
     setAccessibleName(tr("Command palette"));
     m_input = new QLineEdit(this);
@@ -161,7 +168,8 @@ void CommandPalette::filter(const QString& text) {
         hits.push_back({&entry, std::move(*match)});
     }
     std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-        return a.match.score != b.match.score ? a.match.score > b.match.score : a.entry->text.localeAwareCompare(b.entry->text) < 0;
+        return a.match.score != b.match.score ? a.match.score > b.match.score
+                                              : a.entry->text.localeAwareCompare(b.entry->text) < 0;
     });
     m_model->clear();
     for (const Hit& hit : hits) {
@@ -211,20 +219,35 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     }
     if (watched != m_input || event->type() != QEvent::KeyPress) return QFrame::eventFilter(watched, event);
     switch (static_cast<QKeyEvent*>(event)->key()) {
-    case Qt::Key_Down: moveCurrent(1); return true;
-    case Qt::Key_Up: moveCurrent(-1); return true;
-    case Qt::Key_PageDown: moveCurrent(std::min(10, std::max(0, m_model->rowCount() - 1 - m_list->currentIndex().row()))); return true;
-    case Qt::Key_PageUp: moveCurrent(-std::min(10, m_list->currentIndex().row())); return true;
+    case Qt::Key_Down:
+        moveCurrent(1);
+        return true;
+    case Qt::Key_Up:
+        moveCurrent(-1);
+        return true;
+    case Qt::Key_PageDown:
+        moveCurrent(std::min(10, std::max(0, m_model->rowCount() - 1 - m_list->currentIndex().row())));
+        return true;
+    case Qt::Key_PageUp:
+        moveCurrent(-std::min(10, m_list->currentIndex().row()));
+        return true;
     case Qt::Key_Return:
-    case Qt::Key_Enter: runCurrent(); return true;
-    case Qt::Key_Escape: hide(); return true;
-    default: return QFrame::eventFilter(watched, event);
+    case Qt::Key_Enter:
+        runCurrent();
+        return true;
+    case Qt::Key_Escape:
+        hide();
+        return true;
+    default:
+        return QFrame::eventFilter(watched, event);
     }
 }
 
 void CommandPalette::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) hide();
-    else QFrame::keyPressEvent(event);
+    if (event->key() == Qt::Key_Escape)
+        hide();
+    else
+        QFrame::keyPressEvent(event);
 }
 
 void CommandPalette::hideEvent(QHideEvent* event) {

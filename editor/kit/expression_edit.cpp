@@ -23,7 +23,8 @@ class CompletionDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        const int width = option.fontMetrics.horizontalAdvance(index.data().toString() + QStringLiteral("    ") + index.data(DetailRole).toString());
+        const int width = option.fontMetrics.horizontalAdvance(index.data().toString() + QStringLiteral("    ") +
+                                                               index.data(DetailRole).toString());
         return {width + 40, 24};
     }
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
@@ -36,8 +37,9 @@ public:
         painter->drawText(row.adjusted(24, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
         const int used = 24 + option.fontMetrics.horizontalAdvance(text) + 16;
         painter->setPen(c.muted);
-        painter->drawText(row.adjusted(used, 0, 0, 0), Qt::AlignVCenter | Qt::AlignRight,
-                          option.fontMetrics.elidedText(index.data(DetailRole).toString(), Qt::ElideRight, row.width() - used));
+        painter->drawText(
+            row.adjusted(used, 0, 0, 0), Qt::AlignVCenter | Qt::AlignRight,
+            option.fontMetrics.elidedText(index.data(DetailRole).toString(), Qt::ElideRight, row.width() - used));
     }
 };
 
@@ -52,7 +54,8 @@ ExpressionEdit::ExpressionEdit(QWidget* parent) : QLineEdit(parent) {
     m_completer->setWidget(this);
     m_completer->setMaxVisibleItems(12);
     m_completer->popup()->setItemDelegate(new CompletionDelegate(m_completer));
-    connect(m_completer, qOverload<const QModelIndex&>(&QCompleter::activated), this, &ExpressionEdit::insertCompletion);
+    connect(m_completer, qOverload<const QModelIndex&>(&QCompleter::activated), this,
+            &ExpressionEdit::insertCompletion);
     connect(this, &QLineEdit::textEdited, this, [this] { refresh(false); });
     connect(this, &QLineEdit::textChanged, this, [this] { runCheck(); });
 }
@@ -95,12 +98,14 @@ void ExpressionEdit::refresh(bool forced) {
         item->setData(completion.replaceFrom < 0 ? wordStart() : completion.replaceFrom, FromRole);
         m_model->appendRow(item);
     }
-    if (m_model->rowCount() == 0 || (!forced && m_model->rowCount() == 1 && m_model->item(0)->text() == text().mid(wordStart(), cursor - wordStart()))) {
+    if (m_model->rowCount() == 0 || (!forced && m_model->rowCount() == 1 &&
+                                     m_model->item(0)->text() == text().mid(wordStart(), cursor - wordStart()))) {
         m_completer->popup()->hide();
         return;
     }
     QRect at = cursorRect();
-    at.setWidth(std::max(300, m_completer->popup()->sizeHintForColumn(0) + m_completer->popup()->verticalScrollBar()->sizeHint().width()));
+    at.setWidth(std::max(300, m_completer->popup()->sizeHintForColumn(0) +
+                                  m_completer->popup()->verticalScrollBar()->sizeHint().width()));
     at.translate(0, 4);
     QPalette palette = m_completer->popup()->palette();
     palette.setColor(QPalette::Base, colors().raised);
@@ -138,8 +143,10 @@ void ExpressionEdit::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Enter:
         case Qt::Key_Tab: {
             const QModelIndex current = m_completer->popup()->currentIndex();
-            if (current.isValid()) insertCompletion(current);
-            else m_completer->popup()->hide();
+            if (current.isValid())
+                insertCompletion(current);
+            else
+                m_completer->popup()->hide();
             event->accept();
             return;
         }
@@ -150,8 +157,11 @@ void ExpressionEdit::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Up:
         case Qt::Key_Down:
         case Qt::Key_PageUp:
-        case Qt::Key_PageDown: event->ignore(); return; // the list moves its own row
-        default: break;
+        case Qt::Key_PageDown:
+            event->ignore();
+            return; // the list moves its own row
+        default:
+            break;
         }
     }
     if (event->key() == Qt::Key_Space && event->modifiers() & Qt::ControlModifier) {

@@ -1,5 +1,6 @@
-// A line for an ST expression or a variable name: completion from a callback, and a check whose complaint is shown in place.
-// Owned by its Qt parent; GUI thread. It knows no compiler: whoever uses it hands in what completes and what checks.
+// A line for an ST expression or a variable name: completion from a callback, and a check whose complaint is shown in
+// place. Owned by its Qt parent; GUI thread. It knows no compiler: whoever uses it hands in what completes and what
+// checks.
 #pragma once
 
 #include "editor/kit/icons.h"
@@ -15,8 +16,8 @@ class QStandardItemModel;
 namespace plc::kit {
 
 struct Completion {
-    QString text;    // what is inserted
-    QString detail;  // type or comment, shown dimmed
+    QString text;   // what is inserted
+    QString detail; // type or comment, shown dimmed
     Icon icon = Icon::Variable;
     int replaceFrom = -1; // where the replaced part begins; -1: the word left of the cursor
 };

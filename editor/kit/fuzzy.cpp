@@ -32,7 +32,10 @@ std::optional<FuzzyMatch> fuzzyMatch(QStringView pattern, QStringView name) {
         for (int j = i; j < m; ++j) {
             if (i > 0 && j >= 1) {
                 const int above = best[at(i - 1, j - 1)];
-                if (above > running) { running = above; runningFrom = j - 1; }
+                if (above > running) {
+                    running = above;
+                    runningFrom = j - 1;
+                }
             }
             if (name[j].toLower() != letters[i]) continue;
             const int place = (startsWord(name, j) ? 10 : 0) + (j == 0 ? 6 : 0);

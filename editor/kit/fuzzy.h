@@ -14,8 +14,8 @@ struct FuzzyMatch {
     std::vector<int> positions; // of the matched letters in the name
 };
 
-/// Nothing when some letter of `pattern` does not occur in order. An empty pattern matches with score 0. Case is ignored;
-/// blanks in the pattern separate parts that may match anywhere after one another.
+/// Nothing when some letter of `pattern` does not occur in order. An empty pattern matches with score 0. Case is
+/// ignored; blanks in the pattern separate parts that may match anywhere after one another.
 std::optional<FuzzyMatch> fuzzyMatch(QStringView pattern, QStringView name);
 
 } // namespace plc::kit

@@ -25,7 +25,8 @@ constexpr Drawing Drawings[] = {
 const Drawing& drawingOf(Icon which) { return Drawings[static_cast<size_t>(which)]; }
 
 QColor mixed(const QColor& a, const QColor& b, qreal part) {
-    return QColor::fromRgbF(static_cast<float>(a.redF() * (1 - part) + b.redF() * part), static_cast<float>(a.greenF() * (1 - part) + b.greenF() * part),
+    return QColor::fromRgbF(static_cast<float>(a.redF() * (1 - part) + b.redF() * part),
+                            static_cast<float>(a.greenF() * (1 - part) + b.greenF() * part),
                             static_cast<float>(a.blueF() * (1 - part) + b.blueF() * part));
 }
 
@@ -34,14 +35,22 @@ QColor colorOfLetter(char letter, const ThemeColors& c, bool muted, const QColor
     if (letter == 's') return mixed(c.base, muted || ink.isValid() ? main : c.accent, c.dark ? 0.30 : 0.20);
     if (muted || ink.isValid()) return main;
     switch (letter) {
-    case 'm': return c.muted;
-    case 'a': return c.accent;
-    case 'g': return c.good;
-    case 'r': return c.bad;
-    case 'y': return c.warning;
-    case 'o': return c.forced;
-    case 'p': return c.plotTrigger;
-    default: return main;
+    case 'm':
+        return c.muted;
+    case 'a':
+        return c.accent;
+    case 'g':
+        return c.good;
+    case 'r':
+        return c.bad;
+    case 'y':
+        return c.warning;
+    case 'o':
+        return c.forced;
+    case 'p':
+        return c.plotTrigger;
+    default:
+        return main;
     }
 }
 
@@ -61,12 +70,19 @@ public:
         painter->restore();
     }
 
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override { return scaledPixmap(size, mode, state, 1.0); }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        return scaledPixmap(size, mode, state, 1.0);
+    }
 
     QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal scale) override {
         const QString key = QStringLiteral("stepwise.icon.%1.%2.%3x%4.%5.%6.%7")
-                                .arg(static_cast<int>(m_icon)).arg(m_ink.isValid() ? m_ink.name() : QString())
-                                .arg(size.width()).arg(size.height()).arg(scale).arg(mode == QIcon::Disabled).arg(colors().dark);
+                                .arg(static_cast<int>(m_icon))
+                                .arg(m_ink.isValid() ? m_ink.name() : QString())
+                                .arg(size.width())
+                                .arg(size.height())
+                                .arg(scale)
+                                .arg(mode == QIcon::Disabled)
+                                .arg(colors().dark);
         QPixmap pixmap;
         if (QPixmapCache::find(key, &pixmap)) return pixmap;
         pixmap = QPixmap(size);
@@ -118,8 +134,9 @@ const std::vector<Icon>& allIcons() {
 }
 
 QByteArray iconSvg(Icon which, const ThemeColors& c, bool muted, const QColor& ink) {
-    QByteArray svg = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'><g fill='none' stroke='$f' stroke-width='1.35' "
-                     "stroke-linecap='round' stroke-linejoin='round'>";
+    QByteArray svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'><g fill='none' stroke='$f' stroke-width='1.35' "
+        "stroke-linecap='round' stroke-linejoin='round'>";
     svg += drawingOf(which).body;
     svg += "</g></svg>";
     for (char letter : {'f', 'm', 'a', 'g', 'r', 'y', 'o', 's', 'p'}) {

@@ -1,5 +1,5 @@
-// The studio's own icons: line drawings in one style, kept as SVG text, tinted by the theme when painted, crisp at any scale.
-// `icon()` is cheap: the icon draws itself on demand and follows a change of theme. GUI thread only.
+// The studio's own icons: line drawings in one style, kept as SVG text, tinted by the theme when painted, crisp at any
+// scale. `icon()` is cheap: the icon draws itself on demand and follows a change of theme. GUI thread only.
 #pragma once
 
 #include <QColor>

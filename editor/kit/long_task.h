@@ -1,5 +1,5 @@
-// Work on the window's thread that may take long: after half a second it shows how far it got, with a button that ends it. Lives in the
-// function that does the work; GUI thread.
+// Work on the window's thread that may take long: after half a second it shows how far it got, with a button that ends
+// it. Lives in the function that does the work; GUI thread.
 #pragma once
 
 #include <QCoreApplication>
@@ -14,8 +14,8 @@ public:
     /// Half a second, unless a test has less patience.
     static void setPatience(int milliseconds);
 
-    /// `share` of the whole (0..1) is done; false when it is to end. Other events of the window are handled meanwhile, so what the work
-    /// reads must be its own.
+    /// `share` of the whole (0..1) is done; false when it is to end. Other events of the window are handled meanwhile,
+    /// so what the work reads must be its own.
     bool reached(double share);
     [[nodiscard]] bool isCancelled() const { return m_dialog.wasCanceled(); }
 

@@ -55,8 +55,10 @@ struct StepResponse {
         if (!highAt && part >= options.riseTo) highAt = crossing(options.riseTo, s.time, part);
         beyond = std::max(beyond, part - 1);
         const bool inBand = std::abs(part - 1) <= options.settleBand;
-        if (!inBand) settledAt.reset();
-        else if (!settledAt) settledAt = s.time;
+        if (!inBand)
+            settledAt.reset();
+        else if (!settledAt)
+            settledAt = s.time;
         any = true;
         before = part;
         beforeTime = s.time;
@@ -75,19 +77,24 @@ Measurement measure(const SampleSource& source, int64_t from, int64_t to, const 
     });
     Measurement& m = sums.m;
     if (m.count == 0) return m;
-    m.mean = std::abs(sums.mean) < 1e-13 * std::max(std::abs(m.minimum), std::abs(m.maximum)) ? 0 : sums.mean; // rounding of many sums
+    m.mean = std::abs(sums.mean) < 1e-13 * std::max(std::abs(m.minimum), std::abs(m.maximum))
+                 ? 0
+                 : sums.mean; // rounding of many sums
     m.rms = std::sqrt(sums.squares);
     m.initial = m.first;
     m.final = sums.finalCount > 0 ? sums.finalSum / static_cast<double>(sums.finalCount) : m.last;
     const double step = m.final - m.initial, size = std::max(std::abs(m.final), std::abs(m.initial));
     // What ends about where it began has no step, whatever it did in between.
-    if (m.count < 3 || std::abs(step) <= 1e-9 * size || std::abs(step) < 0.02 * (m.maximum - m.minimum) || !std::isfinite(step)) return m;
+    if (m.count < 3 || std::abs(step) <= 1e-9 * size || std::abs(step) < 0.02 * (m.maximum - m.minimum) ||
+        !std::isfinite(step))
+        return m;
 
     StepResponse response{options, m.initial, step, sums.firstTime, {}, {}, {}};
     source.visit(from, end, [&](std::span<const PlotSample> block) {
         for (const PlotSample& s : block) response.add(s);
     });
-    if (response.lowAt && response.highAt && *response.highAt >= *response.lowAt) m.riseTime = *response.highAt - *response.lowAt;
+    if (response.lowAt && response.highAt && *response.highAt >= *response.lowAt)
+        m.riseTime = *response.highAt - *response.lowAt;
     m.overshoot = response.beyond * 100;
     if (response.settledAt) m.settlingTime = *response.settledAt - sums.firstTime;
     return m;

@@ -17,13 +17,14 @@ struct MeasureOptions {
 struct Measurement {
     uint64_t count = 0; // samples that are numbers
     double minimum = 0, maximum = 0, mean = 0, rms = 0;
-    double first = 0, last = 0;      // values at the ends
-    double initial = 0, final = 0;   // of the step response
-    std::optional<int64_t> riseTime; // first crossing of riseFrom to first crossing of riseTo
-    std::optional<double> overshoot; // beyond the final value, in percent of the step
+    double first = 0, last = 0;          // values at the ends
+    double initial = 0, final = 0;       // of the step response
+    std::optional<int64_t> riseTime;     // first crossing of riseFrom to first crossing of riseTo
+    std::optional<double> overshoot;     // beyond the final value, in percent of the step
     std::optional<int64_t> settlingTime; // from the first sample until the value stays in the band
 };
 
-[[nodiscard]] Measurement measure(const SampleSource& source, int64_t from, int64_t to, const MeasureOptions& options = {});
+[[nodiscard]] Measurement measure(const SampleSource& source, int64_t from, int64_t to,
+                                  const MeasureOptions& options = {});
 
 } // namespace plc::kit

@@ -1,5 +1,5 @@
-// The order in which a pen passes the four values of a pixel column: without it a falling curve would be drawn up and down again in
-// every column and become a band. Pure C++, any thread.
+// The order in which a pen passes the four values of a pixel column: without it a falling curve would be drawn up and
+// down again in every column and become a band. Pure C++, any thread.
 #pragma once
 
 #include <array>

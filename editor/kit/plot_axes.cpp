@@ -14,7 +14,9 @@
 namespace plc::kit {
 
 bool AxisSpec::operator==(const AxisSpec& o) const {
-    if (low != o.low || high != o.high || title != o.title || color != o.color || isOnRight != o.isOnRight || hasGrid != o.hasGrid || ticks.size() != o.ticks.size()) return false;
+    if (low != o.low || high != o.high || title != o.title || color != o.color || isOnRight != o.isOnRight ||
+        hasGrid != o.hasGrid || ticks.size() != o.ticks.size())
+        return false;
     for (size_t i = 0; i < ticks.size(); ++i)
         if (ticks[i].value != o.ticks[i].value || ticks[i].label != o.ticks[i].label) return false;
     return true;
@@ -116,18 +118,22 @@ void PlotAxes::setValueAxes(const std::vector<AxisSpec>& specs) {
     for (size_t i = 0; sameSides && i < specs.size(); ++i) sameSides = specs[i].isOnRight == m->valueSpecs[i].isOnRight;
     if (!sameSides) {
         for (QCategoryAxis* axis : m->values) {
-            axis->setVisible(false); // what it drew is only deleted by the event loop, which the command line does not run
+            axis->setVisible(
+                false); // what it drew is only deleted by the event loop, which the command line does not run
             m->chart->removeAxis(axis);
             delete axis;
         }
         m->values.clear();
-        for (const AxisSpec& spec : specs) m->values.push_back(m->make(spec.isOnRight ? Qt::AlignRight : Qt::AlignLeft));
+        for (const AxisSpec& spec : specs)
+            m->values.push_back(m->make(spec.isOnRight ? Qt::AlignRight : Qt::AlignLeft));
     }
     const std::vector<AxisSpec> before = std::exchange(m->valueSpecs, specs);
     for (size_t i = 0; i < specs.size(); ++i) {
         if (sameSides && before[i] == specs[i]) continue;
         m->fill(*m->values[i], specs[i]);
-        if (!sameSides || before[i].title != specs[i].title || before[i].color != specs[i].color || before[i].hasGrid != specs[i].hasGrid) m->style(*m->values[i], specs[i]);
+        if (!sameSides || before[i].title != specs[i].title || before[i].color != specs[i].color ||
+            before[i].hasGrid != specs[i].hasGrid)
+            m->style(*m->values[i], specs[i]);
     }
     m->marginsKnown = false;
 }

@@ -44,7 +44,8 @@ double onPixel(double at, const PlotCurve& curve, const PlotMapping& mapping) {
 /// Collects polylines from samples; a held value goes right before it goes up.
 class LineMaker {
 public:
-    LineMaker(const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping) : m_shape(shape), m_curve(curve), m_mapping(mapping) {}
+    LineMaker(const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping)
+        : m_shape(shape), m_curve(curve), m_mapping(mapping) {}
 
     template <class Use> void run(Use&& use) const {
         QPolygonF line;
@@ -85,14 +86,17 @@ QPolygonF clipped(const QPolygonF& line, const QRectF& area) {
     bool inside = true;
     for (const QPointF& p : line) inside = inside && room.contains(p);
     if (inside) return line;
-    auto clamped = [&](const QPointF& p) { return QPointF(std::clamp(p.x(), room.left(), room.right()), std::clamp(p.y(), room.top(), room.bottom())); };
+    auto clamped = [&](const QPointF& p) {
+        return QPointF(std::clamp(p.x(), room.left(), room.right()), std::clamp(p.y(), room.top(), room.bottom()));
+    };
     QPolygonF result;
     for (qsizetype i = 0; i < line.size(); ++i) {
         if (i > 0) { // the points where the segment crosses an edge keep its slope
             const QPointF a = line[i - 1], d = line[i] - a;
             std::vector<double> crossings;
             auto cross = [&](double from, double way, double edge) {
-                if (way != 0 && (edge - from) / way > 0 && (edge - from) / way < 1) crossings.push_back((edge - from) / way);
+                if (way != 0 && (edge - from) / way > 0 && (edge - from) / way < 1)
+                    crossings.push_back((edge - from) / way);
             };
             cross(a.x(), d.x(), room.left());
             cross(a.x(), d.x(), room.right());
@@ -109,14 +113,17 @@ QPolygonF clipped(const QPolygonF& line, const QRectF& area) {
 /// Spans of a polyline in device columns; vertical parts cover one column.
 void addLine(std::vector<ColumnSpan>& spans, const QPolygonF& line) {
     const auto columns = static_cast<double>(spans.size());
-    if (line.size() == 1 && line[0].x() >= 0 && line[0].x() < columns) spans[static_cast<size_t>(line[0].x())].add(static_cast<float>(line[0].y()));
+    if (line.size() == 1 && line[0].x() >= 0 && line[0].x() < columns)
+        spans[static_cast<size_t>(line[0].x())].add(static_cast<float>(line[0].y()));
     for (qsizetype i = 1; i < line.size(); ++i) {
         const QPointF a = line[i - 1], b = line[i];
         if (b.x() < 0 || a.x() >= columns) continue;
         const double slope = b.x() > a.x() ? (b.y() - a.y()) / (b.x() - a.x()) : 0;
-        const auto first = static_cast<size_t>(std::max(0.0, std::floor(a.x()))), last = static_cast<size_t>(std::min(columns - 1, std::floor(b.x())));
+        const auto first = static_cast<size_t>(std::max(0.0, std::floor(a.x()))),
+                   last = static_cast<size_t>(std::min(columns - 1, std::floor(b.x())));
         for (size_t c = first; c <= last && c < spans.size(); ++c) {
-            const double from = std::max(a.x(), static_cast<double>(c)), to = std::min(b.x(), static_cast<double>(c + 1));
+            const double from = std::max(a.x(), static_cast<double>(c)),
+                         to = std::min(b.x(), static_cast<double>(c + 1));
             spans[c].add(static_cast<float>(b.x() > a.x() ? a.y() + slope * (from - a.x()) : a.y()));
             spans[c].add(static_cast<float>(b.x() > a.x() ? a.y() + slope * (to - a.x()) : b.y()));
         }
@@ -127,7 +134,8 @@ void addLine(std::vector<ColumnSpan>& spans, const QPolygonF& line) {
 std::vector<bool> breaksBefore(const CurveShape& shape) {
     std::vector<bool> breaks(static_cast<size_t>(shape.columns) + 1, false);
     for (const PlotGap& gap : shape.gaps) {
-        const double at = static_cast<double>(gap.to - shape.from) / static_cast<double>(shape.to - shape.from) * shape.columns;
+        const double at =
+            static_cast<double>(gap.to - shape.from) / static_cast<double>(shape.to - shape.from) * shape.columns;
         if (at >= 0 && at <= shape.columns) breaks[static_cast<size_t>(at)] = true;
     }
     return breaks;
@@ -147,7 +155,8 @@ template <class Use> void walkBuckets(const CurveShape& shape, Use&& use) {
     }
 }
 
-void addBuckets(std::vector<ColumnSpan>& spans, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& device) {
+void addBuckets(std::vector<ColumnSpan>& spans, const CurveShape& shape, const PlotCurve& curve,
+                const PlotMapping& device) {
     auto y = [&](double raw) { return static_cast<float>(device.yOf(curve.shown(raw))); };
     int previous = -1;
     float previousY = 0;
@@ -159,7 +168,9 @@ void addBuckets(std::vector<ColumnSpan>& spans, const CurveShape& shape, const P
         if (joined && hasPrevious) {
             if (curve.style == CurveStyle::Line) {
                 const int steps = c - previous;
-                for (int k = 1; k < steps; ++k) spans[static_cast<size_t>(previous + k)].add(previousY + (firstY - previousY) * static_cast<float>(k) / static_cast<float>(steps));
+                for (int k = 1; k < steps; ++k)
+                    spans[static_cast<size_t>(previous + k)].add(
+                        previousY + (firstY - previousY) * static_cast<float>(k) / static_cast<float>(steps));
                 const float middle = (previousY + firstY) / 2;
                 if (previous >= 0 && steps == 1) spans[static_cast<size_t>(previous)].add(middle);
                 span.add(steps == 1 ? middle : firstY);
@@ -179,7 +190,8 @@ void addBuckets(std::vector<ColumnSpan>& spans, const CurveShape& shape, const P
 }
 
 /// Vector paper: first, minimum, maximum, last of each column as points.
-void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, std::vector<QPolygonF>& lines) {
+void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+                   std::vector<QPolygonF>& lines) {
     QPolygonF line;
     const double step = mapping.area.width() / shape.columns;
     walkBuckets(shape, [&](int c, const PlotBucket& bucket, bool joined) {
@@ -191,24 +203,29 @@ void pathOfBuckets(const CurveShape& shape, const PlotCurve& curve, const PlotMa
         auto y = [&](double raw) { return mapping.yOf(curve.shown(raw)); };
         if (curve.style != CurveStyle::Line && !line.isEmpty()) line << QPointF(x, line.back().y());
         const auto number = [&](double value) { return std::isnan(value) ? bucket.minimum : value; };
-        for (const double value : PenOrder(number(bucket.first), bucket.minimum, bucket.maximum, number(bucket.last))) line << QPointF(x, y(value));
+        for (const double value : PenOrder(number(bucket.first), bucket.minimum, bucket.maximum, number(bucket.last)))
+            line << QPointF(x, y(value));
     });
     if (!line.isEmpty()) lines.push_back(line);
 }
 
-void drawDots(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color) {
+void drawDots(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+              const QColor& color) {
     if (shape.samples.size() < 1 || mapping.area.width() / static_cast<double>(shape.samples.size()) < 14) return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
     const double radius = curve.width * 0.7 + 1.2;
     for (const PlotSample& s : shape.samples)
-        if (!std::isnan(s.value)) painter.drawEllipse(QPointF(mapping.xOf(s.time), mapping.yOf(curve.shown(s.value))), radius, radius);
+        if (!std::isnan(s.value))
+            painter.drawEllipse(QPointF(mapping.xOf(s.time), mapping.yOf(curve.shown(s.value))), radius, radius);
 }
 
 } // namespace
 
-bool isDrawnByPainter(const CurveShape& shape, const PlotPixels& pixels) { return !pixels.image || (shape.isExact && shape.samples.size() <= pixels.finely); }
+bool isDrawnByPainter(const CurveShape& shape, const PlotPixels& pixels) {
+    return !pixels.image || (shape.isExact && shape.samples.size() <= pixels.finely);
+}
 
 std::optional<PlotRange> CurveShape::extent() const {
     std::optional<PlotRange> range;
@@ -257,33 +274,42 @@ CurveShape shapeOf(const SampleSource& source, int64_t from, int64_t to, int col
     return shape;
 }
 
-void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color, const PlotPixels& pixels) {
+void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+               const QColor& color, const PlotPixels& pixels) {
     if (!isDrawnByPainter(shape, pixels)) {
         PlotMapping device = mapping;
         device.area = QRectF(0, 0, pixels.area.width(), pixels.area.height());
         device.ratio = 1;
         std::vector<ColumnSpan> spans(static_cast<size_t>(pixels.area.width()));
-        if (shape.isExact) LineMaker(shape, curve, device).run([&](const QPolygonF& line) { addLine(spans, line); });
-        else addBuckets(spans, shape, curve, device);
+        if (shape.isExact)
+            LineMaker(shape, curve, device).run([&](const QPolygonF& line) { addLine(spans, line); });
+        else
+            addBuckets(spans, shape, curve, device);
         const double ratio = pixels.area.width() / mapping.area.width();
         PlotCurve scaled;
         scaled.width = curve.width * ratio;
-        const auto width = static_cast<float>(curve.style == CurveStyle::Line ? scaled.width : heldWidth(scaled, device));
+        const auto width =
+            static_cast<float>(curve.style == CurveStyle::Line ? scaled.width : heldWidth(scaled, device));
         fillColumns(*pixels.image, pixels.area, spans, width, color);
         return;
     }
     std::vector<QPolygonF> lines;
-    if (shape.isExact) LineMaker(shape, curve, mapping).run([&](const QPolygonF& line) { lines.push_back(line); });
-    else pathOfBuckets(shape, curve, mapping, lines);
+    if (shape.isExact)
+        LineMaker(shape, curve, mapping).run([&](const QPolygonF& line) { lines.push_back(line); });
+    else
+        pathOfBuckets(shape, curve, mapping, lines);
     painter.save();
     painter.setClipRect(mapping.area.adjusted(0, -curve.width, 0, curve.width));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     const double width = curve.style == CurveStyle::Line ? curve.width : heldWidth(curve, mapping);
-    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap, curve.style == CurveStyle::Line ? Qt::RoundJoin : Qt::MiterJoin));
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap,
+                        curve.style == CurveStyle::Line ? Qt::RoundJoin : Qt::MiterJoin));
     for (const QPolygonF& line : lines) {
-        if (line.size() == 1) painter.drawPoint(line[0]);
-        else painter.drawPolyline(clipped(line, mapping.area));
+        if (line.size() == 1)
+            painter.drawPoint(line[0]);
+        else
+            painter.drawPolyline(clipped(line, mapping.area));
     }
     if (shape.isExact) drawDots(painter, shape, curve, mapping, color);
     painter.restore();
@@ -304,8 +330,11 @@ std::vector<LaneRun> laneRuns(const CurveShape& shape, const PlotMapping& mappin
         from = std::max(from, mapping.area.left());
         to = std::min(to, mapping.area.right());
         if (to <= from) return;
-        if (!runs.empty() && std::abs(runs.back().to - from) < 0.01 && runs.back().isBusy == busy && (busy || runs.back().value == value)) runs.back().to = to;
-        else runs.push_back({from, to, value, busy});
+        if (!runs.empty() && std::abs(runs.back().to - from) < 0.01 && runs.back().isBusy == busy &&
+            (busy || runs.back().value == value))
+            runs.back().to = to;
+        else
+            runs.push_back({from, to, value, busy});
     };
     if (shape.isExact) {
         for (size_t i = 0; i < shape.samples.size(); ++i) {
@@ -334,9 +363,11 @@ std::vector<LaneRun> laneRuns(const CurveShape& shape, const PlotMapping& mappin
     return runs;
 }
 
-void drawBoolLane(QPainter& painter, const std::vector<LaneRun>& runs, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color) {
+void drawBoolLane(QPainter& painter, const std::vector<LaneRun>& runs, const PlotCurve& curve,
+                  const PlotMapping& mapping, const QColor& color) {
     const QRectF lane = mapping.area;
-    const double high = onPixel(lane.top() + lane.height() * 0.18, curve, mapping), low = onPixel(lane.bottom() - lane.height() * 0.18, curve, mapping);
+    const double high = onPixel(lane.top() + lane.height() * 0.18, curve, mapping),
+                 low = onPixel(lane.bottom() - lane.height() * 0.18, curve, mapping);
     QColor fill = color;
     fill.setAlphaF(0.20f);
     QColor busy = color;
@@ -352,14 +383,17 @@ void drawBoolLane(QPainter& painter, const std::vector<LaneRun>& runs, const Plo
             const double y = run.value != 0 ? high : low, from = onPixel(run.from, curve, mapping);
             if (run.value != 0) painter.fillRect(QRectF(QPointF(run.from, high), QPointF(run.to, low)), fill);
             painter.drawLine(QPointF(from, y), QPointF(onPixel(run.to, curve, mapping), y));
-            if (touches && !before->isBusy && before->value != run.value) painter.drawLine(QPointF(from, high), QPointF(from, low));
+            if (touches && !before->isBusy && before->value != run.value)
+                painter.drawLine(QPointF(from, high), QPointF(from, low));
         }
         before = &run;
     }
 }
 
-void drawValueLane(QPainter& painter, const std::vector<LaneRun>& runs, const PlotCurve& curve, const QRectF& lane, const QColor& color, const QFont& font) {
-    const double top = lane.top() + lane.height() * 0.14, bottom = lane.bottom() - lane.height() * 0.14, middle = (top + bottom) / 2;
+void drawValueLane(QPainter& painter, const std::vector<LaneRun>& runs, const PlotCurve& curve, const QRectF& lane,
+                   const QColor& color, const QFont& font) {
+    const double top = lane.top() + lane.height() * 0.14, bottom = lane.bottom() - lane.height() * 0.14,
+                 middle = (top + bottom) / 2;
     QColor fill = color;
     fill.setAlphaF(0.14f);
     QColor busy = color;
@@ -374,10 +408,14 @@ void drawValueLane(QPainter& painter, const std::vector<LaneRun>& runs, const Pl
         const double slant = std::min(4.0, (run.to - run.from) / 2);
         const bool openLeft = run.from <= lane.left() + 0.01, openRight = run.to >= lane.right() - 0.01;
         QPolygonF box;
-        if (openLeft) box << QPointF(run.from, bottom) << QPointF(run.from, top);
-        else box << QPointF(run.from + slant, bottom) << QPointF(run.from, middle) << QPointF(run.from + slant, top);
-        if (openRight) box << QPointF(run.to, top) << QPointF(run.to, bottom);
-        else box << QPointF(run.to - slant, top) << QPointF(run.to, middle) << QPointF(run.to - slant, bottom);
+        if (openLeft)
+            box << QPointF(run.from, bottom) << QPointF(run.from, top);
+        else
+            box << QPointF(run.from + slant, bottom) << QPointF(run.from, middle) << QPointF(run.from + slant, top);
+        if (openRight)
+            box << QPointF(run.to, top) << QPointF(run.to, bottom);
+        else
+            box << QPointF(run.to - slant, top) << QPointF(run.to, middle) << QPointF(run.to - slant, bottom);
         painter.setPen(QPen(color, 1.2));
         painter.setBrush(fill);
         painter.drawPolygon(box);
@@ -394,21 +432,25 @@ void drawValueLane(QPainter& painter, const std::vector<LaneRun>& runs, const Pl
             }
         }
         painter.setPen(colors().text);
-        painter.drawText(QRectF(run.from + slant, lane.top(), run.to - run.from - 2 * slant, lane.height()), Qt::AlignCenter, shown);
+        painter.drawText(QRectF(run.from + slant, lane.top(), run.to - run.from - 2 * slant, lane.height()),
+                         Qt::AlignCenter, shown);
         painter.setFont(font);
     }
 }
 
 } // namespace
 
-void drawLane(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color, const QFont& font) {
+void drawLane(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+              const QColor& color, const QFont& font) {
     const std::vector<LaneRun> runs = laneRuns(shape, mapping);
     painter.save();
     painter.setClipRect(mapping.area);
     const bool isBool = curve.valueNames.empty() && curve.source && curve.source->valueKind() == PlotValueKind::Bool;
     painter.setRenderHint(QPainter::Antialiasing, !isBool);
-    if (isBool) drawBoolLane(painter, runs, curve, mapping, color);
-    else drawValueLane(painter, runs, curve, mapping.area, color, font);
+    if (isBool)
+        drawBoolLane(painter, runs, curve, mapping, color);
+    else
+        drawValueLane(painter, runs, curve, mapping.area, color, font);
     painter.restore();
 }
 
@@ -426,10 +468,18 @@ void drawGaps(QPainter& painter, const std::vector<PlotGap>& gaps, const PlotMap
         painter.fillRect(rect, QBrush(colors().plotGrid, Qt::BDiagPattern));
         QString text;
         switch (gap.reason) {
-        case PlotGap::Reason::Evicted: text = PlotText::tr("no longer kept"); break;
-        case PlotGap::Reason::NoPath: text = PlotText::tr("did not exist"); break;
-        case PlotGap::Reason::SkippedScans: text = PlotText::tr("scans skipped"); break;
-        case PlotGap::Reason::NotRecorded: text = PlotText::tr("not recorded"); break;
+        case PlotGap::Reason::Evicted:
+            text = PlotText::tr("no longer kept");
+            break;
+        case PlotGap::Reason::NoPath:
+            text = PlotText::tr("did not exist");
+            break;
+        case PlotGap::Reason::SkippedScans:
+            text = PlotText::tr("scans skipped");
+            break;
+        case PlotGap::Reason::NotRecorded:
+            text = PlotText::tr("not recorded");
+            break;
         }
         if (metrics.horizontalAdvance(text) + 12 > rect.width()) continue;
         painter.setPen(colors().muted);

@@ -1,5 +1,6 @@
-// From samples to ink: what a curve looks like in the part of time in view, and drawing it as a line, as held values or as a
-// lane. One shape serves screen, PNG, SVG and PDF; where samples outnumber pixels it is two points a pixel column. GUI thread.
+// From samples to ink: what a curve looks like in the part of time in view, and drawing it as a line, as held values or
+// as a lane. One shape serves screen, PNG, SVG and PDF; where samples outnumber pixels it is two points a pixel column.
+// GUI thread.
 #pragma once
 
 #include "editor/kit/plot_model.h"
@@ -18,8 +19,8 @@ struct CurveShape {
     int64_t from = 0, to = 1;
     int columns = 0;
     bool isExact = true;
-    std::vector<PlotSample> samples; // exact: also the one before and the one after the view
-    std::vector<PlotBucket> buckets; // else one a column
+    std::vector<PlotSample> samples;  // exact: also the one before and the one after the view
+    std::vector<PlotBucket> buckets;  // else one a column
     std::optional<PlotSample> before; // the last one before the view
     std::optional<PlotSample> after;  // buckets only: the first one after the view
     std::vector<PlotGap> gaps;
@@ -40,11 +41,15 @@ struct PlotMapping {
     [[nodiscard]] double xOf(int64_t time) const {
         return area.left() + static_cast<double>(time - from) / static_cast<double>(to - from) * area.width();
     }
-    [[nodiscard]] double yOf(double value) const { return area.bottom() - (value - y.low) / (y.high - y.low) * area.height(); }
+    [[nodiscard]] double yOf(double value) const {
+        return area.bottom() - (value - y.low) / (y.high - y.low) * area.height();
+    }
     [[nodiscard]] int64_t timeAt(double x) const {
         return from + static_cast<int64_t>((x - area.left()) / area.width() * static_cast<double>(to - from));
     }
-    [[nodiscard]] double valueAt(double py) const { return y.low + (area.bottom() - py) / area.height() * (y.high - y.low); }
+    [[nodiscard]] double valueAt(double py) const {
+        return y.low + (area.bottom() - py) / area.height() * (y.high - y.low);
+    }
 };
 
 /// Pixels of the plot area that curves may be written to directly; no image when the paper has none (SVG, PDF).
@@ -58,12 +63,12 @@ struct PlotPixels {
 [[nodiscard]] bool isDrawnByPainter(const CurveShape& shape, const PlotPixels& pixels);
 
 /// Draws a Line or Hold curve.
-void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color,
-               const PlotPixels& pixels);
+void drawCurve(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+               const QColor& color, const PlotPixels& pixels);
 
 /// Draws a lane into mapping.area: two levels for BOOL, boxes with the value for others.
-void drawLane(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping, const QColor& color,
-              const QFont& font);
+void drawLane(QPainter& painter, const CurveShape& shape, const PlotCurve& curve, const PlotMapping& mapping,
+              const QColor& color, const QFont& font);
 
 /// Shades where nothing is known.
 void drawGaps(QPainter& painter, const std::vector<PlotGap>& gaps, const PlotMapping& mapping, const QFont& font);

@@ -35,7 +35,8 @@ QByteArray secondsText(int64_t time) {
 }
 
 QByteArray quoted(QString text) {
-    if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) && !text.contains(QLatin1Char('\n'))) return text.toUtf8();
+    if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')) && !text.contains(QLatin1Char('\n')))
+        return text.toUtf8();
     text.replace(QLatin1Char('"'), QStringLiteral("\"\""));
     return '"' + text.toUtf8() + '"';
 }
@@ -43,8 +44,10 @@ QByteArray quoted(QString text) {
 QByteArray csvValue(const PlotCurve& curve, int64_t time, double raw) {
     if (std::isnan(raw)) return {};
     if (const auto decimals = curve.decimals(); decimals && curve.valueNames.empty())
-        if (const auto integer = curve.source->integerAt(time)) return QByteArray::fromStdString(exactText(*integer, *decimals));
-    if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end()) return quoted(name->second);
+        if (const auto integer = curve.source->integerAt(time))
+            return QByteArray::fromStdString(exactText(*integer, *decimals));
+    if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end())
+        return quoted(name->second);
     const PlotValueKind kind = curve.source->valueKind();
     if (curve.scale == 1 && curve.offset == 0) return QByteArray::fromStdString(exactText(raw, kind));
     return QByteArray::fromStdString(exactText(curve.shown(raw), PlotValueKind::Double));
@@ -86,19 +89,23 @@ Result<void> exportPicture(const PlotModel& model, const QString& path, const Pi
     } else if (suffix == QLatin1String("pdf")) {
         QPdfWriter writer(&file);
         writer.setResolution(96);
-        writer.setPageSize(QPageSize(QSizeF(options.size) * 72.0 / 96.0, QPageSize::Point, QString(), QPageSize::ExactMatch));
+        writer.setPageSize(
+            QPageSize(QSizeF(options.size) * 72.0 / 96.0, QPageSize::Point, QString(), QPageSize::ExactMatch));
         writer.setPageMargins(QMarginsF());
         writer.setTitle(model.title);
         QPainter painter(&writer);
         printPlot(model, painter, rect);
     } else {
-        return Error{PlotText::tr("A picture's name must end in .png, .svg or .pdf.").toStdString(), path.toStdString()};
+        return Error{PlotText::tr("A picture's name must end in .png, .svg or .pdf.").toStdString(),
+                     path.toStdString()};
     }
     if (!file.commit()) return cannotWrite(path, file.errorString());
     return {};
 }
 
-void copyPicture(const PlotModel& model, const PictureOptions& options) { QApplication::clipboard()->setImage(plotPicture(model, options)); }
+void copyPicture(const PlotModel& model, const PictureOptions& options) {
+    QApplication::clipboard()->setImage(plotPicture(model, options));
+}
 
 void printPlot(const PlotModel& model, QPainter& painter, const QRectF& page) {
     PlotRenderer renderer;
@@ -128,12 +135,15 @@ bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, 
         const int64_t end = w + 1 == windows ? to + 1 : from + static_cast<int64_t>(width * static_cast<double>(w + 1));
         std::vector<std::vector<PlotSample>> samples(curves.size());
         for (size_t i = 0; i < curves.size(); ++i)
-            curves[i]->source->visit(begin, end, [&](std::span<const PlotSample> block) { samples[i].insert(samples[i].end(), block.begin(), block.end()); });
+            curves[i]->source->visit(begin, end, [&](std::span<const PlotSample> block) {
+                samples[i].insert(samples[i].end(), block.begin(), block.end());
+            });
         std::vector<size_t> at(curves.size(), 0);
         for (;;) {
             std::optional<int64_t> time;
             for (size_t i = 0; i < curves.size(); ++i)
-                if (at[i] < samples[i].size() && (!time || samples[i][at[i]].time < *time)) time = samples[i][at[i]].time;
+                if (at[i] < samples[i].size() && (!time || samples[i][at[i]].time < *time))
+                    time = samples[i][at[i]].time;
             if (!time) break;
             line = secondsText(*time - model.origin);
             for (size_t i = 0; i < curves.size(); ++i) {
@@ -147,7 +157,8 @@ bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, 
     return true;
 }
 
-Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path, const ExportProgress& progress) {
+Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path,
+                       const ExportProgress& progress) {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
     if (!writeCsv(model, from, to, file, progress)) return {}; // nothing is committed

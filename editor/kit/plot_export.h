@@ -26,11 +26,12 @@ Result<void> exportPicture(const PlotModel& model, const QString& path, const Pi
 void copyPicture(const PlotModel& model, const PictureOptions& options = {});
 void printPlot(const PlotModel& model, QPainter& painter, const QRectF& page);
 
-/// Every sample of the visible curves in [from, to]: a line per time, empty where a channel has no value yet; numbers read back
-/// the same. Times in seconds.
-/// `progress` hears the share that is done and ends it by false: then the file stays as it was.
+/// Every sample of the visible curves in [from, to]: a line per time, empty where a channel has no value yet; numbers
+/// read back the same. Times in seconds. `progress` hears the share that is done and ends it by false: then the file
+/// stays as it was.
 using ExportProgress = std::function<bool(double share)>;
-Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path, const ExportProgress& progress = {});
+Result<void> exportCsv(const PlotModel& model, int64_t from, int64_t to, const QString& path,
+                       const ExportProgress& progress = {});
 /// False when `progress` ended it.
 bool writeCsv(const PlotModel& model, int64_t from, int64_t to, QIODevice& out, const ExportProgress& progress = {});
 

@@ -65,12 +65,15 @@ const PlotCurve* findCurve(const PlotModel& model, const QString& id) {
 
 QString curveValueText(const PlotCurve& curve, double raw, int digits, bool withUnit) {
     if (std::isnan(raw)) return QStringLiteral("–");
-    if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end()) return name->second;
+    if (const auto name = curve.valueNames.find(static_cast<int64_t>(raw)); name != curve.valueNames.end())
+        return name->second;
     if (curve.source && curve.source->valueKind() == PlotValueKind::Bool && curve.scale == 1 && curve.offset == 0)
         return raw != 0 ? QStringLiteral("TRUE") : QStringLiteral("FALSE");
     if (curve.integerText) return curve.integerText(static_cast<int64_t>(raw));
-    const bool isPlainInteger = curve.source && curve.source->valueKind() == PlotValueKind::Integer && curve.decimals() == 0;
-    const QString text = isPlainInteger ? withMinus(exactText(raw, PlotValueKind::Integer)) : valueText(curve.shown(raw), digits);
+    const bool isPlainInteger =
+        curve.source && curve.source->valueKind() == PlotValueKind::Integer && curve.decimals() == 0;
+    const QString text =
+        isPlainInteger ? withMinus(exactText(raw, PlotValueKind::Integer)) : valueText(curve.shown(raw), digits);
     return withUnit && !curve.unit.isEmpty() ? text + QLatin1Char(' ') + curve.unit : text;
 }
 
@@ -79,7 +82,8 @@ QString curveTextAt(const PlotCurve& curve, int64_t time, int digits, bool withU
     if (!sample) return QStringLiteral("–");
     const auto integer = curve.source->integerAt(time);
     const auto decimals = curve.decimals();
-    if (!integer || !decimals || std::isnan(sample->value)) return curveValueText(curve, sample->value, digits, withUnit);
+    if (!integer || !decimals || std::isnan(sample->value))
+        return curveValueText(curve, sample->value, digits, withUnit);
     const auto value = static_cast<int64_t>(integer->bits);
     if (const auto name = curve.valueNames.find(value); name != curve.valueNames.end()) return name->second;
     if (curve.integerText) return curve.integerText(value);
@@ -90,15 +94,24 @@ QString curveTextAt(const PlotCurve& curve, int64_t time, int digits, bool withU
 QColor markerColor(MarkerKind kind) {
     const ThemeColors& c = colors();
     switch (kind) {
-    case MarkerKind::Event: return c.info;
-    case MarkerKind::Start: return c.good;
-    case MarkerKind::Breakpoint: return c.breakpoint;
-    case MarkerKind::Force: return c.forced;
-    case MarkerKind::OnlineChange: return c.accent;
-    case MarkerKind::Fault: return c.bad;
-    case MarkerKind::Reset: return c.warning;
-    case MarkerKind::Branch: return c.plotTrigger;
-    case MarkerKind::SkippedScans: return c.warning;
+    case MarkerKind::Event:
+        return c.info;
+    case MarkerKind::Start:
+        return c.good;
+    case MarkerKind::Breakpoint:
+        return c.breakpoint;
+    case MarkerKind::Force:
+        return c.forced;
+    case MarkerKind::OnlineChange:
+        return c.accent;
+    case MarkerKind::Fault:
+        return c.bad;
+    case MarkerKind::Reset:
+        return c.warning;
+    case MarkerKind::Branch:
+        return c.plotTrigger;
+    case MarkerKind::SkippedScans:
+        return c.warning;
     }
     return c.info;
 }

@@ -1,5 +1,6 @@
-// What a plot shows, as plain values: charts one above the other over one time axis, curves in them, markers, cursors, the
-// part of time in view. The view and the picture renderer both draw from this; neither keeps a second truth. GUI thread.
+// What a plot shows, as plain values: charts one above the other over one time axis, curves in them, markers, cursors,
+// the part of time in view. The view and the picture renderer both draw from this; neither keeps a second truth. GUI
+// thread.
 #pragma once
 
 #include "editor/kit/plot_sample.h"
@@ -58,12 +59,13 @@ struct PlotCurve {
     bool isVisible = true;
     std::shared_ptr<const SampleSource> source;
     std::vector<PlotBeneath> beneath;
-    std::map<int64_t, QString> valueNames; // of an enumeration
+    std::map<int64_t, QString> valueNames;       // of an enumeration
     std::function<QString(int64_t)> integerText; // of dates and the like, where digits say nothing
-    QString problem;                       // why there is nothing to draw
+    QString problem;                             // why there is nothing to draw
 
     [[nodiscard]] double shown(double value) const { return value * scale + offset; }
-    /// Whole numbers keep all their digits when shown as they are or moved by powers of ten: how many stand behind the point.
+    /// Whole numbers keep all their digits when shown as they are or moved by powers of ten: how many stand behind the
+    /// point.
     [[nodiscard]] std::optional<int> decimals() const;
 };
 

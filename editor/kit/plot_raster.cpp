@@ -20,7 +20,8 @@ uint32_t blend(uint32_t source, uint32_t destination, uint32_t alpha) {
 
 } // namespace
 
-void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> spans, float width, const QColor& color) {
+void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> spans, float width,
+                 const QColor& color) {
     const QRect room = area.intersected(image.rect());
     if (room != area) return; // laid out for this picture, or not at all
     const int columns = std::min<int>(area.width(), static_cast<int>(spans.size())), rows = area.height();
@@ -37,7 +38,9 @@ void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> s
         const int first = static_cast<int>(top), last = std::min(rows - 1, static_cast<int>(std::ceil(bottom)) - 1);
         uint32_t* pixel = origin + first * stride + x;
         const bool isSolid = isOpaque && strength >= 1;
-        auto soft = [&](float cover) { *pixel = blend(ink, *pixel, static_cast<uint32_t>(cover * strength * 255.0f + 0.5f)); };
+        auto soft = [&](float cover) {
+            *pixel = blend(ink, *pixel, static_cast<uint32_t>(cover * strength * 255.0f + 0.5f));
+        };
         if (first == last) {
             soft(bottom - top);
             return;
@@ -45,8 +48,10 @@ void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> s
         soft(static_cast<float>(first + 1) - top);
         pixel += stride;
         for (int y = first + 1; y < last; ++y, pixel += stride) {
-            if (isSolid) *pixel = ink;
-            else soft(1);
+            if (isSolid)
+                *pixel = ink;
+            else
+                soft(1);
         }
         soft(bottom - static_cast<float>(last));
     };

@@ -1,5 +1,5 @@
-// Draws a curve as one vertical span per pixel column, with soft ends, straight into an image: ten million samples cost as much
-// as there are columns. Pure picture work, any thread.
+// Draws a curve as one vertical span per pixel column, with soft ends, straight into an image: ten million samples cost
+// as much as there are columns. Pure picture work, any thread.
 #pragma once
 
 #include <QColor>
@@ -16,15 +16,18 @@ struct ColumnSpan {
 
     [[nodiscard]] bool isEmpty() const { return top > bottom; }
     void add(float y) {
-        if (isEmpty()) top = bottom = y;
-        else if (y < top) top = y;
-        else if (y > bottom) bottom = y;
+        if (isEmpty())
+            top = bottom = y;
+        else if (y < top)
+            top = y;
+        else if (y > bottom)
+            bottom = y;
     }
 };
 
-/// `image` is 32 bits a pixel, premultiplied or opaque; span i lies in column i of `area`, rows count from its top, and is widened
-/// by half of `width` at both ends. What the width has beyond one pixel sideways falls softly into the neighbouring columns, so that
-/// steep lines are not thinner than level ones. Nothing is drawn outside the area.
+/// `image` is 32 bits a pixel, premultiplied or opaque; span i lies in column i of `area`, rows count from its top, and
+/// is widened by half of `width` at both ends. What the width has beyond one pixel sideways falls softly into the
+/// neighbouring columns, so that steep lines are not thinner than level ones. Nothing is drawn outside the area.
 void fillColumns(QImage& image, const QRect& area, std::span<const ColumnSpan> spans, float width, const QColor& color);
 
 } // namespace plc::kit

@@ -48,7 +48,8 @@ struct PlotRenderer::PaneParts {
         if (!range) return std::nullopt;
         PlotBucket bucket;
         kept.source->buckets(range->first, range->second + 1, std::span(&bucket, 1));
-        if (bucket.isNumber && std::isfinite(bucket.minimum) && std::isfinite(bucket.maximum)) kept.whole = PlotRange{bucket.minimum, bucket.maximum};
+        if (bucket.isNumber && std::isfinite(bucket.minimum) && std::isfinite(bucket.maximum))
+            kept.whole = PlotRange{bucket.minimum, bucket.maximum};
         return kept.whole;
     }
 };
@@ -59,8 +60,10 @@ bool isVectorPaper(const QPainter& painter) {
     switch (engine->type()) {
     case QPaintEngine::SVG:
     case QPaintEngine::Pdf:
-    case QPaintEngine::Picture: return true;
-    default: return false;
+    case QPaintEngine::Picture:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -73,7 +76,9 @@ PlotPixels directPixels(const QPainter& painter, const QRectF& area, double rati
     auto* image = static_cast<QImage*>(device);
     if (image->format() != QImage::Format_ARGB32_Premultiplied && image->format() != QImage::Format_RGB32) return {};
     const QTransform transform = painter.deviceTransform();
-    if (transform.type() > QTransform::TxScale || std::abs(transform.m11() - ratio) > 1e-9 || std::abs(transform.m22() - ratio) > 1e-9) return {};
+    if (transform.type() > QTransform::TxScale || std::abs(transform.m11() - ratio) > 1e-9 ||
+        std::abs(transform.m22() - ratio) > 1e-9)
+        return {};
     const QRectF mapped = transform.mapRect(area);
     const QRect pixels = mapped.toRect();
     if (std::abs(mapped.left() - pixels.left()) > 0.51 || !image->rect().contains(pixels)) return {};
@@ -113,11 +118,16 @@ void PlotRenderer::makeShapes(const PlotModel& model, double width) {
             const PlotCurve& curve = model.curves[static_cast<size_t>(m_panes[p].curves[i])];
             auto& kept = parts.kept[i];
             kept.resize(1 + curve.beneath.size());
-            if (curve.source) PaneParts::refresh(kept[0], *curve.source, 0, model.from, model.to, columns);
-            else kept[0] = {};
+            if (curve.source)
+                PaneParts::refresh(kept[0], *curve.source, 0, model.from, model.to, columns);
+            else
+                kept[0] = {};
             for (size_t b = 0; b < curve.beneath.size(); ++b) {
-                if (curve.beneath[b].source) PaneParts::refresh(kept[b + 1], *curve.beneath[b].source, curve.beneath[b].shift, model.from, model.to, columns);
-                else kept[b + 1] = {};
+                if (curve.beneath[b].source)
+                    PaneParts::refresh(kept[b + 1], *curve.beneath[b].source, curve.beneath[b].shift, model.from,
+                                       model.to, columns);
+                else
+                    kept[b + 1] = {};
             }
         }
     }
@@ -146,7 +156,9 @@ PlotRange PlotRenderer::rangeOf(const PlotModel& model, const PlotPane& pane, in
     if (!range) return {0, 1};
     if (axis.mode == AxisMode::Fit) {
         const double size = std::max(std::abs(range->low), std::abs(range->high));
-        const double room = range->high - range->low > size * 1e-9 ? (range->high - range->low) * 0.04 : size > 0 ? size * 0.05 : 1;
+        const double room = range->high - range->low > size * 1e-9 ? (range->high - range->low) * 0.04
+                            : size > 0                             ? size * 0.05
+                                                                   : 1;
         return {range->low - room, range->high + room};
     }
     if (onlyBool) return {-0.1, 1.1};
@@ -166,7 +178,8 @@ std::vector<AxisSpec> PlotRenderer::valueAxes(const PlotModel& model, PlotPane& 
         const double room = std::clamp(m_rect.width() * 0.24, 90.0, 240.0);
         for (size_t i = pane.curves.size(); i-- > 0;) { // from below, as axes count
             const QString& name = model.curves[static_cast<size_t>(pane.curves[i])].name;
-            spec.ticks.push_back({static_cast<double>(pane.curves.size() - i) - 0.5, metrics.elidedText(name, Qt::ElideMiddle, room)});
+            spec.ticks.push_back(
+                {static_cast<double>(pane.curves.size() - i) - 0.5, metrics.elidedText(name, Qt::ElideMiddle, room)});
         }
         pane.axes = {0};
         pane.ranges = {PlotRange{spec.low, spec.high}};
@@ -203,24 +216,29 @@ std::vector<AxisSpec> PlotRenderer::valueAxes(const PlotModel& model, PlotPane& 
         if (title.isEmpty() && users.size() == 1) title = users[0]->name;
         const double room = height - metrics.horizontalAdvance(unit) * 1.1 - 30;
         if (metrics.horizontalAdvance(title) * 1.1 > room) // rather the unit alone than a torn name
-            title = room > 90 ? metrics.elidedText(title, Qt::ElideMiddle, room * 0.9) : QString(); // and rather none than its first letter
+            title = room > 90 ? metrics.elidedText(title, Qt::ElideMiddle, room * 0.9)
+                              : QString(); // and rather none than its first letter
         spec.title = title.isEmpty() ? unit : unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
         if (users.size() == 1 && pane.axes.size() > 1) spec.color = users[0]->color;
-        const bool named = !users.empty() && !users[0]->valueNames.empty() && users[0]->scale == 1 && users[0]->offset == 0 &&
-                           std::all_of(users.begin(), users.end(), [&](const PlotCurve* u) { return u->valueNames == users[0]->valueNames; });
+        const bool named = !users.empty() && !users[0]->valueNames.empty() && users[0]->scale == 1 &&
+                           users[0]->offset == 0 && std::all_of(users.begin(), users.end(), [&](const PlotCurve* u) {
+                               return u->valueNames == users[0]->valueNames;
+                           });
         if (named) {
             for (const auto& [value, name] : users[0]->valueNames)
                 spec.ticks.push_back({static_cast<double>(value), metrics.elidedText(name, Qt::ElideRight, 140)});
         } else {
             // One number says nothing about the scale: rather two that stand close.
-            for (int most = ticks; spec.ticks.size() < 2 && most <= ticks + 4; ++most) spec.ticks = numberTicks(range.low, range.high, most);
+            for (int most = ticks; spec.ticks.size() < 2 && most <= ticks + 4; ++most)
+                spec.ticks = numberTicks(range.low, range.high, most);
         }
         specs.push_back(std::move(spec));
     }
     return specs;
 }
 
-double PlotRenderer::legendHeight(const PlotModel& model, int chart, double left, double width, double top, bool place) {
+double PlotRenderer::legendHeight(const PlotModel& model, int chart, double left, double width, double top,
+                                  bool place) {
     const QFontMetricsF metrics(m_font);
     const double rowHeight = metrics.height() + 6;
     double x = left, y = top;
@@ -264,9 +282,11 @@ void PlotRenderer::placeTimeAxis(const PlotModel& model, double width) {
     AxisSpec spec;
     spec.low = 0;
     spec.high = static_cast<double>(model.to - model.from) / 1e9;
-    m_timeTitle = model.origin == 0 || !model.trigger ? PlotText::tr("Time [%1]").arg(ticks.unit) : PlotText::tr("Time from the trigger [%1]").arg(ticks.unit);
+    m_timeTitle = model.origin == 0 || !model.trigger ? PlotText::tr("Time [%1]").arg(ticks.unit)
+                                                      : PlotText::tr("Time from the trigger [%1]").arg(ticks.unit);
     if (m_isLow) m_timeTitle.clear();
-    for (const auto& [time, label] : ticks.ticks) spec.ticks.push_back({static_cast<double>(time - model.from) / 1e9, label});
+    for (const auto& [time, label] : ticks.ticks)
+        spec.ticks.push_back({static_cast<double>(time - model.from) / 1e9, label});
     if (m_isLow && !spec.ticks.empty()) spec.ticks.back().label += QLatin1Char(' ') + ticks.unit;
     for (size_t i = 0; i < m_panes.size(); ++i) m_parts[i]->axes.setTimeAxis(spec, i + 1 == m_panes.size());
 }
@@ -279,10 +299,12 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
     const QRectF inner = rect.adjusted(Pad, Pad, -Pad, -Pad);
     double top = inner.top(), bottom = inner.bottom();
     m_titleRect = m_tableRect = QRectF();
-    // A low picture is for the curves: the title goes first, then that of the time axis, whose unit then stands at its last number.
+    // A low picture is for the curves: the title goes first, then that of the time axis, whose unit then stands at its
+    // last number.
     const double line = QFontMetricsF(m_font).height();
     double wanted = 4 * line;
-    for (const PlotPane& pane : m_panes) wanted += pane.isLanes ? laneHeightFor(m_font) * static_cast<double>(pane.curves.size()) + 2 * line : 7 * line;
+    for (const PlotPane& pane : m_panes)
+        wanted += pane.isLanes ? laneHeightFor(m_font) * static_cast<double>(pane.curves.size()) + 2 * line : 7 * line;
     if (model.hasTable && (model.cursorA || model.cursorB)) wanted += measureTableHeight(model, m_font);
     m_isLow = inner.height() < wanted;
     if (!model.title.isEmpty() && !m_isLow) {
@@ -309,8 +331,10 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
             used += room[i].top() + room[i].bottom() + (i > 0 ? 4 : 0);
             const bool first = i == 0 || m_panes[i - 1].chart != m_panes[i].chart;
             if (first) used += legends[static_cast<size_t>(m_panes[i].chart)];
-            if (m_panes[i].isLanes) lanes += static_cast<int>(m_panes[i].curves.size());
-            else weights += std::max(0.05, model.charts[static_cast<size_t>(m_panes[i].chart)].weight);
+            if (m_panes[i].isLanes)
+                lanes += static_cast<int>(m_panes[i].curves.size());
+            else
+                weights += std::max(0.05, model.charts[static_cast<size_t>(m_panes[i].chart)].weight);
         }
         const double free = std::max(0.0, bottom - top - used);
         double laneHeight = weights > 0 ? lane : std::clamp(lanes > 0 ? free / lanes : lane, lane * 0.6, lane * 2);
@@ -318,13 +342,16 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         const double forCharts = std::max(LeastPlot, free - laneHeight * lanes);
         std::vector<double> heights;
         for (const PlotPane& pane : m_panes)
-            heights.push_back(std::floor(pane.isLanes ? laneHeight * static_cast<double>(pane.curves.size())
-                                                      : forCharts * std::max(0.05, model.charts[static_cast<size_t>(pane.chart)].weight) / weights));
+            heights.push_back(std::floor(
+                pane.isLanes
+                    ? laneHeight * static_cast<double>(pane.curves.size())
+                    : forCharts * std::max(0.05, model.charts[static_cast<size_t>(pane.chart)].weight) / weights));
         return heights;
     };
 
     std::vector<double> legends;
-    for (int chart = 0; chart < static_cast<int>(model.charts.size()); ++chart) legends.push_back(legendHeight(model, chart, 0, inner.width() - 60, 0, false));
+    for (int chart = 0; chart < static_cast<int>(model.charts.size()); ++chart)
+        legends.push_back(legendHeight(model, chart, 0, inner.width() - 60, 0, false));
     double width = m_width > 0 && m_width < inner.width() ? m_width : inner.width() - 60;
     std::vector<QMarginsF> room(m_panes.size(), QMarginsF(50, 2, 8, 8));
     if (!room.empty()) room.back().setBottom(44);
@@ -348,7 +375,8 @@ void PlotRenderer::layOut(const PlotModel& model, const QRectF& rect) {
         const double now = std::floor(std::max(40.0, inner.width() - left - right));
         if (now == width) break;
         width = now;
-        for (int chart = 0; chart < static_cast<int>(model.charts.size()); ++chart) legends[static_cast<size_t>(chart)] = legendHeight(model, chart, 0, width, 0, false);
+        for (int chart = 0; chart < static_cast<int>(model.charts.size()); ++chart)
+            legends[static_cast<size_t>(chart)] = legendHeight(model, chart, 0, width, 0, false);
     }
     m_left = left;
     m_right = right;
@@ -394,7 +422,8 @@ void PlotRenderer::paintLegend(QPainter& painter, const PlotModel& model) {
         painter.drawLine(QPointF(entry.rect.left() + 6, middle), QPointF(entry.rect.left() + 22, middle));
         painter.setPen(!curve.isVisible ? c.disabled : curve.problem.isEmpty() ? c.text : c.bad);
         const QString text = curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit);
-        painter.drawText(entry.rect.adjusted(28, 0, -2, 0), Qt::AlignVCenter | Qt::AlignLeft, metrics.elidedText(text, Qt::ElideMiddle, entry.rect.width() - 30));
+        painter.drawText(entry.rect.adjusted(28, 0, -2, 0), Qt::AlignVCenter | Qt::AlignLeft,
+                         metrics.elidedText(text, Qt::ElideMiddle, entry.rect.width() - 30));
     }
 }
 
@@ -406,8 +435,10 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
     bool allHaveGaps = !pane.curves.empty();
     for (size_t i = 0; i < pane.curves.size(); ++i) {
         const auto& own = parts.kept[i][0].shape.gaps;
-        if (own.empty()) allHaveGaps = false;
-        else if (gaps.empty()) gaps = own;
+        if (own.empty())
+            allHaveGaps = false;
+        else if (gaps.empty())
+            gaps = own;
     }
     if (allHaveGaps) drawGaps(painter, gaps, mapping(model, pane), m_font);
     parts.axes.paint(painter);
@@ -418,7 +449,8 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
             const PlotCurve& curve = model.curves[static_cast<size_t>(pane.curves[i])];
             PlotMapping map = mapping(model, pane);
             map.ratio = isVectorPaper(painter) ? 0 : m_ratio;
-            map.area = QRectF(pane.area.left(), pane.area.top() + lane * static_cast<double>(i), pane.area.width(), lane);
+            map.area =
+                QRectF(pane.area.left(), pane.area.top() + lane * static_cast<double>(i), pane.area.width(), lane);
             if (!allHaveGaps) drawGaps(painter, parts.kept[i][0].shape.gaps, map, m_font);
             if (i > 0) {
                 painter.setRenderHint(QPainter::Antialiasing, false);
@@ -440,7 +472,8 @@ void PlotRenderer::paintPane(QPainter& painter, const PlotModel& model, size_t i
     PlotPixels pixels = directPixels(painter, pane.area, m_ratio);
     const bool vector = isVectorPaper(painter), hasLayer = !vector && !pixels.image;
     if (hasLayer) {
-        const QSize size(std::max(1, static_cast<int>(std::lround(pane.area.width() * m_ratio))), std::max(1, static_cast<int>(std::lround(pane.area.height() * m_ratio))));
+        const QSize size(std::max(1, static_cast<int>(std::lround(pane.area.width() * m_ratio))),
+                         std::max(1, static_cast<int>(std::lround(pane.area.height() * m_ratio))));
         layer = QImage(size, QImage::Format_ARGB32_Premultiplied);
         layer.fill(Qt::transparent);
         pixels = {&layer, layer.rect()};
@@ -480,7 +513,8 @@ void PlotRenderer::paintVertical(QPainter& painter, double x, const QPen& pen) {
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(pen);
     for (const PlotPane& pane : m_panes)
-        if (x >= pane.area.left() - 0.5 && x <= pane.area.right() + 0.5) painter.drawLine(QPointF(x, pane.area.top()), QPointF(x, pane.area.bottom()));
+        if (x >= pane.area.left() - 0.5 && x <= pane.area.right() + 0.5)
+            painter.drawLine(QPointF(x, pane.area.top()), QPointF(x, pane.area.bottom()));
 }
 
 void PlotRenderer::paintMarkers(QPainter& painter, const PlotModel& model) {
@@ -541,7 +575,9 @@ void PlotRenderer::paintCursorLine(QPainter& painter, const PlotModel& model, in
             const auto sample = curve.source->inForceAt(time);
             if (!sample || std::isnan(sample->value)) continue;
             const auto at = std::find(pane.axes.begin(), pane.axes.end(), curve.axis);
-            const double y = mapping(model, pane, at == pane.axes.end() ? 0 : static_cast<size_t>(at - pane.axes.begin())).yOf(curve.shown(sample->value));
+            const double y =
+                mapping(model, pane, at == pane.axes.end() ? 0 : static_cast<size_t>(at - pane.axes.begin()))
+                    .yOf(curve.shown(sample->value));
             if (y < pane.area.top() || y > pane.area.bottom()) continue;
             painter.setPen(QPen(c.plotGround, 1.5));
             painter.setBrush(curve.color);
@@ -563,7 +599,8 @@ void PlotRenderer::paintCursors(QPainter& painter, const PlotModel& model) {
         const double x = std::round(map.xOf(time)) + 0.5;
         const QString text = QStringLiteral("%1  %2").arg(name, momentText(time - model.origin));
         const double row = metrics.height() + 5;
-        QRectF tag(x + 3, area.top() + 3 + (model.markers.empty() ? 0 : row), metrics.horizontalAdvance(text) + 12, metrics.height() + 3);
+        QRectF tag(x + 3, area.top() + 3 + (model.markers.empty() ? 0 : row), metrics.horizontalAdvance(text) + 12,
+                   metrics.height() + 3);
         if (tag.right() > area.right()) tag.moveRight(x - 3);
         if (tag.intersects(before)) tag.translate(0, row);
         before = tag;
@@ -588,7 +625,8 @@ void PlotRenderer::paintBase(QPainter& painter, const PlotModel& model, const QR
         title.setWeight(QFont::DemiBold);
         painter.setFont(title);
         painter.setPen(colors().text);
-        painter.drawText(m_titleRect, Qt::AlignVCenter | Qt::AlignHCenter, QFontMetricsF(title).elidedText(model.title, Qt::ElideRight, m_titleRect.width()));
+        painter.drawText(m_titleRect, Qt::AlignVCenter | Qt::AlignHCenter,
+                         QFontMetricsF(title).elidedText(model.title, Qt::ElideRight, m_titleRect.width()));
     }
     for (size_t i = 0; i < m_panes.size(); ++i) paintPane(painter, model, i);
     paintLegend(painter, model);
@@ -597,8 +635,10 @@ void PlotRenderer::paintBase(QPainter& painter, const PlotModel& model, const QR
         bold.setWeight(QFont::DemiBold);
         painter.setFont(bold);
         painter.setPen(colors().muted);
-        const double bottom = m_tableRect.isNull() ? rect.bottom() - Pad : m_tableRect.top() - 8, height = QFontMetricsF(m_font).height();
-        painter.drawText(QRectF(m_panes.back().area.left(), bottom - height, m_panes.back().area.width(), height), Qt::AlignCenter, m_timeTitle);
+        const double bottom = m_tableRect.isNull() ? rect.bottom() - Pad : m_tableRect.top() - 8,
+                     height = QFontMetricsF(m_font).height();
+        painter.drawText(QRectF(m_panes.back().area.left(), bottom - height, m_panes.back().area.width(), height),
+                         Qt::AlignCenter, m_timeTitle);
     }
     painter.restore();
 }
@@ -623,7 +663,8 @@ const PlotPane* PlotRenderer::paneAt(const QPointF& point) const {
 }
 
 PlotMapping PlotRenderer::mapping(const PlotModel& model, const PlotPane& pane, size_t axis) const {
-    return {pane.area, model.from, std::max(model.to, model.from + 1), axis < pane.ranges.size() ? pane.ranges[axis] : PlotRange{}};
+    return {pane.area, model.from, std::max(model.to, model.from + 1),
+            axis < pane.ranges.size() ? pane.ranges[axis] : PlotRange{}};
 }
 
 std::optional<int> PlotRenderer::legendAt(const QPointF& point) const {
@@ -635,7 +676,8 @@ std::optional<int> PlotRenderer::legendAt(const QPointF& point) const {
 std::optional<int> PlotRenderer::laneAt(const QPointF& point) const {
     for (const PlotPane& pane : m_panes) {
         if (!pane.isLanes || point.y() < pane.area.top() || point.y() >= pane.area.bottom()) continue;
-        const auto lane = static_cast<size_t>((point.y() - pane.area.top()) / pane.area.height() * static_cast<double>(pane.curves.size()));
+        const auto lane = static_cast<size_t>((point.y() - pane.area.top()) / pane.area.height() *
+                                              static_cast<double>(pane.curves.size()));
         return pane.curves[std::min(lane, pane.curves.size() - 1)];
     }
     return std::nullopt;
@@ -643,9 +685,11 @@ std::optional<int> PlotRenderer::laneAt(const QPointF& point) const {
 
 std::optional<std::pair<int, int>> PlotRenderer::axisAt(const QPointF& point) const {
     for (const PlotPane& pane : m_panes) {
-        if (pane.isLanes || pane.axes.empty() || point.y() < pane.area.top() || point.y() > pane.area.bottom()) continue;
+        if (pane.isLanes || pane.axes.empty() || point.y() < pane.area.top() || point.y() > pane.area.bottom())
+            continue;
         if (point.x() < pane.area.left() && point.x() >= m_rect.left()) return std::pair(pane.chart, pane.axes.front());
-        if (point.x() > pane.area.right() && point.x() <= m_rect.right()) return std::pair(pane.chart, pane.axes.back());
+        if (point.x() > pane.area.right() && point.x() <= m_rect.right())
+            return std::pair(pane.chart, pane.axes.back());
     }
     return std::nullopt;
 }

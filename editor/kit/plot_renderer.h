@@ -1,5 +1,5 @@
-// Lays a plot out and paints it: title, legends, axes, gaps, curves, lanes, markers, trigger, cursors, measuring table. The same
-// code paints the widget, a picture file and the command line's charts. Owned by whoever paints; GUI thread.
+// Lays a plot out and paints it: title, legends, axes, gaps, curves, lanes, markers, trigger, cursors, measuring table.
+// The same code paints the widget, a picture file and the command line's charts. Owned by whoever paints; GUI thread.
 #pragma once
 
 #include "editor/kit/plot_axes.h"
@@ -15,8 +15,8 @@ struct PlotPane {
     int chart = 0;
     bool isLanes = false;
     QRectF area;
-    std::vector<int> curves;     // indices into the model
-    std::vector<int> axes;       // shown axes of the chart
+    std::vector<int> curves;       // indices into the model
+    std::vector<int> axes;         // shown axes of the chart
     std::vector<PlotRange> ranges; // theirs
 };
 

@@ -38,7 +38,8 @@ void SampleList::clear() {
 }
 
 size_t SampleList::indexAtOrAfter(int64_t time) const {
-    const auto it = std::lower_bound(m_samples.begin(), m_samples.end(), time, [](const PlotSample& s, int64_t t) { return s.time < t; });
+    const auto it = std::lower_bound(m_samples.begin(), m_samples.end(), time,
+                                     [](const PlotSample& s, int64_t t) { return s.time < t; });
     return static_cast<size_t>(it - m_samples.begin());
 }
 
@@ -98,9 +99,12 @@ std::string exactText(double value, PlotValueKind kind) {
     if (kind == PlotValueKind::Bool) return value != 0 ? "1" : "0";
     char buffer[64];
     std::to_chars_result end{};
-    if (kind == PlotValueKind::Integer && std::abs(value) < 9.2e18) end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<int64_t>(value));
-    else if (kind == PlotValueKind::Single) end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value));
-    else end = std::to_chars(buffer, buffer + sizeof buffer, value);
+    if (kind == PlotValueKind::Integer && std::abs(value) < 9.2e18)
+        end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<int64_t>(value));
+    else if (kind == PlotValueKind::Single)
+        end = std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value));
+    else
+        end = std::to_chars(buffer, buffer + sizeof buffer, value);
     return {buffer, end.ptr};
 }
 
@@ -108,11 +112,14 @@ namespace {
 
 using Wide = __int128;
 
-Wide wide(WholeNumber number) { return number.isUnsigned ? Wide(number.bits) : Wide(static_cast<int64_t>(number.bits)); }
+Wide wide(WholeNumber number) {
+    return number.isUnsigned ? Wide(number.bits) : Wide(static_cast<int64_t>(number.bits));
+}
 
 std::string wideText(Wide number, int decimals) {
     std::string digits;
-    for (Wide rest = number < 0 ? -number : number; rest > 0; rest /= 10) digits.insert(digits.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
+    for (Wide rest = number < 0 ? -number : number; rest > 0; rest /= 10)
+        digits.insert(digits.begin(), static_cast<char>('0' + static_cast<int>(rest % 10)));
     const auto behind = static_cast<size_t>(decimals);
     if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
     if (behind > 0) {
@@ -127,6 +134,8 @@ std::string wideText(Wide number, int decimals) {
 
 std::string exactText(WholeNumber number, int decimals) { return wideText(wide(number), decimals); }
 
-std::string exactDifference(WholeNumber a, WholeNumber b, int decimals) { return wideText(wide(b) - wide(a), decimals); }
+std::string exactDifference(WholeNumber a, WholeNumber b, int decimals) {
+    return wideText(wide(b) - wide(a), decimals);
+}
 
 } // namespace plc::kit

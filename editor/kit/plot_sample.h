@@ -60,7 +60,9 @@ public:
     /// The value in force at `time` without rounding, where the source keeps it so.
     [[nodiscard]] virtual std::optional<WholeNumber> integerAt(int64_t) const { return std::nullopt; }
     /// Least and greatest of the samples in [from, to], likewise.
-    [[nodiscard]] virtual std::optional<std::pair<WholeNumber, WholeNumber>> integerExtent(int64_t, int64_t) const { return std::nullopt; }
+    [[nodiscard]] virtual std::optional<std::pair<WholeNumber, WholeNumber>> integerExtent(int64_t, int64_t) const {
+        return std::nullopt;
+    }
     [[nodiscard]] virtual std::vector<PlotGap> gaps(int64_t from, int64_t to) const = 0;
     /// Grows whenever samples are added or leave, so that pictures of them can be kept.
     [[nodiscard]] virtual uint64_t revision() const = 0;

@@ -35,7 +35,10 @@ QString fixedText(int64_t time, int64_t unit, int decimals) {
         text += QLatin1Char('.');
         for (int i = 0; i < decimals; ++i) {
             scale /= 10;
-            if (scale == 0) { text += QLatin1Char('0'); continue; }
+            if (scale == 0) {
+                text += QLatin1Char('0');
+                continue;
+            }
             text += QChar(QLatin1Char(static_cast<char>('0' + rest / scale)));
             rest %= scale;
         }
@@ -64,20 +67,30 @@ TimeStyle styleFor(int64_t furthest, int64_t step) {
     TimeStyle style;
     if (step >= Hour && furthest >= 2 * Day) return {TimeStyle::Form::DayHour, Hour, 0, QStringLiteral("d h:min")};
     const int below = step >= Second ? 0 : decimalsOf(static_cast<double>(step) / static_cast<double>(Second));
-    if (furthest >= 2 * Hour || (furthest >= Hour && step >= Minute)) return {TimeStyle::Form::HourMinuteSecond, Second, below, QStringLiteral("h:min:s")};
-    if (furthest >= 10 * Minute || step >= Minute) return {TimeStyle::Form::MinuteSecond, Second, below, QStringLiteral("min:s")};
+    if (furthest >= 2 * Hour || (furthest >= Hour && step >= Minute))
+        return {TimeStyle::Form::HourMinuteSecond, Second, below, QStringLiteral("h:min:s")};
+    if (furthest >= 10 * Minute || step >= Minute)
+        return {TimeStyle::Form::MinuteSecond, Second, below, QStringLiteral("min:s")};
     if (furthest >= 2 * Second) return {TimeStyle::Form::Unit, Second, below, QStringLiteral("s")};
-    if (furthest >= 2'000'000) return {TimeStyle::Form::Unit, 1'000'000, step >= 1'000'000 ? 0 : decimalsOf(static_cast<double>(step) / 1e6), QStringLiteral("ms")};
-    return {TimeStyle::Form::Unit, 1'000, step >= 1'000 ? 0 : decimalsOf(static_cast<double>(step) / 1e3), QStringLiteral("µs")};
+    if (furthest >= 2'000'000)
+        return {TimeStyle::Form::Unit, 1'000'000, step >= 1'000'000 ? 0 : decimalsOf(static_cast<double>(step) / 1e6),
+                QStringLiteral("ms")};
+    return {TimeStyle::Form::Unit, 1'000, step >= 1'000 ? 0 : decimalsOf(static_cast<double>(step) / 1e3),
+            QStringLiteral("µs")};
 }
 
 QString timeLabel(int64_t time, const TimeStyle& style) {
     switch (style.form) {
-    case TimeStyle::Form::Unit: return fixedText(time, style.unit, style.decimals);
-    case TimeStyle::Form::MinuteSecond: return clockText(time, false, style.decimals);
-    case TimeStyle::Form::HourMinuteSecond: return clockText(time, true, style.decimals);
+    case TimeStyle::Form::Unit:
+        return fixedText(time, style.unit, style.decimals);
+    case TimeStyle::Form::MinuteSecond:
+        return clockText(time, false, style.decimals);
+    case TimeStyle::Form::HourMinuteSecond:
+        return clockText(time, true, style.decimals);
     case TimeStyle::Form::DayHour:
-        return QStringLiteral("%1 d %2:%3").arg(floorDiv(time, Day)).arg((time - floorDiv(time, Day) * Day) / Hour)
+        return QStringLiteral("%1 d %2:%3")
+            .arg(floorDiv(time, Day))
+            .arg((time - floorDiv(time, Day) * Day) / Hour)
             .arg((time - floorDiv(time, Hour) * Hour) / Minute, 2, 10, QLatin1Char('0'));
     }
     return {};
@@ -116,7 +129,8 @@ std::vector<PlotTick> numberTicks(double low, double high, int most) {
     const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(size / step))) + 1, 2, 16);
     for (double k = std::ceil(low / step - 1e-9); k * step <= high + step * 1e-9; ++k) {
         const double value = k == 0 ? 0 : k * step; // no minus zero
-        QString label = scientific && value != 0 ? QString::number(value, 'g', digits) : QString::number(value, 'f', decimals);
+        QString label =
+            scientific && value != 0 ? QString::number(value, 'g', digits) : QString::number(value, 'f', decimals);
         if (label.startsWith(QLatin1Char('-'))) label.replace(0, 1, QStringLiteral("−"));
         ticks.push_back({value, label});
         if (ticks.size() > 200) break;
@@ -133,8 +147,9 @@ int64_t roundTimeStep(int64_t step) {
             if (power * factor >= step) return power * factor;
         return power * 10;
     }
-    for (int64_t candidate : {10 * Second, 15 * Second, 30 * Second, Minute, 2 * Minute, 5 * Minute, 10 * Minute, 15 * Minute, 30 * Minute,
-                              Hour, 2 * Hour, 3 * Hour, 6 * Hour, 12 * Hour, Day, 2 * Day, 7 * Day, 14 * Day, 30 * Day, 91 * Day, 365 * Day})
+    for (int64_t candidate : {10 * Second, 15 * Second, 30 * Second, Minute,   2 * Minute, 5 * Minute, 10 * Minute,
+                              15 * Minute, 30 * Minute, Hour,        2 * Hour, 3 * Hour,   6 * Hour,   12 * Hour,
+                              Day,         2 * Day,     7 * Day,     14 * Day, 30 * Day,   91 * Day,   365 * Day})
         if (candidate >= step) return candidate;
     return (step / (365 * Day) + 1) * 365 * Day;
 }
@@ -155,7 +170,8 @@ TimeTicks timeTicks(int64_t from, int64_t to, int64_t origin, int most) {
 }
 
 QString widestTimeLabel(int64_t from, int64_t to, int64_t origin, int64_t step) {
-    const TimeStyle style = styleFor(std::max(std::abs(from - origin), std::abs(to - origin)), std::max<int64_t>(1, step));
+    const TimeStyle style =
+        styleFor(std::max(std::abs(from - origin), std::abs(to - origin)), std::max<int64_t>(1, step));
     const QString a = timeLabel(from - origin, style), b = timeLabel(to - origin, style);
     return a.size() > b.size() ? a : b;
 }
@@ -185,8 +201,14 @@ QString durationText(int64_t time) {
     if (size < 1e9) return sign + valueText(size / 1e6, 6) + QStringLiteral(" ms");
     if (size < 120e9) return sign + valueText(size / 1e9, 7) + QStringLiteral(" s");
     const int64_t whole = std::abs(time);
-    if (size < 7200e9) return sign + QStringLiteral("%1 min %2 s").arg(whole / Minute).arg(valueText(static_cast<double>(whole % Minute) / 1e9, 6));
-    return sign + QStringLiteral("%1 h %2 min %3 s").arg(whole / Hour).arg(whole % Hour / Minute).arg(valueText(static_cast<double>(whole % Minute) / 1e9, 5));
+    if (size < 7200e9)
+        return sign + QStringLiteral("%1 min %2 s")
+                          .arg(whole / Minute)
+                          .arg(valueText(static_cast<double>(whole % Minute) / 1e9, 6));
+    return sign + QStringLiteral("%1 h %2 min %3 s")
+                      .arg(whole / Hour)
+                      .arg(whole % Hour / Minute)
+                      .arg(valueText(static_cast<double>(whole % Minute) / 1e9, 5));
 }
 
 QString momentText(int64_t time) {

@@ -24,7 +24,7 @@ std::vector<PlotTick> numberTicks(double low, double high, int most);
 int64_t roundTimeStep(int64_t step);
 struct TimeTicks {
     int64_t step = 0;
-    QString unit; // "s", "ms", "min:s", "h:min:s"
+    QString unit;                                   // "s", "ms", "min:s", "h:min:s"
     std::vector<std::pair<int64_t, QString>> ticks; // time and label; times count from `origin`
 };
 TimeTicks timeTicks(int64_t from, int64_t to, int64_t origin, int most);

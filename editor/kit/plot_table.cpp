@@ -23,13 +23,16 @@ QString minusOf(const std::string& number) {
 
 /// Integers in full, others to six digits.
 QString numberText(const PlotCurve& curve, double shown) {
-    const bool isPlainInteger = curve.source && curve.source->valueKind() == PlotValueKind::Integer && curve.decimals() == 0;
+    const bool isPlainInteger =
+        curve.source && curve.source->valueKind() == PlotValueKind::Integer && curve.decimals() == 0;
     return isPlainInteger ? minusOf(exactText(shown, PlotValueKind::Integer)) : valueText(shown, 6);
 }
 
 QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
     QStringList cells{curve.unit.isEmpty() ? curve.name : QStringLiteral("%1 [%2]").arg(curve.name, curve.unit)};
-    const auto at = [&](std::optional<int64_t> time) { return time && curve.source ? curve.source->inForceAt(*time) : std::nullopt; };
+    const auto at = [&](std::optional<int64_t> time) {
+        return time && curve.source ? curve.source->inForceAt(*time) : std::nullopt;
+    };
     const auto a = at(model.cursorA), b = at(model.cursorB);
     cells += a ? curveTextAt(curve, *model.cursorA, 6, false) : Dash;
     cells += b ? curveTextAt(curve, *model.cursorB, 6, false) : Dash;
@@ -37,9 +40,12 @@ QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
     // Whole numbers keep every digit: also where a double does not hold them.
     const auto decimals = isNumber ? curve.decimals() : std::nullopt;
     const int behind = decimals.value_or(0);
-    const auto wholeA = a && decimals ? curve.source->integerAt(*model.cursorA) : std::nullopt, wholeB = b && decimals ? curve.source->integerAt(*model.cursorB) : std::nullopt;
-    if (wholeA && wholeB) cells += minusOf(exactDifference(*wholeA, *wholeB, behind));
-    else cells += a && b && isNumber ? numberText(curve, curve.shown(b->value) - curve.shown(a->value)) : Dash;
+    const auto wholeA = a && decimals ? curve.source->integerAt(*model.cursorA) : std::nullopt,
+               wholeB = b && decimals ? curve.source->integerAt(*model.cursorB) : std::nullopt;
+    if (wholeA && wholeB)
+        cells += minusOf(exactDifference(*wholeA, *wholeB, behind));
+    else
+        cells += a && b && isNumber ? numberText(curve, curve.shown(b->value) - curve.shown(a->value)) : Dash;
     if (!model.cursorA || !model.cursorB || !curve.source || !isNumber) {
         while (cells.size() < 11) cells += Dash;
         return cells;
@@ -49,10 +55,14 @@ QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
     const Measurement m = measure(*curve.source, *model.cursorA, *model.cursorB, options);
     auto shown = [&](double raw) { return m.count > 0 ? valueText(curve.shown(raw), 6) : Dash; };
     const bool flipped = curve.scale < 0;
-    const auto whole = decimals ? curve.source->integerExtent(std::min(*model.cursorA, *model.cursorB), std::max(*model.cursorA, *model.cursorB)) : std::nullopt;
+    const auto whole = decimals ? curve.source->integerExtent(std::min(*model.cursorA, *model.cursorB),
+                                                              std::max(*model.cursorA, *model.cursorB))
+                                : std::nullopt;
     if (whole && m.count > 0) {
-        cells += curve.integerText ? curve.integerText(static_cast<int64_t>(whole->first.bits)) : minusOf(exactText(whole->first, behind));
-        cells += curve.integerText ? curve.integerText(static_cast<int64_t>(whole->second.bits)) : minusOf(exactText(whole->second, behind));
+        cells += curve.integerText ? curve.integerText(static_cast<int64_t>(whole->first.bits))
+                                   : minusOf(exactText(whole->first, behind));
+        cells += curve.integerText ? curve.integerText(static_cast<int64_t>(whole->second.bits))
+                                   : minusOf(exactText(whole->second, behind));
     } else {
         cells += m.count > 0 ? numberText(curve, curve.shown(flipped ? m.maximum : m.minimum)) : Dash;
         cells += m.count > 0 ? numberText(curve, curve.shown(flipped ? m.minimum : m.maximum)) : Dash;
@@ -60,7 +70,10 @@ QStringList cellsOf(const PlotModel& model, const PlotCurve& curve) {
     cells += shown(m.mean);
     // RMS of scaled values: from the mean of squares, with the offset worked in.
     cells += m.count == 0 ? Dash
-                          : valueText(std::sqrt(std::max(0.0, curve.scale * curve.scale * m.rms * m.rms + 2 * curve.scale * curve.offset * m.mean + curve.offset * curve.offset)), 6);
+                          : valueText(std::sqrt(std::max(0.0, curve.scale * curve.scale * m.rms * m.rms +
+                                                                  2 * curve.scale * curve.offset * m.mean +
+                                                                  curve.offset * curve.offset)),
+                                      6);
     cells += m.riseTime ? durationText(*m.riseTime) : Dash;
     cells += m.overshoot ? valueText(*m.overshoot, 3) + QStringLiteral(" %") : Dash;
     cells += m.settlingTime ? durationText(*m.settlingTime) : Dash;
@@ -80,7 +93,10 @@ MeasureTable measureTable(const PlotModel& model, bool everyColumn) {
         head += QStringLiteral("1/Δt = %1").arg(frequencyText(width));
     }
     table.headline = head.join(QStringLiteral("     "));
-    table.headers = {PlotText::tr("Channel"), PlotText::tr("At A"), PlotText::tr("At B"), QStringLiteral("Δy"), PlotText::tr("Min"), PlotText::tr("Max"), PlotText::tr("Mean"), PlotText::tr("RMS"), PlotText::tr("Rise time"), PlotText::tr("Overshoot"), PlotText::tr("Settling")};
+    table.headers = {PlotText::tr("Channel"),   PlotText::tr("At A"),    PlotText::tr("At B"),
+                     QStringLiteral("Δy"),      PlotText::tr("Min"),     PlotText::tr("Max"),
+                     PlotText::tr("Mean"),      PlotText::tr("RMS"),     PlotText::tr("Rise time"),
+                     PlotText::tr("Overshoot"), PlotText::tr("Settling")};
     for (size_t i = 0; i < model.curves.size(); ++i) {
         const PlotCurve& curve = model.curves[i];
         if (curve.isVisible) table.rows.push_back({static_cast<int>(i), curve.color, cellsOf(model, curve)});
@@ -119,7 +135,8 @@ void paintMeasureTable(QPainter& painter, const QRectF& rect, const PlotModel& m
         std::vector<double> result;
         for (qsizetype column = 0; column < table.headers.size(); ++column) {
             double wide = strongMetrics.horizontalAdvance(table.headers[column]);
-            for (const MeasureTable::Row& r : table.rows) wide = std::max(wide, metrics.horizontalAdvance(r.cells[column]) + (column == 0 ? 16 : 0));
+            for (const MeasureTable::Row& r : table.rows)
+                wide = std::max(wide, metrics.horizontalAdvance(r.cells[column]) + (column == 0 ? 16 : 0));
             result.push_back(wide + 16);
         }
         return result;
@@ -141,7 +158,8 @@ void paintMeasureTable(QPainter& painter, const QRectF& rect, const PlotModel& m
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setFont(bold);
     painter.setPen(c.text);
-    painter.drawText(QRectF(rect.left(), rect.top(), rect.width(), row), Qt::AlignVCenter | Qt::AlignLeft, table.headline);
+    painter.drawText(QRectF(rect.left(), rect.top(), rect.width(), row), Qt::AlignVCenter | Qt::AlignLeft,
+                     table.headline);
     QFont strong = cellFont;
     strong.setWeight(QFont::DemiBold);
     double y = rect.top() + row + 4;
@@ -152,7 +170,8 @@ void paintMeasureTable(QPainter& painter, const QRectF& rect, const PlotModel& m
         for (qsizetype column = 0; column < cells.size(); ++column) {
             const double w = wide[static_cast<size_t>(column)];
             const QRectF cell(x + (column == 0 ? (isHeader ? 0 : 16) : 4), at, w - (column == 0 ? 18 : 8), row);
-            const QString text = QFontMetricsF(isHeader ? strong : cellFont).elidedText(cells[column], Qt::ElideMiddle, cell.width() + 1);
+            const QString text = QFontMetricsF(isHeader ? strong : cellFont)
+                                     .elidedText(cells[column], Qt::ElideMiddle, cell.width() + 1);
             painter.drawText(cell, Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight), text);
             x += w;
         }

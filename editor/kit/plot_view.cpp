@@ -72,7 +72,8 @@ void PlotView::zoomBack() {
     const Past past = m_past.back();
     m_past.pop_back();
     for (size_t c = 0; c < past.zooms.size() && c < m_model.charts.size(); ++c)
-        for (size_t a = 0; a < past.zooms[c].size() && a < m_model.charts[c].axes.size(); ++a) m_model.charts[c].axes[a].zoom = past.zooms[c][a];
+        for (size_t a = 0; a < past.zooms[c].size() && a < m_model.charts[c].axes.size(); ++a)
+            m_model.charts[c].axes[a].zoom = past.zooms[c][a];
     takeRange(past.from, past.to);
 }
 
@@ -114,7 +115,8 @@ void PlotView::fitValues() {
 
 void PlotView::zoomTime(double factor, int64_t about) {
     const double before = static_cast<double>(about - m_model.from), after = static_cast<double>(m_model.to - about);
-    const auto from = about - static_cast<int64_t>(std::llround(before * factor)), to = about + static_cast<int64_t>(std::llround(after * factor));
+    const auto from = about - static_cast<int64_t>(std::llround(before * factor)),
+               to = about + static_cast<int64_t>(std::llround(after * factor));
     if (m_follow && factor < 1 && to < m_model.to - (m_model.to - m_model.from) / 50) setFollowing(false);
     takeRange(from, to);
 }
@@ -169,14 +171,16 @@ void PlotView::refresh() {
         std::optional<int64_t> newest;
         for (const PlotCurve& curve : m_model.curves)
             if (curve.source)
-                if (const auto range = curve.source->timeRange()) newest = std::max(newest.value_or(range->second), range->second);
+                if (const auto range = curve.source->timeRange())
+                    newest = std::max(newest.value_or(range->second), range->second);
         if (newest) {
             // Until the first screen is full the picture grows from the left, afterwards it moves.
             const int64_t span = m_model.to - m_model.from;
             const auto whole = wholeRange(m_model);
             // In small steps: between them only the curves grow, and the axes, the dearer part, stay as they are.
             const int64_t step = std::max<int64_t>(1, span / 80);
-            const int64_t to = whole && *newest - whole->first < span ? whole->first + span : (*newest / step + 2) * step;
+            const int64_t to =
+                whole && *newest - whole->first < span ? whole->first + span : (*newest / step + 2) * step;
             takeRange(to - span, to);
         }
     }
@@ -209,7 +213,9 @@ void PlotView::moveActiveCursor(int samples) {
     auto& cursor = m_activeCursor == 0 ? m_model.cursorA : m_model.cursorB;
     if (!cursor) return;
     std::vector<const SampleSource*> sources;
-    if (const PlotCurve* selected = findCurve(m_model, m_model.selected); selected && selected->source && selected->isVisible) sources = {selected->source.get()};
+    if (const PlotCurve* selected = findCurve(m_model, m_model.selected);
+        selected && selected->source && selected->isVisible)
+        sources = {selected->source.get()};
     else
         for (const PlotCurve& curve : m_model.curves)
             if (curve.isVisible && curve.source) sources.push_back(curve.source.get());
@@ -223,13 +229,17 @@ void PlotView::moveActiveCursor(int samples) {
         cursor = next;
     }
     const int64_t span = m_model.to - m_model.from;
-    if (*cursor < m_model.from) takeRange(*cursor - span / 10, *cursor - span / 10 + span);
-    else if (*cursor > m_model.to) takeRange(*cursor + span / 10 - span, *cursor + span / 10);
+    if (*cursor < m_model.from)
+        takeRange(*cursor - span / 10, *cursor - span / 10 + span);
+    else if (*cursor > m_model.to)
+        takeRange(*cursor + span / 10 - span, *cursor + span / 10);
     update();
     emit cursorsChanged();
 }
 
-QImage PlotView::picture(double scale) const { return plotPicture(m_model, {size(), scale > 0 ? scale : devicePixelRatioF()}); }
+QImage PlotView::picture(double scale) const {
+    return plotPicture(m_model, {size(), scale > 0 ? scale : devicePixelRatioF()});
+}
 
 void PlotView::paintEvent(QPaintEvent*) {
     const double ratio = devicePixelRatioF();
@@ -273,8 +283,10 @@ void PlotView::wheelEvent(QWheelEvent* event) {
     if (shift && !control) {
         panTime(-0.1 * steps);
     } else {
-        if (axis && !control) zoomValues(factor, axis->first, axis->second, at.y());
-        else if (control) zoomValues(factor, chartAt(at), std::nullopt, at.y());
+        if (axis && !control)
+            zoomValues(factor, axis->first, axis->second, at.y());
+        else if (control)
+            zoomValues(factor, chartAt(at), std::nullopt, at.y());
         if (!axis && (!control || shift)) zoomTime(factor, timeMapping().timeAt(at.x()));
     }
     event->accept();
@@ -284,7 +296,9 @@ int PlotView::chartAt(const QPointF& point) const {
     int best = 0;
     double distance = 1e9;
     for (const PlotPane& pane : m_renderer.panes()) {
-        const double d = point.y() < pane.area.top() ? pane.area.top() - point.y() : point.y() > pane.area.bottom() ? point.y() - pane.area.bottom() : 0;
+        const double d = point.y() < pane.area.top()      ? pane.area.top() - point.y()
+                         : point.y() > pane.area.bottom() ? point.y() - pane.area.bottom()
+                                                          : 0;
         if (d < distance) distance = d, best = pane.chart;
     }
     return best;
@@ -344,8 +358,10 @@ QRectF PlotView::boxNow() const {
     const QRectF all = m_renderer.plotArea();
     QRectF box = QRectF(m_dragFrom, m_dragAt).normalized();
     // A flat box means time only, over all charts; a narrow one values only.
-    if (pane->isLanes || std::abs(m_dragAt.y() - m_dragFrom.y()) < 4 * BoxReach) return QRectF(box.left(), all.top(), box.width(), all.height()).intersected(all);
-    if (std::abs(m_dragAt.x() - m_dragFrom.x()) < 2 * BoxReach) return QRectF(pane->area.left(), box.top(), pane->area.width(), box.height()).intersected(pane->area);
+    if (pane->isLanes || std::abs(m_dragAt.y() - m_dragFrom.y()) < 4 * BoxReach)
+        return QRectF(box.left(), all.top(), box.width(), all.height()).intersected(all);
+    if (std::abs(m_dragAt.x() - m_dragFrom.x()) < 2 * BoxReach)
+        return QRectF(pane->area.left(), box.top(), pane->area.width(), box.height()).intersected(pane->area);
     return box.intersected(pane->area);
 }
 
@@ -360,7 +376,8 @@ void PlotView::applyBox(const QRectF& box) {
     if (!wholeHeight)
         for (size_t i = 0; i < pane->axes.size(); ++i) {
             const PlotMapping map = m_renderer.mapping(m_model, *pane, i);
-            m_model.charts[static_cast<size_t>(pane->chart)].axes[static_cast<size_t>(pane->axes[i])].zoom = PlotRange{map.valueAt(box.bottom()), map.valueAt(box.top())};
+            m_model.charts[static_cast<size_t>(pane->chart)].axes[static_cast<size_t>(pane->axes[i])].zoom =
+                PlotRange{map.valueAt(box.bottom()), map.valueAt(box.top())};
         }
     if (!wholeWidth) {
         setFollowing(false);
@@ -374,20 +391,29 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     switch (m_drag) {
     case Drag::None: {
         const bool onCursor = cursorNear(event->position()).has_value();
-        if (onCursor) QWidget::setCursor(Qt::SplitHCursor);
-        else if (m_renderer.legendAt(event->position())) QWidget::setCursor(Qt::PointingHandCursor);
-        else if (m_renderer.paneAt(event->position())) QWidget::setCursor(m_tool == PlotTool::Pan ? Qt::OpenHandCursor : Qt::CrossCursor);
-        else unsetCursor();
+        if (onCursor)
+            QWidget::setCursor(Qt::SplitHCursor);
+        else if (m_renderer.legendAt(event->position()))
+            QWidget::setCursor(Qt::PointingHandCursor);
+        else if (m_renderer.paneAt(event->position()))
+            QWidget::setCursor(m_tool == PlotTool::Pan ? Qt::OpenHandCursor : Qt::CrossCursor);
+        else
+            unsetCursor();
         return;
     }
-    case Drag::Box: update(); return;
+    case Drag::Box:
+        update();
+        return;
     case Drag::CursorA:
-    case Drag::CursorB: setCursor(m_drag == Drag::CursorA ? 0 : 1, timeMapping().timeAt(m_dragAt.x())); return;
+    case Drag::CursorB:
+        setCursor(m_drag == Drag::CursorA ? 0 : 1, timeMapping().timeAt(m_dragAt.x()));
+        return;
     case Drag::Pan: {
         if (!m_panRemembered) remember();
         m_panRemembered = true;
         const double width = std::max(1.0, timeMapping().area.width());
-        const auto by = static_cast<int64_t>((m_dragFrom.x() - m_dragAt.x()) / width * static_cast<double>(m_panTo - m_panFrom));
+        const auto by =
+            static_cast<int64_t>((m_dragFrom.x() - m_dragAt.x()) / width * static_cast<double>(m_panTo - m_panFrom));
         if (by != 0) setFollowing(false);
         takeRange(m_panFrom + by, m_panTo + by);
         return;
@@ -404,26 +430,47 @@ void PlotView::mouseReleaseEvent(QMouseEvent*) {
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
     m_drag = Drag::None;
-    if (m_renderer.paneAt(event->position())) emit timeActivated(snappedTime(m_model, timeMapping().timeAt(event->position().x())));
+    if (m_renderer.paneAt(event->position()))
+        emit timeActivated(snappedTime(m_model, timeMapping().timeAt(event->position().x())));
 }
 
 void PlotView::keyPressEvent(QKeyEvent* event) {
     const bool control = event->modifiers() & Qt::ControlModifier;
     const int64_t middle = m_model.from + (m_model.to - m_model.from) / 2;
     switch (event->key()) {
-    case Qt::Key_Left: control || hasCursors() ? moveActiveCursor(control ? -10 : -1) : panTime(-0.1); return;
-    case Qt::Key_Right: control || hasCursors() ? moveActiveCursor(control ? 10 : 1) : panTime(0.1); return;
-    case Qt::Key_PageUp: panTime(-0.9); return;
-    case Qt::Key_PageDown: panTime(0.9); return;
+    case Qt::Key_Left:
+        control || hasCursors() ? moveActiveCursor(control ? -10 : -1) : panTime(-0.1);
+        return;
+    case Qt::Key_Right:
+        control || hasCursors() ? moveActiveCursor(control ? 10 : 1) : panTime(0.1);
+        return;
+    case Qt::Key_PageUp:
+        panTime(-0.9);
+        return;
+    case Qt::Key_PageDown:
+        panTime(0.9);
+        return;
     case Qt::Key_Plus:
-    case Qt::Key_Equal: zoomTime(0.8, middle); return;
-    case Qt::Key_Minus: zoomTime(1.25, middle); return;
-    case Qt::Key_Home: fit(); return;
-    case Qt::Key_End: setFollowing(true); return;
-    case Qt::Key_Backspace: zoomBack(); return;
+    case Qt::Key_Equal:
+        zoomTime(0.8, middle);
+        return;
+    case Qt::Key_Minus:
+        zoomTime(1.25, middle);
+        return;
+    case Qt::Key_Home:
+        fit();
+        return;
+    case Qt::Key_End:
+        setFollowing(true);
+        return;
+    case Qt::Key_Backspace:
+        zoomBack();
+        return;
     case Qt::Key_C:
-        if (control) copyPicture(m_model, {size(), 2});
-        else setCursorsShown(!hasCursors());
+        if (control)
+            copyPicture(m_model, {size(), 2});
+        else
+            setCursorsShown(!hasCursors());
         return;
     case Qt::Key_Tab:
         if (hasCursors() && m_model.cursorA && m_model.cursorB) {
@@ -438,7 +485,8 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             return;
         }
         break;
-    default: break;
+    default:
+        break;
     }
     QWidget::keyPressEvent(event);
 }
@@ -446,8 +494,10 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
 void PlotView::contextMenuEvent(QContextMenuEvent* event) {
     QString id;
     const QPointF at(event->pos());
-    if (const auto entry = m_renderer.legendAt(at)) id = m_model.curves[static_cast<size_t>(*entry)].id;
-    else if (const auto lane = m_renderer.laneAt(at)) id = m_model.curves[static_cast<size_t>(*lane)].id;
+    if (const auto entry = m_renderer.legendAt(at))
+        id = m_model.curves[static_cast<size_t>(*entry)].id;
+    else if (const auto lane = m_renderer.laneAt(at))
+        id = m_model.curves[static_cast<size_t>(*lane)].id;
     emit menuRequested(event->globalPos(), chartAt(at), id);
 }
 
@@ -486,20 +536,26 @@ bool PlotView::event(QEvent* event) {
             text = QStringLiteral("%1\n%2").arg(m.text, momentText(m.time - m_model.origin));
         } else if (const auto entry = m_renderer.legendAt(at)) {
             const PlotCurve& curve = m_model.curves[static_cast<size_t>(*entry)];
-            text = curve.problem.isEmpty() ? tr("%1\nClick selects, Ctrl+click shows or hides.").arg(curve.name) : QStringLiteral("%1\n%2").arg(curve.name, curve.problem);
+            text = curve.problem.isEmpty() ? tr("%1\nClick selects, Ctrl+click shows or hides.").arg(curve.name)
+                                           : QStringLiteral("%1\n%2").arg(curve.name, curve.problem);
         } else if (m_renderer.paneAt(at)) {
             const int64_t time = timeMapping().timeAt(at.x());
             text = momentText(snappedTime(m_model, time) - m_model.origin);
             for (const PlotCurve& curve : m_model.curves) {
                 if (!curve.isVisible || !curve.source || curve.chart != chartAt(at)) continue;
-                if (const int64_t at = snappedTime(m_model, time); curve.source->inForceAt(at)) text += QStringLiteral("\n%1 = %2").arg(curve.name, curveTextAt(curve, at));
+                if (const int64_t at = snappedTime(m_model, time); curve.source->inForceAt(at))
+                    text += QStringLiteral("\n%1 = %2").arg(curve.name, curveTextAt(curve, at));
             }
         }
-        if (text.isEmpty()) QToolTip::hideText();
-        else QToolTip::showText(help->globalPos(), text, this);
+        if (text.isEmpty())
+            QToolTip::hideText();
+        else
+            QToolTip::showText(help->globalPos(), text, this);
         return true;
     }
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) markDirty();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange ||
+        event->type() == QEvent::StyleChange)
+        markDirty();
     return QWidget::event(event);
 }
 

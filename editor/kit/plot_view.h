@@ -1,5 +1,6 @@
-// The plot as a widget: zoom with wheel and box on x, y or both, pan, two cursors that snap to samples, follow the newest sample.
-// It owns its model; sources are shared with whoever fills them. `refresh` is called by a timer of the owner. GUI thread.
+// The plot as a widget: zoom with wheel and box on x, y or both, pan, two cursors that snap to samples, follow the
+// newest sample. It owns its model; sources are shared with whoever fills them. `refresh` is called by a timer of the
+// owner. GUI thread.
 #pragma once
 
 #include "editor/kit/plot_renderer.h"

@@ -35,7 +35,8 @@ public:
 /// A line with a button at its end: files, variables, long texts.
 class LineWithButton : public QWidget {
 public:
-    LineWithButton(ExpressionEdit* line, Icon which, const QString& toolTip, QWidget* parent) : QWidget(parent), m_line(line) {
+    LineWithButton(ExpressionEdit* line, Icon which, const QString& toolTip, QWidget* parent)
+        : QWidget(parent), m_line(line) {
         auto* layout = new QHBoxLayout(this);
         layout->setContentsMargins(0, 0, 0, 0);
         layout->setSpacing(0);
@@ -95,9 +96,11 @@ QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) co
     line->setPlaceholderText(d.placeholder);
     if (d.kind == PropertyKind::Expression) {
         line->setCompletionSource(m_grid.m_completions);
-        if (m_grid.m_check) line->setCheck([check = m_grid.m_check, id](const QString& text) { return check(id, text); });
+        if (m_grid.m_check)
+            line->setCheck([check = m_grid.m_check, id](const QString& text) { return check(id, text); });
     }
-    auto withButton = [&](Icon which, const QString& toolTip, std::function<std::optional<QString>(const QString&)> ask) -> QWidget* {
+    auto withButton = [&](Icon which, const QString& toolTip,
+                          std::function<std::optional<QString>(const QString&)> ask) -> QWidget* {
         auto* editor = new LineWithButton(line, which, toolTip, parent);
         connect(editor->button(), &QToolButton::clicked, editor, [this, editor, ask] {
             // The dialog takes the focus away; the editor must stay until it is answered.
@@ -114,21 +117,25 @@ QWidget* PropertyDelegate::makeTextEditor(QWidget* parent, const QString& id) co
         if (!m_grid.m_picker) return line;
         return withButton(Icon::Watch, PropertyGrid::tr("Choose a variable"), m_grid.m_picker);
     case PropertyKind::File:
-        return withButton(Icon::Folder, PropertyGrid::tr("Choose a file"), [this, filter = d.fileFilter](const QString& current) -> std::optional<QString> {
-            const QDir folder(m_grid.m_folder);
-            const QString path = QFileDialog::getOpenFileName(&m_grid, PropertyGrid::tr("Choose a file"), folder.absoluteFilePath(current), filter);
-            if (path.isEmpty()) return std::nullopt;
-            return m_grid.m_folder.isEmpty() ? path : folder.relativeFilePath(path);
-        });
+        return withButton(Icon::Folder, PropertyGrid::tr("Choose a file"),
+                          [this, filter = d.fileFilter](const QString& current) -> std::optional<QString> {
+                              const QDir folder(m_grid.m_folder);
+                              const QString path = QFileDialog::getOpenFileName(
+                                  &m_grid, PropertyGrid::tr("Choose a file"), folder.absoluteFilePath(current), filter);
+                              if (path.isEmpty()) return std::nullopt;
+                              return m_grid.m_folder.isEmpty() ? path : folder.relativeFilePath(path);
+                          });
     case PropertyKind::LongText:
         return withButton(Icon::Edit, PropertyGrid::tr("Edit in a window"), [this, label = d.label](const QString&) {
             return askLongText(label, m_grid.value(idOf(m_grid.currentIndex())).toString(), &m_grid);
         });
-    default: return line;
+    default:
+        return line;
     }
 }
 
-QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                                        const QModelIndex& index) const {
     const QString id = idOf(index);
     const PropertyDescriptor* d = m_grid.descriptor(id);
     if (!d || index.column() != 1) return nullptr;
@@ -137,7 +144,8 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
     case PropertyKind::Integer: {
         auto* spin = new QSpinBox(parent);
         spin->setFrame(false);
-        spin->setRange(static_cast<int>(std::max(d->minimum, -2147483648.0)), static_cast<int>(std::min(d->maximum, 2147483647.0)));
+        spin->setRange(static_cast<int>(std::max(d->minimum, -2147483648.0)),
+                       static_cast<int>(std::min(d->maximum, 2147483647.0)));
         spin->setSingleStep(std::max(1, static_cast<int>(d->step)));
         spin->setSuffix(d->suffix);
         connect(spin, &QSpinBox::valueChanged, grid, [grid, id](int value) { emit grid->previewed(id, value); });
@@ -150,14 +158,17 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
         spin->setRange(d->minimum, d->maximum);
         spin->setSingleStep(d->step);
         spin->setSuffix(d->suffix);
-        connect(spin, &QDoubleSpinBox::valueChanged, grid, [grid, id](double value) { emit grid->previewed(id, value); });
+        connect(spin, &QDoubleSpinBox::valueChanged, grid,
+                [grid, id](double value) { emit grid->previewed(id, value); });
         return spin;
     }
     case PropertyKind::Enumeration: {
         auto* combo = new QComboBox(parent);
         combo->setFrame(false);
-        for (const PropertyChoice& choice : d->choices) combo->addItem(choice.icon ? icon(*choice.icon) : QIcon(), choice.label, choice.value);
-        connect(combo, &QComboBox::highlighted, grid, [grid, id, combo](int row) { emit grid->previewed(id, combo->itemData(row)); });
+        for (const PropertyChoice& choice : d->choices)
+            combo->addItem(choice.icon ? icon(*choice.icon) : QIcon(), choice.label, choice.value);
+        connect(combo, &QComboBox::highlighted, grid,
+                [grid, id, combo](int row) { emit grid->previewed(id, combo->itemData(row)); });
         connect(combo, &QComboBox::activated, this, [this, combo] { finish(combo); });
         QTimer::singleShot(0, combo, [combo] { combo->showPopup(); });
         return combo;
@@ -165,10 +176,12 @@ QWidget* PropertyDelegate::createEditor(QWidget* parent, const QStyleOptionViewI
     case PropertyKind::Text:
     case PropertyKind::LongText:
     case PropertyKind::Expression:
-    case PropertyKind::File: return makeTextEditor(parent, id);
+    case PropertyKind::File:
+        return makeTextEditor(parent, id);
     case PropertyKind::Bool:
     case PropertyKind::Color:
-    case PropertyKind::Action: return nullptr;
+    case PropertyKind::Action:
+        return nullptr;
     }
     return QStyledItemDelegate::createEditor(parent, option, index);
 }
@@ -202,7 +215,8 @@ std::optional<QVariant> PropertyDelegate::valueOf(QWidget* editor, const QString
         number->interpretText();
         return number->value();
     }
-    if (auto* combo = qobject_cast<QComboBox*>(editor)) return combo->currentIndex() >= 0 ? std::optional(combo->currentData()) : std::nullopt;
+    if (auto* combo = qobject_cast<QComboBox*>(editor))
+        return combo->currentIndex() >= 0 ? std::optional(combo->currentData()) : std::nullopt;
     auto* line = qobject_cast<ExpressionEdit*>(editor);
     if (auto* both = dynamic_cast<LineWithButton*>(editor)) line = both->line();
     if (!line || (m_grid.isVarious(id) && line->text().isEmpty())) return std::nullopt;
@@ -221,7 +235,9 @@ bool PropertyDelegate::eventFilter(QObject* object, QEvent* event) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         auto* line = qobject_cast<ExpressionEdit*>(editor);
         if (auto* both = dynamic_cast<LineWithButton*>(editor)) line = both->line();
-        if (line && line->isCompletionShown() && (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Escape)) return false;
+        if (line && line->isCompletionShown() &&
+            (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Escape))
+            return false;
         if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !qobject_cast<QComboBox*>(editor)) {
             finish(editor); // at once: the key must not reach the grid, which would open the editor again
             return true;
@@ -249,8 +265,10 @@ void PropertyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
     if (d->kind == PropertyKind::Bool) {
         QStyleOptionButton check;
         check.rect = box;
-        check.state = (d->isReadOnly ? QStyle::State_None : QStyle::State_Enabled) |
-                      (various ? QStyle::State_NoChange : value.toBool() ? QStyle::State_On : QStyle::State_Off);
+        check.state =
+            (d->isReadOnly ? QStyle::State_None : QStyle::State_Enabled) | (various          ? QStyle::State_NoChange
+                                                                            : value.toBool() ? QStyle::State_On
+                                                                                             : QStyle::State_Off);
         QApplication::style()->drawPrimitive(QStyle::PE_IndicatorCheckBox, &check, painter, &m_grid);
         if (!various) text.clear();
     } else if (d->kind == PropertyKind::Color) {

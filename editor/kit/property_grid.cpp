@@ -21,9 +21,12 @@ constexpr int IdRole = Qt::UserRole + 1;
 QString propertyText(const PropertyDescriptor& descriptor, const QVariant& value) {
     if (!value.isValid()) return {};
     switch (descriptor.kind) {
-    case PropertyKind::Integer: return QString::number(value.toLongLong()) + descriptor.suffix;
-    case PropertyKind::Number: return QString::number(value.toDouble(), 'g', 10) + descriptor.suffix;
-    case PropertyKind::Bool: return value.toBool() ? PropertyGrid::tr("Yes") : PropertyGrid::tr("No");
+    case PropertyKind::Integer:
+        return QString::number(value.toLongLong()) + descriptor.suffix;
+    case PropertyKind::Number:
+        return QString::number(value.toDouble(), 'g', 10) + descriptor.suffix;
+    case PropertyKind::Bool:
+        return value.toBool() ? PropertyGrid::tr("Yes") : PropertyGrid::tr("No");
     case PropertyKind::Enumeration:
         for (const PropertyChoice& choice : descriptor.choices)
             if (choice.value == value) return choice.label;
@@ -33,11 +36,13 @@ QString propertyText(const PropertyDescriptor& descriptor, const QVariant& value
         if (!color.isValid()) return PropertyGrid::tr("None");
         return color.alpha() == 255 ? color.name() : color.name(QColor::HexArgb);
     }
-    case PropertyKind::LongText: return value.toString().section(QLatin1Char('\n'), 0, 0);
+    case PropertyKind::LongText:
+        return value.toString().section(QLatin1Char('\n'), 0, 0);
     case PropertyKind::Text:
     case PropertyKind::Expression:
     case PropertyKind::File:
-    case PropertyKind::Action: return value.toString();
+    case PropertyKind::Action:
+        return value.toString();
     }
     return {};
 }
@@ -96,7 +101,9 @@ PropertyGrid::Entry* PropertyGrid::entry(const QString& id) {
     return nullptr;
 }
 
-const PropertyGrid::Entry* PropertyGrid::entry(const QString& id) const { return const_cast<PropertyGrid*>(this)->entry(id); }
+const PropertyGrid::Entry* PropertyGrid::entry(const QString& id) const {
+    return const_cast<PropertyGrid*>(this)->entry(id);
+}
 
 PropertyGrid::Entry* PropertyGrid::entryOf(const QTreeWidgetItem* item) {
     return item && item->parent() ? entry(item->data(0, IdRole).toString()) : nullptr;
@@ -155,7 +162,8 @@ void PropertyGrid::setFilter(const QString& text) {
         bool any = false;
         for (int j = 0; j < group->childCount(); ++j) {
             QTreeWidgetItem* item = group->child(j);
-            const bool shown = text.isEmpty() || item->text(0).contains(text, Qt::CaseInsensitive) || item->text(1).contains(text, Qt::CaseInsensitive) ||
+            const bool shown = text.isEmpty() || item->text(0).contains(text, Qt::CaseInsensitive) ||
+                               item->text(1).contains(text, Qt::CaseInsensitive) ||
                                item->data(0, IdRole).toString().contains(text, Qt::CaseInsensitive);
             item->setHidden(!shown);
             any |= shown;
@@ -179,8 +187,12 @@ void PropertyGrid::editProperty(const QString& id) {
     if (!e || e->descriptor.isReadOnly) return;
     setCurrentItem(e->item);
     switch (e->descriptor.kind) {
-    case PropertyKind::Bool: commit(id, !e->value.toBool()); return;
-    case PropertyKind::Action: emit actionRequested(id); return;
+    case PropertyKind::Bool:
+        commit(id, !e->value.toBool());
+        return;
+    case PropertyKind::Action:
+        emit actionRequested(id);
+        return;
     case PropertyKind::Color: {
         const QVariant before = e->value;
         auto* popup = new ColorPopup(before.value<QColor>(), true, this);
@@ -195,10 +207,12 @@ void PropertyGrid::editProperty(const QString& id) {
             delete done;
         });
         const QRect cell = visualItemRect(e->item);
-        popup->openBelow(QRect(viewport()->mapToGlobal(QPoint(columnViewportPosition(1), cell.top())), QSize(columnWidth(1), cell.height())));
+        popup->openBelow(QRect(viewport()->mapToGlobal(QPoint(columnViewportPosition(1), cell.top())),
+                               QSize(columnWidth(1), cell.height())));
         return;
     }
-    default: editItem(e->item, 1);
+    default:
+        editItem(e->item, 1);
     }
 }
 
@@ -228,7 +242,8 @@ void PropertyGrid::mousePressEvent(QMouseEvent* event) {
 
 void PropertyGrid::keyPressEvent(QKeyEvent* event) {
     const Entry* e = entryOf(currentItem());
-    if (e && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2 || event->key() == Qt::Key_Space)) {
+    if (e && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2 ||
+              event->key() == Qt::Key_Space)) {
         editProperty(e->descriptor.id);
         return;
     }
@@ -241,7 +256,8 @@ void PropertyGrid::contextMenuEvent(QContextMenuEvent* event) {
     const QString id = e->descriptor.id;
     QMenu menu(this);
     QAction* reset = menu.addAction(icon(Icon::Reset), tr("Reset"));
-    reset->setEnabled(!e->descriptor.isReadOnly && e->descriptor.defaultValue.isValid() && (e->isVarious || e->value != e->descriptor.defaultValue));
+    reset->setEnabled(!e->descriptor.isReadOnly && e->descriptor.defaultValue.isValid() &&
+                      (e->isVarious || e->value != e->descriptor.defaultValue));
     connect(reset, &QAction::triggered, this, [this, id] {
         emit resetRequested(id);
         if (Entry* now = entry(id)) commit(id, now->descriptor.defaultValue);

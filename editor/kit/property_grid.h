@@ -1,6 +1,6 @@
-// A property grid made from descriptors: it shows values, offers the fitting editor, and reports edits; it changes no model.
-// While a value is being spun or picked it is `previewed`; once the user is done it is `committed`, exactly once: one undo step.
-// Owned by its Qt parent; GUI thread.
+// A property grid made from descriptors: it shows values, offers the fitting editor, and reports edits; it changes no
+// model. While a value is being spun or picked it is `previewed`; once the user is done it is `committed`, exactly
+// once: one undo step. Owned by its Qt parent; GUI thread.
 #pragma once
 
 #include "editor/kit/expression_edit.h"
@@ -17,7 +17,7 @@ namespace plc::kit {
 
 enum class PropertyKind {
     Text,
-    LongText,    // several lines, edited in a small window
+    LongText, // several lines, edited in a small window
     Integer,
     Number,
     Bool,
@@ -25,7 +25,7 @@ enum class PropertyKind {
     Color,       // a QColor, or an expression's colour; an invalid colour is "none"
     Expression,  // an ST expression with completion
     File,
-    Action       // a text and a button; pressing it emits actionRequested
+    Action // a text and a button; pressing it emits actionRequested
 };
 
 struct PropertyChoice {
@@ -72,7 +72,9 @@ public:
     void setCompletionSource(CompletionSource source) { m_completions = std::move(source); }
     void setCheck(std::function<QString(const QString& id, const QString& text)> check) { m_check = std::move(check); }
     /// Called by the "…" button beside an expression.
-    void setPicker(std::function<std::optional<QString>(const QString& current)> picker) { m_picker = std::move(picker); }
+    void setPicker(std::function<std::optional<QString>(const QString& current)> picker) {
+        m_picker = std::move(picker);
+    }
     /// Files are shown relative to this folder.
     void setBaseFolder(const QString& folder) { m_folder = folder; }
 

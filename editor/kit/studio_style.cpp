@@ -20,7 +20,8 @@ namespace {
 
 constexpr qreal Radius = 4;
 
-void fillRound(QPainter* painter, const QRectF& rect, const QColor& fill, const QColor& line = QColor(), qreal radius = Radius) {
+void fillRound(QPainter* painter, const QRectF& rect, const QColor& fill, const QColor& line = QColor(),
+               qreal radius = Radius) {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(line.isValid() ? QPen(line, 1) : QPen(Qt::NoPen));
@@ -63,70 +64,120 @@ void StudioStyle::polish(QWidget* widget) {
 
 int StudioStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
     switch (metric) {
-    case PM_ScrollBarExtent: return 11;
-    case PM_ScrollBarSliderMin: return 28;
-    case PM_SplitterWidth: return 5;
-    case PM_DockWidgetSeparatorExtent: return 5;
-    case PM_DockWidgetTitleMargin: return 5;
-    case PM_ToolBarItemSpacing: return 2;
-    case PM_ToolBarItemMargin: return 3;
-    case PM_ToolBarFrameWidth: return 0;
-    case PM_SmallIconSize: return 16;
-    case PM_ToolBarIconSize: return 18;
-    case PM_ButtonIconSize: return 16;
-    case PM_TabBarTabHSpace: return 22;
-    case PM_TabBarTabVSpace: return 10;
-    case PM_TabBarBaseOverlap: return 0;
-    case PM_TabBarTabOverlap: return 0;
-    case PM_TabBarTabShiftHorizontal: return 0;
-    case PM_TabBarTabShiftVertical: return 0;
-    case PM_MenuPanelWidth: return 1;
-    case PM_MenuVMargin: return 4;
-    case PM_MenuBarPanelWidth: return 0;
-    case PM_TreeViewIndentation: return 16;
-    case PM_HeaderMargin: return 5;
+    case PM_ScrollBarExtent:
+        return 11;
+    case PM_ScrollBarSliderMin:
+        return 28;
+    case PM_SplitterWidth:
+        return 5;
+    case PM_DockWidgetSeparatorExtent:
+        return 5;
+    case PM_DockWidgetTitleMargin:
+        return 5;
+    case PM_ToolBarItemSpacing:
+        return 2;
+    case PM_ToolBarItemMargin:
+        return 3;
+    case PM_ToolBarFrameWidth:
+        return 0;
+    case PM_SmallIconSize:
+        return 16;
+    case PM_ToolBarIconSize:
+        return 18;
+    case PM_ButtonIconSize:
+        return 16;
+    case PM_TabBarTabHSpace:
+        return 22;
+    case PM_TabBarTabVSpace:
+        return 10;
+    case PM_TabBarBaseOverlap:
+        return 0;
+    case PM_TabBarTabOverlap:
+        return 0;
+    case PM_TabBarTabShiftHorizontal:
+        return 0;
+    case PM_TabBarTabShiftVertical:
+        return 0;
+    case PM_MenuPanelWidth:
+        return 1;
+    case PM_MenuVMargin:
+        return 4;
+    case PM_MenuBarPanelWidth:
+        return 0;
+    case PM_TreeViewIndentation:
+        return 16;
+    case PM_HeaderMargin:
+        return 5;
     case PM_DefaultFrameWidth:
         return 1;
-    default: return QProxyStyle::pixelMetric(metric, option, widget);
+    default:
+        return QProxyStyle::pixelMetric(metric, option, widget);
     }
 }
 
-int StudioStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const {
+int StudioStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* data) const {
     switch (hint) {
-    case SH_EtchDisabledText: return 0;
-    case SH_DitherDisabledText: return 0;
-    case SH_ItemView_ShowDecorationSelected: return 1;
-    case SH_ScrollBar_Transient: return 0;
-    case SH_ToolTip_WakeUpDelay: return 500;
-    case SH_TabBar_CloseButtonPosition: return QTabBar::RightSide;
-    case SH_Table_GridLineColor: return static_cast<int>(colors().divider.rgba());
-    case SH_ComboBox_Popup: return 0;
-    case SH_DialogButtonBox_ButtonsHaveIcons: return 0;
-    default: return QProxyStyle::styleHint(hint, option, widget, data);
+    case SH_EtchDisabledText:
+        return 0;
+    case SH_DitherDisabledText:
+        return 0;
+    case SH_ItemView_ShowDecorationSelected:
+        return 1;
+    case SH_ScrollBar_Transient:
+        return 0;
+    case SH_ToolTip_WakeUpDelay:
+        return 500;
+    case SH_TabBar_CloseButtonPosition:
+        return QTabBar::RightSide;
+    case SH_Table_GridLineColor:
+        return static_cast<int>(colors().divider.rgba());
+    case SH_ComboBox_Popup:
+        return 0;
+    case SH_DialogButtonBox_ButtonsHaveIcons:
+        return 0;
+    default:
+        return QProxyStyle::styleHint(hint, option, widget, data);
     }
 }
 
-QSize StudioStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size, const QWidget* widget) const {
+QSize StudioStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                    const QWidget* widget) const {
     QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
     switch (type) {
-    case CT_PushButton: result = result.expandedTo(QSize(72, 28)); break;
+    case CT_PushButton:
+        result = result.expandedTo(QSize(72, 28));
+        break;
     case CT_LineEdit:
     case CT_ComboBox:
-    case CT_SpinBox: result.setHeight(std::max(result.height(), 26)); break;
-    case CT_ItemViewItem: result.setHeight(std::max(result.height(), 22)); break;
+    case CT_SpinBox:
+        result.setHeight(std::max(result.height(), 26));
+        break;
+    case CT_ItemViewItem:
+        result.setHeight(std::max(result.height(), 22));
+        break;
     case CT_MenuItem:
-        if (const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option); item && item->menuItemType != QStyleOptionMenuItem::Separator)
+        if (const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+            item && item->menuItemType != QStyleOptionMenuItem::Separator)
             result.setHeight(std::max(result.height(), 26));
         break;
-    case CT_MenuBarItem: result += QSize(4, 4); break;
-    case CT_ToolButton: result = result.expandedTo(QSize(26, 26)); break;
-    case CT_HeaderSection: result.setHeight(std::max(result.height(), 24)); break;
-    default: break;
+    case CT_MenuBarItem:
+        result += QSize(4, 4);
+        break;
+    case CT_ToolButton:
+        result = result.expandedTo(QSize(26, 26));
+        break;
+    case CT_HeaderSection:
+        result.setHeight(std::max(result.height(), 24));
+        break;
+    default:
+        break;
     }
     return result;
 }
 
-void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const {
+void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                const QWidget* widget) const {
     const ThemeColors& c = colors();
     const bool enabled = option->state & State_Enabled, hover = enabled && (option->state & State_MouseOver);
     switch (element) {
@@ -136,9 +187,13 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     case PE_PanelButtonTool: {
         const bool down = option->state & State_Sunken, on = option->state & State_On;
         if (!enabled) return;
-        if (down) fillRound(painter, option->rect.adjusted(1, 1, -1, -1), c.pressed);
-        else if (on) fillRound(painter, option->rect.adjusted(1, 1, -1, -1), c.selection, c.dark ? c.accent.darker(160) : c.accent.lighter(150));
-        else if (hover) fillRound(painter, option->rect.adjusted(1, 1, -1, -1), c.hover);
+        if (down)
+            fillRound(painter, option->rect.adjusted(1, 1, -1, -1), c.pressed);
+        else if (on)
+            fillRound(painter, option->rect.adjusted(1, 1, -1, -1), c.selection,
+                      c.dark ? c.accent.darker(160) : c.accent.lighter(150));
+        else if (hover)
+            fillRound(painter, option->rect.adjusted(1, 1, -1, -1), c.hover);
         return;
     }
     case PE_PanelLineEdit:
@@ -149,7 +204,8 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
             painter->fillRect(option->rect, option->palette.brush(QPalette::Base));
         }
         return;
-    case PE_FrameLineEdit: return;
+    case PE_FrameLineEdit:
+        return;
     case PE_Frame:
     case PE_FrameTabWidget:
     case PE_FrameDockWidget:
@@ -166,13 +222,17 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         painter->restore();
         return;
-    case PE_PanelMenu: painter->fillRect(option->rect, c.raised); return;
+    case PE_PanelMenu:
+        painter->fillRect(option->rect, c.raised);
+        return;
     case PE_PanelTipLabel:
         painter->fillRect(option->rect, c.raised);
         painter->setPen(c.border);
         painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
         return;
-    case PE_FrameGroupBox: fillRound(painter, option->rect, QColor(), c.divider); return;
+    case PE_FrameGroupBox:
+        fillRound(painter, option->rect, QColor(), c.divider);
+        return;
     case PE_FrameFocusRect:
         if (qobject_cast<const QAbstractItemView*>(widget)) return;
         fillRound(painter, option->rect, QColor(), c.accent);
@@ -187,12 +247,22 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
         const QRectF box = QRectF(option->rect).adjusted(1, 1, -1, -1);
         const bool on = option->state & State_On, partly = option->state & State_NoChange;
         const QColor fill = !enabled ? c.window : (on || partly) ? c.accent : hover ? c.hover : c.base;
-        fillRound(painter, box, fill, !enabled ? c.divider : (on || partly) ? c.accent : (option->state & State_HasFocus) ? c.accent : c.border, 2.5);
+        fillRound(painter, box, fill,
+                  !enabled                           ? c.divider
+                  : (on || partly)                   ? c.accent
+                  : (option->state & State_HasFocus) ? c.accent
+                                                     : c.border,
+                  2.5);
         const QColor ink = enabled ? c.onAccent : c.disabled;
         const QPointF o = box.topLeft();
         const qreal w = box.width(), h = box.height();
-        if (on) strokePath(painter, QPolygonF({o + QPointF(0.22 * w, 0.52 * h), o + QPointF(0.42 * w, 0.72 * h), o + QPointF(0.78 * w, 0.3 * h)}), ink, 1.7);
-        else if (partly) strokePath(painter, QPolygonF({o + QPointF(0.25 * w, 0.5 * h), o + QPointF(0.75 * w, 0.5 * h)}), ink, 1.7);
+        if (on)
+            strokePath(painter,
+                       QPolygonF({o + QPointF(0.22 * w, 0.52 * h), o + QPointF(0.42 * w, 0.72 * h),
+                                  o + QPointF(0.78 * w, 0.3 * h)}),
+                       ink, 1.7);
+        else if (partly)
+            strokePath(painter, QPolygonF({o + QPointF(0.25 * w, 0.5 * h), o + QPointF(0.75 * w, 0.5 * h)}), ink, 1.7);
         return;
     }
     case PE_IndicatorRadioButton: {
@@ -211,21 +281,32 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
             drawArrow(painter, option->rect, option->state & State_Open ? 0 : -90, hover ? c.text : c.muted);
         return;
     case PE_IndicatorArrowDown:
-    case PE_IndicatorSpinDown: drawArrow(painter, option->rect, 0, enabled ? c.muted : c.disabled); return;
+    case PE_IndicatorSpinDown:
+        drawArrow(painter, option->rect, 0, enabled ? c.muted : c.disabled);
+        return;
     case PE_IndicatorArrowUp:
-    case PE_IndicatorSpinUp: drawArrow(painter, option->rect, 180, enabled ? c.muted : c.disabled); return;
-    case PE_IndicatorArrowLeft: drawArrow(painter, option->rect, 90, enabled ? c.muted : c.disabled); return;
-    case PE_IndicatorArrowRight: drawArrow(painter, option->rect, -90, enabled ? c.muted : c.disabled); return;
+    case PE_IndicatorSpinUp:
+        drawArrow(painter, option->rect, 180, enabled ? c.muted : c.disabled);
+        return;
+    case PE_IndicatorArrowLeft:
+        drawArrow(painter, option->rect, 90, enabled ? c.muted : c.disabled);
+        return;
+    case PE_IndicatorArrowRight:
+        drawArrow(painter, option->rect, -90, enabled ? c.muted : c.disabled);
+        return;
     case PE_IndicatorToolBarSeparator: {
         painter->save();
         painter->setPen(c.border);
         const QRect r = option->rect;
-        if (option->state & State_Horizontal) painter->drawLine(r.center().x(), r.top() + 5, r.center().x(), r.bottom() - 5);
-        else painter->drawLine(r.left() + 5, r.center().y(), r.right() - 5, r.center().y());
+        if (option->state & State_Horizontal)
+            painter->drawLine(r.center().x(), r.top() + 5, r.center().x(), r.bottom() - 5);
+        else
+            painter->drawLine(r.left() + 5, r.center().y(), r.right() - 5, r.center().y());
         painter->restore();
         return;
     }
-    case PE_IndicatorDockWidgetResizeHandle: return;
+    case PE_IndicatorDockWidgetResizeHandle:
+        return;
     case PE_IndicatorTabClose: {
         const QRect box(option->rect.center() - QPoint(8, 8), QSize(17, 17));
         if (hover) fillRound(painter, box, c.pressed);
@@ -235,7 +316,8 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
         strokePath(painter, QPolygonF({m + QPointF(3, -3), m + QPointF(-3, 3)}), ink, 1.4);
         return;
     }
-    default: break;
+    default:
+        break;
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
@@ -260,7 +342,8 @@ bool StudioStyle::drawTab(const QStyleOption* option, QPainter* painter) const {
     const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
     if (!tab) return false;
     const ThemeColors& c = colors();
-    const bool open = tab->state & State_Selected, hover = (tab->state & State_MouseOver) && (tab->state & State_Enabled);
+    const bool open = tab->state & State_Selected,
+               hover = (tab->state & State_MouseOver) && (tab->state & State_Enabled);
     const QRect r = tab->rect;
     painter->fillRect(r, open ? c.base : hover ? c.hover : c.window);
     painter->save();
@@ -299,11 +382,13 @@ bool StudioStyle::drawMenuBarItem(const QStyleOption* option, QPainter* painter,
         fillRound(painter, item->rect.adjusted(1, 2, -1, -2), item->state & State_Sunken ? c.pressed : c.hover);
     int flags = Qt::AlignCenter | Qt::TextShowMnemonic | Qt::TextDontClip | Qt::TextSingleLine;
     if (!styleHint(SH_UnderlineShortcut, item, widget, nullptr)) flags |= Qt::TextHideMnemonic;
-    drawItemText(painter, item->rect, flags, item->palette, item->state & State_Enabled, item->text, QPalette::ButtonText);
+    drawItemText(painter, item->rect, flags, item->palette, item->state & State_Enabled, item->text,
+                 QPalette::ButtonText);
     return true;
 }
 
-void StudioStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const {
+void StudioStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const {
     const ThemeColors& c = colors();
     switch (element) {
     case CE_TabBarTabShape:
@@ -312,8 +397,12 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
     case CE_MenuBarItem:
         if (drawMenuBarItem(option, painter, widget)) return;
         break;
-    case CE_MenuBarEmptyArea: painter->fillRect(option->rect, c.window); return;
-    case CE_ToolBar: painter->fillRect(option->rect, c.window); return;
+    case CE_MenuBarEmptyArea:
+        painter->fillRect(option->rect, c.window);
+        return;
+    case CE_ToolBar:
+        painter->fillRect(option->rect, c.window);
+        return;
     case CE_Splitter:
         painter->fillRect(option->rect, option->state & State_MouseOver ? c.hover : c.window);
         return;
@@ -326,7 +415,8 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
             painter->setFont(font);
             const QRect text = subElementRect(SE_DockWidgetTitleBarText, option, widget).adjusted(4, 0, 0, 0);
             painter->setPen(c.muted);
-            painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft, painter->fontMetrics().elidedText(dock->title, Qt::ElideRight, text.width()));
+            painter->drawText(text, Qt::AlignVCenter | Qt::AlignLeft,
+                              painter->fontMetrics().elidedText(dock->title, Qt::ElideRight, text.width()));
             painter->restore();
             return;
         }
@@ -337,10 +427,14 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
         painter->save();
         painter->setPen(c.divider);
         painter->drawLine(option->rect.bottomLeft(), option->rect.bottomRight());
-        if (element == CE_HeaderSection) painter->drawLine(option->rect.right(), option->rect.top() + 4, option->rect.right(), option->rect.bottom() - 4);
+        if (element == CE_HeaderSection)
+            painter->drawLine(option->rect.right(), option->rect.top() + 4, option->rect.right(),
+                              option->rect.bottom() - 4);
         painter->restore();
         return;
-    case CE_ProgressBarGroove: fillRound(painter, option->rect, c.hover); return;
+    case CE_ProgressBarGroove:
+        fillRound(painter, option->rect, c.hover);
+        return;
     case CE_PushButtonLabel:
         if (const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option)) {
             QStyleOptionButton copy(*button);
@@ -350,7 +444,8 @@ void StudioStyle::drawControl(ControlElement element, const QStyleOption* option
             return;
         }
         break;
-    default: break;
+    default:
+        break;
     }
     QProxyStyle::drawControl(element, option, painter, widget);
 }
@@ -363,7 +458,8 @@ void StudioStyle::drawScrollBar(const QStyleOptionComplex* option, QPainter* pai
     if (slider->minimum == slider->maximum) return;
     const QRect handle = subControlRect(CC_ScrollBar, option, SC_ScrollBarSlider, widget);
     const bool hot = option->activeSubControls & SC_ScrollBarSlider && option->state & (State_MouseOver | State_Sunken);
-    QRectF body = slider->orientation == Qt::Horizontal ? QRectF(handle).adjusted(1, 3, -1, -2) : QRectF(handle).adjusted(3, 1, -2, -1);
+    QRectF body = slider->orientation == Qt::Horizontal ? QRectF(handle).adjusted(1, 3, -1, -2)
+                                                        : QRectF(handle).adjusted(3, 1, -2, -1);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(Qt::NoPen);
@@ -374,34 +470,46 @@ void StudioStyle::drawScrollBar(const QStyleOptionComplex* option, QPainter* pai
     painter->restore();
 }
 
-void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter, const QWidget* widget) const {
+void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                     const QWidget* widget) const {
     const ThemeColors& c = colors();
     const bool enabled = option->state & State_Enabled;
     switch (control) {
-    case CC_ScrollBar: drawScrollBar(option, painter, widget); return;
+    case CC_ScrollBar:
+        drawScrollBar(option, painter, widget);
+        return;
     case CC_ComboBox:
         if (const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
             const bool hover = enabled && option->state & State_MouseOver, focus = option->state & State_HasFocus;
             const QColor ground = !enabled ? c.window : combo->editable ? c.base : hover ? c.hover : c.raised;
-            if (combo->frame) fillRound(painter, option->rect, ground, focus ? c.accent : c.border);
-            else painter->fillRect(option->rect, ground);
-            drawArrow(painter, subControlRect(CC_ComboBox, option, SC_ComboBoxArrow, widget), 0, enabled ? c.muted : c.disabled);
+            if (combo->frame)
+                fillRound(painter, option->rect, ground, focus ? c.accent : c.border);
+            else
+                painter->fillRect(option->rect, ground);
+            drawArrow(painter, subControlRect(CC_ComboBox, option, SC_ComboBoxArrow, widget), 0,
+                      enabled ? c.muted : c.disabled);
             return;
         }
         break;
     case CC_SpinBox:
         if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option)) {
             const bool focus = option->state & State_HasFocus;
-            if (spin->frame) fillRound(painter, option->rect, enabled ? c.base : c.window, focus ? c.accent : c.border);
-            else painter->fillRect(option->rect, enabled ? c.base : c.window);
+            if (spin->frame)
+                fillRound(painter, option->rect, enabled ? c.base : c.window, focus ? c.accent : c.border);
+            else
+                painter->fillRect(option->rect, enabled ? c.base : c.window);
             if (spin->buttonSymbols == QAbstractSpinBox::NoButtons) return;
-            const QRect up = subControlRect(CC_SpinBox, option, SC_SpinBoxUp, widget), down = subControlRect(CC_SpinBox, option, SC_SpinBoxDown, widget);
-            drawArrow(painter, up, 180, enabled && spin->stepEnabled & QAbstractSpinBox::StepUpEnabled ? inkOf(option) : c.disabled);
-            drawArrow(painter, down, 0, enabled && spin->stepEnabled & QAbstractSpinBox::StepDownEnabled ? inkOf(option) : c.disabled);
+            const QRect up = subControlRect(CC_SpinBox, option, SC_SpinBoxUp, widget),
+                        down = subControlRect(CC_SpinBox, option, SC_SpinBoxDown, widget);
+            drawArrow(painter, up, 180,
+                      enabled && spin->stepEnabled & QAbstractSpinBox::StepUpEnabled ? inkOf(option) : c.disabled);
+            drawArrow(painter, down, 0,
+                      enabled && spin->stepEnabled & QAbstractSpinBox::StepDownEnabled ? inkOf(option) : c.disabled);
             return;
         }
         break;
-    default: break;
+    default:
+        break;
     }
     QProxyStyle::drawComplexControl(control, option, painter, widget);
 }
@@ -409,19 +517,31 @@ void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
 QIcon StudioStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* option, const QWidget* widget) const {
     switch (pixmap) {
     case SP_TitleBarCloseButton:
-    case SP_DockWidgetCloseButton: return icon(Icon::Close);
-    case SP_TitleBarNormalButton: return icon(Icon::Float);
+    case SP_DockWidgetCloseButton:
+        return icon(Icon::Close);
+    case SP_TitleBarNormalButton:
+        return icon(Icon::Float);
     case SP_DirIcon:
-    case SP_DirOpenIcon: return icon(Icon::Folder);
-    case SP_FileIcon: return icon(Icon::File);
-    case SP_MessageBoxInformation: return icon(Icon::Information);
-    case SP_MessageBoxWarning: return icon(Icon::Warning);
-    case SP_MessageBoxCritical: return icon(Icon::Error);
-    case SP_MessageBoxQuestion: return icon(Icon::Question);
-    case SP_LineEditClearButton: return icon(Icon::Clear);
-    case SP_ToolBarHorizontalExtensionButton: return icon(Icon::ChevronRight);
-    case SP_ToolBarVerticalExtensionButton: return icon(Icon::ChevronDown);
-    default: return QProxyStyle::standardIcon(pixmap, option, widget);
+    case SP_DirOpenIcon:
+        return icon(Icon::Folder);
+    case SP_FileIcon:
+        return icon(Icon::File);
+    case SP_MessageBoxInformation:
+        return icon(Icon::Information);
+    case SP_MessageBoxWarning:
+        return icon(Icon::Warning);
+    case SP_MessageBoxCritical:
+        return icon(Icon::Error);
+    case SP_MessageBoxQuestion:
+        return icon(Icon::Question);
+    case SP_LineEditClearButton:
+        return icon(Icon::Clear);
+    case SP_ToolBarHorizontalExtensionButton:
+        return icon(Icon::ChevronRight);
+    case SP_ToolBarVerticalExtensionButton:
+        return icon(Icon::ChevronDown);
+    default:
+        return QProxyStyle::standardIcon(pixmap, option, widget);
     }
 }
 

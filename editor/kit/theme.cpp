@@ -45,7 +45,8 @@ ThemeColors makeLight() {
     c.plotCursor = rgb("#30363f");
     c.plotGap = rgb("#eceef2");
     c.plotTrigger = rgb("#b8348f");
-    for (const char* curve : {"#2563d9", "#d9480f", "#1a8a3f", "#c2255c", "#7048d8", "#0a8296", "#a86a08", "#59616d", "#a02fb3", "#578000"})
+    for (const char* curve :
+         {"#2563d9", "#d9480f", "#1a8a3f", "#c2255c", "#7048d8", "#0a8296", "#a86a08", "#59616d", "#a02fb3", "#578000"})
         c.curves.push_back(rgb(curve));
     return c;
 }
@@ -81,7 +82,8 @@ ThemeColors makeDark() {
     c.plotCursor = rgb("#e3e7ee");
     c.plotGap = rgb("#22252b");
     c.plotTrigger = rgb("#f07acb");
-    for (const char* curve : {"#5a9bff", "#ff8a4c", "#4cc472", "#ff6f9f", "#a98bff", "#3fc6d8", "#e3b341", "#aab2bf", "#d97be8", "#a3cc3d"})
+    for (const char* curve :
+         {"#5a9bff", "#ff8a4c", "#4cc472", "#ff6f9f", "#a98bff", "#3fc6d8", "#e3b341", "#aab2bf", "#d97be8", "#a3cc3d"})
         c.curves.push_back(rgb(curve));
     return c;
 }
@@ -155,9 +157,12 @@ Theme& Theme::current() {
 
 const ThemeColors& Theme::colors() const {
     switch (m_choice) {
-    case ThemeChoice::System: return m_systemDark ? darkColors() : lightColors();
-    case ThemeChoice::Light: return lightColors();
-    case ThemeChoice::Dark: return darkColors();
+    case ThemeChoice::System:
+        return m_systemDark ? darkColors() : lightColors();
+    case ThemeChoice::Light:
+        return lightColors();
+    case ThemeChoice::Dark:
+        return darkColors();
     }
     return lightColors();
 }

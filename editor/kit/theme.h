@@ -1,6 +1,6 @@
-// The studio's look: one set of named colours for light and dark, a palette made from it and the style that draws with it.
-// One Theme lives as a child of the QApplication; `Theme::current()` finds it, or makes a light one in a test.
-// GUI thread only. Widgets that paint with theme colours repaint on `changed`.
+// The studio's look: one set of named colours for light and dark, a palette made from it and the style that draws with
+// it. One Theme lives as a child of the QApplication; `Theme::current()` finds it, or makes a light one in a test. GUI
+// thread only. Widgets that paint with theme colours repaint on `changed`.
 #pragma once
 
 #include <QColor>
@@ -25,7 +25,7 @@ struct ThemeColors {
     QColor good, warning, bad, info;            // state of the machine and of messages
     QColor online, forced, breakpoint, current; // online values, forced values, breakpoints, the line that is executed
     QColor plotGround, plotGrid, plotAxis, plotCursor, plotGap, plotTrigger;
-    std::vector<QColor> curves;                 // colours that charts give out in turn
+    std::vector<QColor> curves; // colours that charts give out in turn
 
     QColor curve(int index) const { return curves[static_cast<size_t>(index) % curves.size()]; }
 };

@@ -83,7 +83,8 @@ QStringList variablesOf(const QMimeData* mime) {
     return result;
 }
 
-VariablePicker::VariablePicker(const VariableProvider& provider, QWidget* parent) : QWidget(parent), m_provider(provider) {
+VariablePicker::VariablePicker(const VariableProvider& provider, QWidget* parent)
+    : QWidget(parent), m_provider(provider) {
     m_search = new QLineEdit(this);
     m_search->setPlaceholderText(tr("Search variables"));
     m_search->setAccessibleName(tr("Search variables"));
@@ -119,8 +120,10 @@ QTreeWidget* VariablePicker::present() const { return static_cast<QTreeWidget*>(
 void VariablePicker::addChildren(QTreeWidgetItem* parent, const QString& path) {
     for (const VariableNode& node : m_provider.children(path)) {
         QTreeWidgetItem* item = makeItem(node, false);
-        if (parent) parent->addChild(item);
-        else m_tree->addTopLevelItem(item);
+        if (parent)
+            parent->addChild(item);
+        else
+            m_tree->addTopLevelItem(item);
     }
 }
 
@@ -195,7 +198,9 @@ bool VariablePicker::eventFilter(QObject* watched, QEvent* event) {
     case Qt::Key_Down:
     case Qt::Key_Up:
     case Qt::Key_PageDown:
-    case Qt::Key_PageUp: QApplication::sendEvent(present(), event); return true;
+    case Qt::Key_PageUp:
+        QApplication::sendEvent(present(), event);
+        return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
         if (const QStringList paths = selectedPaths(); !paths.isEmpty()) {
@@ -203,7 +208,8 @@ bool VariablePicker::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         return false;
-    default: return QWidget::eventFilter(watched, event);
+    default:
+        return QWidget::eventFilter(watched, event);
     }
 }
 
@@ -218,7 +224,8 @@ std::optional<QString> pickVariable(const VariableProvider& provider, const QStr
     layout->addWidget(buttons);
     QPushButton* ok = buttons->button(QDialogButtonBox::Ok);
     ok->setEnabled(false);
-    QObject::connect(picker, &VariablePicker::selectionChanged, &dialog, [&] { ok->setEnabled(!picker->selectedPaths().isEmpty()); });
+    QObject::connect(picker, &VariablePicker::selectionChanged, &dialog,
+                     [&] { ok->setEnabled(!picker->selectedPaths().isEmpty()); });
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     std::optional<QString> result;

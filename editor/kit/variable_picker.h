@@ -1,5 +1,5 @@
-// Choosing a variable: a tree that unfolds structures, and a search over all paths. What there is comes from a provider.
-// Owned by its Qt parent; the provider must outlive it. GUI thread.
+// Choosing a variable: a tree that unfolds structures, and a search over all paths. What there is comes from a
+// provider. Owned by its Qt parent; the provider must outlive it. GUI thread.
 #pragma once
 
 #include "editor/kit/icons.h"
@@ -26,8 +26,8 @@ QMimeData* makeVariableMime(const QStringList& paths);
 QStringList variablesOf(const QMimeData* mime);
 
 struct VariableNode {
-    QString name;    // shown in the tree
-    QString path;    // the whole path
+    QString name; // shown in the tree
+    QString path; // the whole path
     QString type;
     QString comment;
     Icon icon = Icon::Variable;

@@ -17,12 +17,39 @@ struct Opener {
     bool isSoft = false;
 };
 constexpr Opener kOpeners[] = {
-    {"IF", "END_IF"}, {"CASE", "END_CASE"}, {"FOR", "END_FOR"}, {"WHILE", "END_WHILE"}, {"REPEAT", "END_REPEAT"}, {"STRUCT", "END_STRUCT"}, {"UNION", "END_UNION"},
-    {"TYPE", "END_TYPE"}, {"VAR", "END_VAR"}, {"VAR_INPUT", "END_VAR"}, {"VAR_OUTPUT", "END_VAR"}, {"VAR_IN_OUT", "END_VAR"}, {"VAR_TEMP", "END_VAR"}, {"VAR_STAT", "END_VAR"},
-    {"VAR_INST", "END_VAR"}, {"VAR_GLOBAL", "END_VAR"}, {"VAR_EXTERNAL", "END_VAR"}, {"VAR_ACCESS", "END_VAR"}, {"VAR_CONFIG", "END_VAR"}, {"PROGRAM", "END_PROGRAM"},
-    {"FUNCTION", "END_FUNCTION"}, {"FUNCTION_BLOCK", "END_FUNCTION_BLOCK"}, {"METHOD", "END_METHOD"}, {"PROPERTY", "END_PROPERTY"}, {"ACTION", "END_ACTION"},
-    {"INTERFACE", "END_INTERFACE"}, {"NAMESPACE", "END_NAMESPACE"}, {"STEP", "END_STEP"}, {"INITIAL_STEP", "END_STEP"}, {"TRANSITION", "END_TRANSITION"},
-    {"CONFIGURATION", "END_CONFIGURATION"}, {"RESOURCE", "END_RESOURCE"}, {"TEST", "END_TEST"},
+    {"IF", "END_IF"},
+    {"CASE", "END_CASE"},
+    {"FOR", "END_FOR"},
+    {"WHILE", "END_WHILE"},
+    {"REPEAT", "END_REPEAT"},
+    {"STRUCT", "END_STRUCT"},
+    {"UNION", "END_UNION"},
+    {"TYPE", "END_TYPE"},
+    {"VAR", "END_VAR"},
+    {"VAR_INPUT", "END_VAR"},
+    {"VAR_OUTPUT", "END_VAR"},
+    {"VAR_IN_OUT", "END_VAR"},
+    {"VAR_TEMP", "END_VAR"},
+    {"VAR_STAT", "END_VAR"},
+    {"VAR_INST", "END_VAR"},
+    {"VAR_GLOBAL", "END_VAR"},
+    {"VAR_EXTERNAL", "END_VAR"},
+    {"VAR_ACCESS", "END_VAR"},
+    {"VAR_CONFIG", "END_VAR"},
+    {"PROGRAM", "END_PROGRAM"},
+    {"FUNCTION", "END_FUNCTION"},
+    {"FUNCTION_BLOCK", "END_FUNCTION_BLOCK"},
+    {"METHOD", "END_METHOD"},
+    {"PROPERTY", "END_PROPERTY"},
+    {"ACTION", "END_ACTION"},
+    {"INTERFACE", "END_INTERFACE"},
+    {"NAMESPACE", "END_NAMESPACE"},
+    {"STEP", "END_STEP"},
+    {"INITIAL_STEP", "END_STEP"},
+    {"TRANSITION", "END_TRANSITION"},
+    {"CONFIGURATION", "END_CONFIGURATION"},
+    {"RESOURCE", "END_RESOURCE"},
+    {"TEST", "END_TEST"},
 };
 
 struct Scan {
@@ -62,7 +89,8 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
                 if (scan.open[k].opener->close != word) continue;
                 scan.open[k].pair.close = mark;
                 scan.pairs.push_back(scan.open[k].pair);
-                scan.unclosed.insert(scan.unclosed.end(), scan.open.begin() + static_cast<std::ptrdiff_t>(k) + 1, scan.open.end());
+                scan.unclosed.insert(scan.unclosed.end(), scan.open.begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                                     scan.open.end());
                 scan.open.resize(k);
                 break;
             }
@@ -72,9 +100,16 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
             if (opener.open != word) continue;
             // Soft words open only at a line's begin; PROGRAM … WITH inside a RESOURCE is one line.
             const bool atLineBegin = token.afterNewline || i == 0;
-            if (token.kind == TokenKind::Identifier && !atLineBegin && !(i > 0 && list.tokens[i - 1].kind == TokenKind::Identifier && list.tokens[i - 1].afterNewline)) break;
-            if (token.kind == TokenKind::Identifier && i + 1 < list.tokens.size() && list.tokens[i + 1].kind != TokenKind::Identifier && list.tokens[i + 1].kind != TokenKind::StringLiteral && word != "TRANSITION") break;
-            if (word == "PROGRAM" && !scan.open.empty() && (scan.open.back().opener->open == "RESOURCE" || scan.open.back().opener->open == "CONFIGURATION")) break;
+            if (token.kind == TokenKind::Identifier && !atLineBegin &&
+                !(i > 0 && list.tokens[i - 1].kind == TokenKind::Identifier && list.tokens[i - 1].afterNewline))
+                break;
+            if (token.kind == TokenKind::Identifier && i + 1 < list.tokens.size() &&
+                list.tokens[i + 1].kind != TokenKind::Identifier &&
+                list.tokens[i + 1].kind != TokenKind::StringLiteral && word != "TRANSITION")
+                break;
+            if (word == "PROGRAM" && !scan.open.empty() &&
+                (scan.open.back().opener->open == "RESOURCE" || scan.open.back().opener->open == "CONFIGURATION"))
+                break;
             BlockPair pair;
             pair.open = mark;
             pair.depth = static_cast<int>(scan.open.size());
@@ -83,19 +118,24 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
         }
     }
     for (const lex::Comment& comment : list.comments)
-        if (comment.kind == lex::TriviaKind::BlockComment && comment.end <= upTo && text.substr(comment.begin, comment.end - comment.begin).find('\n') != std::string_view::npos)
+        if (comment.kind == lex::TriviaKind::BlockComment && comment.end <= upTo &&
+            text.substr(comment.begin, comment.end - comment.begin).find('\n') != std::string_view::npos)
             scan.pairs.push_back({{comment.begin, comment.begin + 2}, {comment.end - 2, comment.end}, {}, 0});
-    std::sort(scan.pairs.begin(), scan.pairs.end(), [](const BlockPair& a, const BlockPair& b) { return a.open.begin < b.open.begin; });
+    std::sort(scan.pairs.begin(), scan.pairs.end(),
+              [](const BlockPair& a, const BlockPair& b) { return a.open.begin < b.open.begin; });
     return scan;
 }
 
 uint32_t lineOf(const std::vector<uint32_t>& lineBegins, uint32_t offset) {
-    return static_cast<uint32_t>(std::upper_bound(lineBegins.begin(), lineBegins.end(), offset) - lineBegins.begin()) - 1;
+    return static_cast<uint32_t>(std::upper_bound(lineBegins.begin(), lineBegins.end(), offset) - lineBegins.begin()) -
+           1;
 }
 
 } // namespace
 
-std::vector<BlockPair> findBlocks(std::string_view text) { return scanBlocks(text, static_cast<uint32_t>(text.size()) + 1).pairs; }
+std::vector<BlockPair> findBlocks(std::string_view text) {
+    return scanBlocks(text, static_cast<uint32_t>(text.size()) + 1).pairs;
+}
 
 std::vector<FoldLine> foldLines(std::string_view text) {
     std::vector<uint32_t> begins{0};
@@ -124,9 +164,11 @@ std::string missingEnd(std::string_view text, uint32_t offset) {
     Scan whole = scanBlocks(text, static_cast<uint32_t>(text.size()) + 1);
     whole.open.insert(whole.open.end(), whole.unclosed.begin(), whole.unclosed.end());
     const uint32_t openAt = before.open.back().pair.open.begin;
-    // Closed properly only when its own END has not been taken from an outer block: an unclosed opener anywhere outside means one END is missing.
+    // Closed properly only when its own END has not been taken from an outer block: an unclosed opener anywhere outside
+    // means one END is missing.
     for (const Scan::Open& open : whole.open)
-        if (open.opener->close == before.open.back().opener->close && open.pair.open.begin <= openAt) return std::string(before.open.back().opener->close);
+        if (open.opener->close == before.open.back().opener->close && open.pair.open.begin <= openAt)
+            return std::string(before.open.back().opener->close);
     return {};
 }
 
@@ -144,7 +186,9 @@ int indentAfter(std::string_view text, uint32_t offset, int step) {
     }
     // "3:" of a CASE opens its statements, too.
     size_t end = line.find_last_not_of(" \t");
-    if (end != std::string_view::npos && line[end] == ':' && !scan.open.empty() && scan.open.back().opener->open == "CASE") return own + step;
+    if (end != std::string_view::npos && line[end] == ':' && !scan.open.empty() &&
+        scan.open.back().opener->open == "CASE")
+        return own + step;
     return own;
 }
 
@@ -152,7 +196,11 @@ bool closesBlock(std::string_view lineText) {
     const size_t at = lineText.find_first_not_of(" \t");
     if (at == std::string_view::npos) return false;
     const std::string word = upper(lineText.substr(at, 24));
-    const auto is = [&](std::string_view w) { return word.starts_with(w) && (word.size() == w.size() || !(std::isalnum(static_cast<unsigned char>(word[w.size()])) || word[w.size()] == '_')); };
+    const auto is = [&](std::string_view w) {
+        return word.starts_with(w) &&
+               (word.size() == w.size() ||
+                !(std::isalnum(static_cast<unsigned char>(word[w.size()])) || word[w.size()] == '_'));
+    };
     return word.starts_with("END_") || is("ELSE") || is("ELSIF") || is("UNTIL");
 }
 

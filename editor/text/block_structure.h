@@ -1,5 +1,5 @@
-// Where blocks of ST begin and end, from the tokens: folding, matching of IF…END_IF, indentation, and what Enter closes. Pure
-// functions over a text, any thread; they work on texts with errors.
+// Where blocks of ST begin and end, from the tokens: folding, matching of IF…END_IF, indentation, and what Enter
+// closes. Pure functions over a text, any thread; they work on texts with errors.
 #pragma once
 #include <cstdint>
 #include <optional>

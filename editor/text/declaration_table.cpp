@@ -14,7 +14,8 @@ namespace plc::editor {
 
 namespace {
 QString sectionWord(const syntax::VarSection& section) {
-    static const char* const words[] = {"VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT", "VAR_TEMP", "VAR_STAT", "VAR_INST", "VAR_GLOBAL", "VAR_EXTERNAL", "VAR_ACCESS", "VAR_CONFIG"};
+    static const char* const words[] = {"VAR",      "VAR_INPUT",  "VAR_OUTPUT",   "VAR_IN_OUT", "VAR_TEMP",  "VAR_STAT",
+                                        "VAR_INST", "VAR_GLOBAL", "VAR_EXTERNAL", "VAR_ACCESS", "VAR_CONFIG"};
     QString out = words[static_cast<size_t>(section.kind)];
     if (section.constant) out += " CONSTANT";
     if (section.retain) out += " RETAIN";
@@ -26,7 +27,8 @@ QString view(std::string_view text) { return QString::fromUtf8(text.data(), stat
 
 DeclarationTable::DeclarationTable(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
     m_table = new QTableWidget(0, Column::Count, this);
-    m_table->setHorizontalHeaderLabels({tr("Section"), tr("Name"), tr("Address"), tr("Type"), tr("Initial value"), tr("Comment"), tr("Value")});
+    m_table->setHorizontalHeaderLabels(
+        {tr("Section"), tr("Name"), tr("Address"), tr("Type"), tr("Initial value"), tr("Comment"), tr("Value")});
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(24);
     m_table->setAlternatingRowColors(true);
@@ -35,8 +37,10 @@ DeclarationTable::DeclarationTable(StEditor& editor, QWidget* parent) : QWidget(
     m_table->setAccessibleName(tr("Declarations"));
     auto* bar = new QToolBar(this);
     bar->setIconSize({16, 16});
-    connect(bar->addAction(kit::icon(kit::Icon::Add), tr("Add a variable")), &QAction::triggered, this, &DeclarationTable::addVariable);
-    connect(bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected variables")), &QAction::triggered, this, &DeclarationTable::removeSelected);
+    connect(bar->addAction(kit::icon(kit::Icon::Add), tr("Add a variable")), &QAction::triggered, this,
+            &DeclarationTable::addVariable);
+    connect(bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected variables")), &QAction::triggered,
+            this, &DeclarationTable::removeSelected);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -60,8 +64,11 @@ void DeclarationTable::fill() {
     const uint32_t at = m_editor.cursorOffset();
     const auto walk = [&](auto&& self, const std::vector<syntax::Decl*>& declarations) -> void {
         for (const syntax::Decl* declaration : declarations) {
-            if (declaration->kind == syntax::DeclKind::Pou && declaration->pou && (!around || at >= declaration->pou->range.begin)) around = declaration->pou;
-            if (declaration->kind == syntax::DeclKind::Namespace && declaration->space) self(self, declaration->space->declarations);
+            if (declaration->kind == syntax::DeclKind::Pou && declaration->pou &&
+                (!around || at >= declaration->pou->range.begin))
+                around = declaration->pou;
+            if (declaration->kind == syntax::DeclKind::Namespace && declaration->space)
+                self(self, declaration->space->declarations);
         }
     };
     walk(walk, m_model->checked().analysis->files[file->index()]->declarations);
@@ -87,7 +94,8 @@ void DeclarationTable::fill() {
                     set(Name, view(declaration->names[i].text), true);
                     set(Address, view(declaration->address), false);
                     set(Type, declaration->type ? view(source.slice(declaration->type->range)) : QString(), true);
-                    set(Initial, declaration->initial ? view(source.slice(declaration->initial->range)) : QString(), true);
+                    set(Initial, declaration->initial ? view(source.slice(declaration->initial->range)) : QString(),
+                        true);
                     set(Comment, view(declaration->comment), false);
                     set(Value, {}, false);
                 }
@@ -102,7 +110,8 @@ void DeclarationTable::refreshOnlineValues() {
     for (int row = 0; row < m_table->rowCount() && row < static_cast<int>(m_rows.size()); ++row) {
         const auto values = m_values({{m_table->item(row, Name)->text(), view(m_pou->name.text)}});
         m_table->item(row, Value)->setText(values.empty() ? QString() : values[0].value);
-        if (!values.empty() && values[0].isBool) m_table->item(row, Value)->setForeground(values[0].isTrue ? kit::colors().good : kit::colors().muted);
+        if (!values.empty() && values[0].isBool)
+            m_table->item(row, Value)->setForeground(values[0].isTrue ? kit::colors().good : kit::colors().muted);
     }
     m_isFilling = false;
 }
@@ -115,17 +124,22 @@ void DeclarationTable::takeEdit(int row, int column) {
     std::vector<diagnostics::TextEdit> edits;
     if (column == Name && !text.isEmpty()) {
         const auto file = m_model->fileOf(m_editor.file().toStdString());
-        const auto renamed = m_model->rename(*file, declaration.names[edited.nameIndex].range.begin, text.toStdString());
+        const auto renamed =
+            m_model->rename(*file, declaration.names[edited.nameIndex].range.begin, text.toStdString());
         if (renamed)
             for (const analysis::FileEdits& each : *renamed)
                 if (each.file == *file) edits = each.edits;
     } else if (column == Type && declaration.type && !text.isEmpty()) {
         edits.push_back({declaration.type->range, text.toStdString()});
     } else if (column == Initial && declaration.initial) {
-        edits.push_back(text.isEmpty() ? diagnostics::TextEdit{{declaration.type->range.file, declaration.type->range.end, declaration.initial->range.end}, ""}
-                                       : diagnostics::TextEdit{declaration.initial->range, text.toStdString()});
+        edits.push_back(text.isEmpty()
+                            ? diagnostics::TextEdit{{declaration.type->range.file, declaration.type->range.end,
+                                                     declaration.initial->range.end},
+                                                    ""}
+                            : diagnostics::TextEdit{declaration.initial->range, text.toStdString()});
     } else if (column == Initial && declaration.type && !text.isEmpty()) {
-        edits.push_back({{declaration.type->range.file, declaration.type->range.end, declaration.type->range.end}, " := " + text.toStdString()});
+        edits.push_back({{declaration.type->range.file, declaration.type->range.end, declaration.type->range.end},
+                         " := " + text.toStdString()});
     }
     m_pou = nullptr; // filled anew with the next analysis
     if (!edits.empty()) m_editor.applyEdits(edits);
@@ -136,7 +150,10 @@ void DeclarationTable::addVariable() {
     const auto file = m_model->fileOf(m_editor.file().toStdString());
     std::string name = "newVariable";
     const auto taken = [&](const std::string& wanted) {
-        return std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& row) { return view(row.declaration->names[row.nameIndex].text).compare(QString::fromStdString(wanted), Qt::CaseInsensitive) == 0; });
+        return std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& row) {
+            return view(row.declaration->names[row.nameIndex].text)
+                       .compare(QString::fromStdString(wanted), Qt::CaseInsensitive) == 0;
+        });
     };
     for (int i = 2; taken(name); ++i) name = "newVariable" + std::to_string(i);
     const auto edit = m_model->autoDeclare(*file, m_pou->name.range.begin, name);

@@ -1,5 +1,6 @@
-// The declarations of a program unit as a table: section, name, address, type, initial value, comment, and the value while online. The text
-// stays the truth: an edit of a cell is a text edit of its declaration (D4). Owned by the tab; GUI thread.
+// The declarations of a program unit as a table: section, name, address, type, initial value, comment, and the value
+// while online. The text stays the truth: an edit of a cell is a text edit of its declaration (D4). Owned by the tab;
+// GUI thread.
 #pragma once
 #include "editor/text/st_editor.h"
 

@@ -96,17 +96,23 @@ void FindBar::open(bool withReplace) {
 bool FindBar::find(bool forward, bool fromStart) {
     if (m_find->text().isEmpty()) return false;
     int line = 0, column = 0, endLine = 0, endColumn = 0;
-    if (m_editor.hasSelectedText()) m_editor.getSelection(&line, &column, &endLine, &endColumn);
-    else m_editor.getCursorPosition(&line, &column), endLine = line, endColumn = column;
+    if (m_editor.hasSelectedText())
+        m_editor.getSelection(&line, &column, &endLine, &endColumn);
+    else
+        m_editor.getCursorPosition(&line, &column), endLine = line, endColumn = column;
     const bool useBegin = !forward || fromStart;
-    return m_editor.findFirst(m_find->text(), m_regex->isChecked(), m_case->isChecked(), m_word->isChecked(), true, forward, useBegin ? line : endLine, useBegin ? column : endColumn, true, false, true);
+    return m_editor.findFirst(m_find->text(), m_regex->isChecked(), m_case->isChecked(), m_word->isChecked(), true,
+                              forward, useBegin ? line : endLine, useBegin ? column : endColumn, true, false, true);
 }
 
 void FindBar::findNext() { find(true, false); }
 void FindBar::findPrevious() { find(false, false); }
 
 void FindBar::replaceOne() {
-    if (m_editor.hasSelectedText() && m_editor.selectedText().compare(m_find->text(), m_case->isChecked() ? Qt::CaseSensitive : Qt::CaseInsensitive) == 0 && !m_regex->isChecked())
+    if (m_editor.hasSelectedText() &&
+        m_editor.selectedText().compare(m_find->text(),
+                                        m_case->isChecked() ? Qt::CaseSensitive : Qt::CaseInsensitive) == 0 &&
+        !m_regex->isChecked())
         m_editor.replaceSelectedText(m_replace->text());
     else if (m_regex->isChecked() && find(true, true))
         m_editor.replace(m_replace->text());
@@ -117,7 +123,9 @@ void FindBar::replaceOne() {
 int FindBar::replaceAll() {
     QString pattern = m_regex->isChecked() ? m_find->text() : QRegularExpression::escape(m_find->text());
     if (m_word->isChecked()) pattern = "\\b(?:" + pattern + ")\\b";
-    const QRegularExpression regex(pattern, m_case->isChecked() ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
+    const QRegularExpression regex(pattern, m_case->isChecked() ? QRegularExpression::MultilineOption
+                                                                : QRegularExpression::MultilineOption |
+                                                                      QRegularExpression::CaseInsensitiveOption);
     if (!regex.isValid() || m_find->text().isEmpty()) return 0;
     const QString text = QString::fromStdString(m_editor.utf8());
     QString replacement = m_replace->text();
@@ -135,14 +143,19 @@ int FindBar::replaceAll() {
 void FindBar::countMatches() {
     QString pattern = m_regex->isChecked() ? m_find->text() : QRegularExpression::escape(m_find->text());
     if (m_word->isChecked()) pattern = "\\b(?:" + pattern + ")\\b";
-    const QRegularExpression regex(pattern, m_case->isChecked() ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
+    const QRegularExpression regex(pattern, m_case->isChecked() ? QRegularExpression::MultilineOption
+                                                                : QRegularExpression::MultilineOption |
+                                                                      QRegularExpression::CaseInsensitiveOption);
     QPalette palette = m_find->palette();
     palette.setColor(QPalette::Text, regex.isValid() ? kit::colors().text : kit::colors().bad);
     m_find->setPalette(palette);
     m_editor.highlightAll(m_find->text().isEmpty() ? QString() : pattern, true, m_case->isChecked());
-    if (m_find->text().isEmpty() || !regex.isValid()) return m_count->setText(regex.isValid() ? QString() : tr("not a pattern"));
+    if (m_find->text().isEmpty() || !regex.isValid())
+        return m_count->setText(regex.isValid() ? QString() : tr("not a pattern"));
     int count = 0;
-    for (auto matches = regex.globalMatch(QString::fromStdString(m_editor.utf8())); matches.hasNext() && count < 10000; matches.next()) ++count;
+    for (auto matches = regex.globalMatch(QString::fromStdString(m_editor.utf8())); matches.hasNext() && count < 10000;
+         matches.next())
+        ++count;
     m_count->setText(count ? tr("%n found", nullptr, count) : tr("not found"));
 }
 

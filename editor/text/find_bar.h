@@ -1,5 +1,5 @@
-// Find and replace in the open file: as you type, with regular expressions, case, whole words; Enter next, Shift+Enter before, Esc
-// closes. Owned by the tab it lies under; GUI thread.
+// Find and replace in the open file: as you type, with regular expressions, case, whole words; Enter next, Shift+Enter
+// before, Esc closes. Owned by the tab it lies under; GUI thread.
 #pragma once
 #include <QWidget>
 

@@ -6,14 +6,14 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/format/format.h"
 
-#include <QRegularExpression>
-#include <QMimeData>
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMimeData>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QToolTip>
 
 #include <algorithm>
@@ -23,27 +23,57 @@ namespace plc::editor {
 
 namespace {
 enum Margin { kLineNumbers = 0, kMarks = 1, kChanges = 2, kFolds = 3 };
-enum Marker { kBreakpoint = 0, kBreakpointOff = 1, kExecuted = 2, kErrorMark = 3, kWarningMark = 4, kChangedLine = 5, kAddedLine = 6, kExecutedArrow = 7 };
-enum Indicator { kErrorSquiggle = 8, kWarningSquiggle = 9, kInfoDots = 10, kSameWord = 11, kBlockWords = 12, kFound = 13, kUnused = 14 };
+enum Marker {
+    kBreakpoint = 0,
+    kBreakpointOff = 1,
+    kExecuted = 2,
+    kErrorMark = 3,
+    kWarningMark = 4,
+    kChangedLine = 5,
+    kAddedLine = 6,
+    kExecutedArrow = 7
+};
+enum Indicator {
+    kErrorSquiggle = 8,
+    kWarningSquiggle = 9,
+    kInfoDots = 10,
+    kSameWord = 11,
+    kBlockWords = 12,
+    kFound = 13,
+    kUnused = 14
+};
 constexpr int kListId = 1;
 using S = QsciScintillaBase;
 /// Before a completion in the list.
 kit::Icon iconOf(analysis::ItemKind kind) {
     using analysis::ItemKind;
     switch (kind) {
-    case ItemKind::Keyword: return kit::Icon::Command;
-    case ItemKind::Snippet: return kit::Icon::Lightbulb;
-    case ItemKind::Variable: return kit::Icon::Variable;
-    case ItemKind::Constant: return kit::Icon::Constant;
-    case ItemKind::EnumValue: return kit::Icon::Enumeration;
-    case ItemKind::Type: return kit::Icon::Type;
-    case ItemKind::Function: return kit::Icon::Function;
-    case ItemKind::Block: return kit::Icon::Block;
-    case ItemKind::Program: return kit::Icon::Program;
-    case ItemKind::Method: return kit::Icon::Method;
-    case ItemKind::Property: return kit::Icon::Property;
-    case ItemKind::Parameter: return kit::Icon::Input;
-    case ItemKind::Namespace: return kit::Icon::Namespace;
+    case ItemKind::Keyword:
+        return kit::Icon::Command;
+    case ItemKind::Snippet:
+        return kit::Icon::Lightbulb;
+    case ItemKind::Variable:
+        return kit::Icon::Variable;
+    case ItemKind::Constant:
+        return kit::Icon::Constant;
+    case ItemKind::EnumValue:
+        return kit::Icon::Enumeration;
+    case ItemKind::Type:
+        return kit::Icon::Type;
+    case ItemKind::Function:
+        return kit::Icon::Function;
+    case ItemKind::Block:
+        return kit::Icon::Block;
+    case ItemKind::Program:
+        return kit::Icon::Program;
+    case ItemKind::Method:
+        return kit::Icon::Method;
+    case ItemKind::Property:
+        return kit::Icon::Property;
+    case ItemKind::Parameter:
+        return kit::Icon::Input;
+    case ItemKind::Namespace:
+        return kit::Icon::Namespace;
     }
     return kit::Icon::Variable;
 }
@@ -59,7 +89,8 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     setMarginWidth(kMarks, 18);
     setMarginSensitivity(kMarks, true);
     setMarginSensitivity(kLineNumbers, true);
-    setMarginMarkerMask(kMarks, (1 << kBreakpoint) | (1 << kBreakpointOff) | (1 << kErrorMark) | (1 << kWarningMark) | (1 << kExecutedArrow));
+    setMarginMarkerMask(kMarks, (1 << kBreakpoint) | (1 << kBreakpointOff) | (1 << kErrorMark) | (1 << kWarningMark) |
+                                    (1 << kExecutedArrow));
     setMarginType(kChanges, SymbolMargin);
     setMarginWidth(kChanges, 4);
     setMarginMarkerMask(kChanges, (1 << kChangedLine) | (1 << kAddedLine));
@@ -117,7 +148,8 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     connect(this, &QsciScintilla::userListActivated, this, [this](int id, const QString& text) {
         if (id != kListId) return;
         for (const analysis::CompletionItem& item : m_completion.items) {
-            const QString shown = QString::fromStdString(item.kind == analysis::ItemKind::Snippet ? item.detail : item.text);
+            const QString shown =
+                QString::fromStdString(item.kind == analysis::ItemKind::Snippet ? item.detail : item.text);
             if (shown == text) return insertCompletion(item);
         }
     });
@@ -150,7 +182,8 @@ void StEditor::applyTheme() {
     markerDefine(drawn(kit::Icon::Warning), kWarningMark);
     markerDefine(drawn(kit::Icon::CurrentLine), kExecutedArrow);
     clearRegisteredImages();
-    for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind) registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
+    for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind)
+        registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
     setMarkerBackgroundColor(c.warning, kChangedLine);
     setMarkerBackgroundColor(c.good, kAddedLine);
     for (int marker = int(SC_MARKNUM_FOLDEREND); marker <= int(SC_MARKNUM_FOLDEROPEN); ++marker) {
@@ -178,7 +211,9 @@ void StEditor::setSettings(const EditorSettings& settings) {
     refreshOnlineValues();
 }
 
-std::optional<FileId> StEditor::fileId() const { return m_model ? m_model->fileOf(m_file.toStdString()) : std::nullopt; }
+std::optional<FileId> StEditor::fileId() const {
+    return m_model ? m_model->fileOf(m_file.toStdString()) : std::nullopt;
+}
 
 void StEditor::load(const std::string& text) {
     m_isLoading = true;
@@ -218,7 +253,8 @@ void StEditor::updateFolding() {
     const std::vector<FoldLine> folds = foldLines(utf8());
     for (size_t line = 0; line < folds.size(); ++line) {
         const int level = S::SC_FOLDLEVELBASE + folds[line].level;
-        SendScintilla(S::SCI_SETFOLDLEVEL, static_cast<unsigned long>(line), static_cast<long>(level | (folds[line].isHeader ? S::SC_FOLDLEVELHEADERFLAG : 0)));
+        SendScintilla(S::SCI_SETFOLDLEVEL, static_cast<unsigned long>(line),
+                      static_cast<long>(level | (folds[line].isHeader ? S::SC_FOLDLEVELHEADERFLAG : 0)));
     }
 }
 
@@ -231,14 +267,18 @@ void StEditor::setSavedText(const std::string& text) {
 void StEditor::updateChangedLines() {
     markerDeleteAll(kChangedLine);
     markerDeleteAll(kAddedLine);
-    const QStringList now = QString::fromStdString(utf8()).split('\n'), saved = QString::fromStdString(m_savedText).split('\n');
+    const QStringList now = QString::fromStdString(utf8()).split('\n'),
+                      saved = QString::fromStdString(m_savedText).split('\n');
     int begin = 0;
     while (begin < now.size() && begin < saved.size() && now[begin] == saved[begin]) ++begin;
     int nowEnd = static_cast<int>(now.size()), savedEnd = static_cast<int>(saved.size());
     while (nowEnd > begin && savedEnd > begin && now[nowEnd - 1] == saved[savedEnd - 1]) --nowEnd, --savedEnd;
     for (int line = begin; line < nowEnd; ++line) {
         // Inside the changed stretch, lines that stand unchanged in the saved stretch keep no mark.
-        const bool same = savedEnd - begin < 2000 && std::find(saved.begin() + begin, saved.begin() + savedEnd, now[line]) != saved.begin() + savedEnd && !now[line].trimmed().isEmpty();
+        const bool same =
+            savedEnd - begin < 2000 &&
+            std::find(saved.begin() + begin, saved.begin() + savedEnd, now[line]) != saved.begin() + savedEnd &&
+            !now[line].trimmed().isEmpty();
         if (!same) markerAdd(line, savedEnd == begin ? kAddedLine : kChangedLine);
     }
 }
@@ -256,7 +296,9 @@ void StEditor::setModel(std::shared_ptr<const analysis::CodeModel> model) {
     m_isAsAnalysed = file && utf8() == m_analysedText;
     // What is below the view is coloured when it comes into sight.
     const long below = SendScintilla(S::SCI_GETFIRSTVISIBLELINE) + SendScintilla(S::SCI_LINESONSCREEN) + 1;
-    recolor(0, static_cast<int>(SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(SendScintilla(S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(below))))));
+    recolor(0, static_cast<int>(SendScintilla(S::SCI_GETLINEENDPOSITION,
+                                              static_cast<unsigned long>(SendScintilla(
+                                                  S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(below))))));
     showDiagnostics();
 }
 
@@ -269,31 +311,44 @@ void StEditor::showDiagnostics() {
     markerDeleteAll(kErrorMark);
     markerDeleteAll(kWarningMark);
     for (const diagnostics::Diagnostic& d : m_diagnostics) {
-        const bool error = d.severity == diagnostics::Severity::Error, warning = d.severity == diagnostics::Severity::Warning;
+        const bool error = d.severity == diagnostics::Severity::Error,
+                   warning = d.severity == diagnostics::Severity::Warning;
         const auto begin = std::min<unsigned long>(d.range.begin, length);
         auto end = std::clamp<unsigned long>(d.range.end, begin, length);
         if (end == begin) end = std::min<unsigned long>(begin + 1, length);
-        SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(error ? kErrorSquiggle : warning ? kWarningSquiggle : kInfoDots));
+        SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(error     ? kErrorSquiggle
+                                                                             : warning ? kWarningSquiggle
+                                                                                       : kInfoDots));
         SendScintilla(S::SCI_INDICATORFILLRANGE, begin, static_cast<long>(end - begin));
-        if (error || warning) markerAdd(static_cast<int>(SendScintilla(S::SCI_LINEFROMPOSITION, begin)), error ? kErrorMark : kWarningMark);
+        if (error || warning)
+            markerAdd(static_cast<int>(SendScintilla(S::SCI_LINEFROMPOSITION, begin)),
+                      error ? kErrorMark : kWarningMark);
     }
 }
 
 uint32_t StEditor::cursorOffset() const { return static_cast<uint32_t>(SendScintilla(S::SCI_GETCURRENTPOS)); }
 
 void StEditor::goTo(uint32_t offset, uint32_t length) {
-    SendScintilla(S::SCI_ENSUREVISIBLEENFORCEPOLICY, static_cast<unsigned long>(SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))));
+    SendScintilla(S::SCI_ENSUREVISIBLEENFORCEPOLICY, static_cast<unsigned long>(SendScintilla(
+                                                         S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset))));
     SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(offset), static_cast<long>(offset + length));
     const long line = SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset));
-    SendScintilla(S::SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(std::max(0L, SendScintilla(S::SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(line)) - SendScintilla(S::SCI_LINESONSCREEN) / 3)));
+    SendScintilla(S::SCI_SETFIRSTVISIBLELINE,
+                  static_cast<unsigned long>(
+                      std::max(0L, SendScintilla(S::SCI_VISIBLEFROMDOCLINE, static_cast<unsigned long>(line)) -
+                                       SendScintilla(S::SCI_LINESONSCREEN) / 3)));
     setFocus();
 }
 
-void StEditor::goToLine(int line) { goTo(static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(std::clamp(line - 1, 0, std::max(0, lines() - 1)))))); }
+void StEditor::goToLine(int line) {
+    goTo(static_cast<uint32_t>(SendScintilla(
+        S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(std::clamp(line - 1, 0, std::max(0, lines() - 1))))));
+}
 
 uint32_t StEditor::offsetOf(int line, int column) const {
     const long begin = SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(std::max(0, line - 1)));
-    return static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONRELATIVE, static_cast<unsigned long>(begin), static_cast<long>(std::max(0, column - 1))));
+    return static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONRELATIVE, static_cast<unsigned long>(begin),
+                                               static_cast<long>(std::max(0, column - 1))));
 }
 
 void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
@@ -318,13 +373,15 @@ QMimeData* StEditor::toMimeData(const QByteArray& text, bool rectangular) const 
     const auto file = fileId();
     if (!m_pathOf || !file || rectangular || !variable.match(name).hasMatch()) return mime;
     const auto at = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONSTART));
-    if (const QString path = m_pathOf(name, QString::fromStdString(m_model->pouAt(*file, at))); !path.isEmpty()) mime->setData(kit::VariableMime, path.toUtf8());
+    if (const QString path = m_pathOf(name, QString::fromStdString(m_model->pouAt(*file, at))); !path.isEmpty())
+        mime->setData(kit::VariableMime, path.toUtf8());
     return mime;
 }
 
 QString StEditor::wordUnderCursor() const {
     const auto at = static_cast<unsigned long>(cursorOffset());
-    const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_WORDSTARTPOSITION, at, 1L)), end = static_cast<uint32_t>(SendScintilla(S::SCI_WORDENDPOSITION, at, 1L));
+    const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_WORDSTARTPOSITION, at, 1L)),
+               end = static_cast<uint32_t>(SendScintilla(S::SCI_WORDENDPOSITION, at, 1L));
     return QString::fromStdString(textRange(begin, end));
 }
 
@@ -350,14 +407,17 @@ void StEditor::highlightAroundCursor() {
         SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(indicator));
         SendScintilla(S::SCI_INDICATORCLEARRANGE, 0ul, static_cast<long>(text.size()));
     };
-    const auto fill = [&](uint32_t begin, uint32_t end) { SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin), static_cast<long>(end - begin)); };
+    const auto fill = [&](uint32_t begin, uint32_t end) {
+        SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin), static_cast<long>(end - begin));
+    };
     clear(kBlockWords);
     const uint32_t at = cursorOffset();
     for (const BlockPair& pair : findBlocks(text)) {
         std::vector<BlockMark> marks = pair.middle;
         marks.push_back(pair.open);
         marks.push_back(pair.close);
-        if (std::none_of(marks.begin(), marks.end(), [&](const BlockMark& m) { return at >= m.begin && at <= m.end; })) continue;
+        if (std::none_of(marks.begin(), marks.end(), [&](const BlockMark& m) { return at >= m.begin && at <= m.end; }))
+            continue;
         for (const BlockMark& mark : marks) fill(mark.begin, mark.end);
     }
     clear(kSameWord);
@@ -372,14 +432,18 @@ void StEditor::highlightAll(const QString& wanted, bool regex, bool caseSensitiv
     SendScintilla(S::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(kFound));
     SendScintilla(S::SCI_INDICATORCLEARRANGE, 0ul, static_cast<long>(text.size()));
     if (wanted.isEmpty()) return;
-    QRegularExpression pattern(regex ? wanted : QRegularExpression::escape(wanted), caseSensitive ? QRegularExpression::MultilineOption : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
+    QRegularExpression pattern(regex ? wanted : QRegularExpression::escape(wanted),
+                               caseSensitive
+                                   ? QRegularExpression::MultilineOption
+                                   : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
     if (!pattern.isValid()) return;
     const QString all = QString::fromStdString(text);
     for (auto matches = pattern.globalMatch(all); matches.hasNext();) {
         const auto match = matches.next();
         if (match.capturedLength() == 0) continue;
         const auto begin = all.left(match.capturedStart()).toUtf8().size();
-        SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin), static_cast<long>(match.captured().toUtf8().size()));
+        SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin),
+                      static_cast<long>(match.captured().toUtf8().size()));
     }
 }
 
@@ -387,11 +451,14 @@ void StEditor::highlightAll(const QString& wanted, bool regex, bool caseSensitiv
 
 void StEditor::toggleComment() {
     int first = 0, last = 0, column = 0, lastColumn = 0;
-    if (hasSelectedText()) getSelection(&first, &column, &last, &lastColumn);
-    else getCursorPosition(&first, &column), last = first;
+    if (hasSelectedText())
+        getSelection(&first, &column, &last, &lastColumn);
+    else
+        getCursorPosition(&first, &column), last = first;
     if (last > first && lastColumn == 0) --last;
     bool all = true;
-    for (int line = first; line <= last; ++line) all = all && (text(line).trimmed().isEmpty() || text(line).trimmed().startsWith("//"));
+    for (int line = first; line <= last; ++line)
+        all = all && (text(line).trimmed().isEmpty() || text(line).trimmed().startsWith("//"));
     beginUndoAction();
     for (int line = first; line <= last; ++line) {
         const QString content = text(line);
@@ -407,19 +474,26 @@ void StEditor::toggleComment() {
         }
     }
     endUndoAction();
-    if (last > first) setSelection(first, 0, last, static_cast<int>(text(last).size()) - (text(last).endsWith('\n') ? 1 : 0));
+    if (last > first)
+        setSelection(first, 0, last, static_cast<int>(text(last).size()) - (text(last).endsWith('\n') ? 1 : 0));
 }
 
 void StEditor::duplicateLine() { SendScintilla(S::SCI_SELECTIONDUPLICATE); }
-void StEditor::moveLines(int direction) { SendScintilla(direction < 0 ? S::SCI_MOVESELECTEDLINESUP : S::SCI_MOVESELECTEDLINESDOWN); }
+void StEditor::moveLines(int direction) {
+    SendScintilla(direction < 0 ? S::SCI_MOVESELECTEDLINESUP : S::SCI_MOVESELECTEDLINESDOWN);
+}
 
 void StEditor::selectBlock() {
-    const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONSTART)), end = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONEND));
+    const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONSTART)),
+               end = static_cast<uint32_t>(SendScintilla(S::SCI_GETSELECTIONEND));
     const BlockPair* best = nullptr;
     const std::vector<BlockPair> pairs = findBlocks(utf8());
     for (const BlockPair& pair : pairs)
-        if (pair.open.begin <= begin && pair.close.end >= end && (pair.open.begin < begin || pair.close.end > end) && (!best || pair.open.begin >= best->open.begin)) best = &pair;
-    if (best) SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(best->open.begin), static_cast<long>(best->close.end));
+        if (pair.open.begin <= begin && pair.close.end >= end && (pair.open.begin < begin || pair.close.end > end) &&
+            (!best || pair.open.begin >= best->open.begin))
+            best = &pair;
+    if (best)
+        SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(best->open.begin), static_cast<long>(best->close.end));
 }
 
 void StEditor::goToMatchingWord() {
@@ -442,11 +516,14 @@ void StEditor::formatText() {
     while (begin < before.size() && begin < after.size() && before[begin] == after[begin]) ++begin;
     while (begin > 0 && (static_cast<unsigned char>(before[begin]) & 0xC0) == 0x80) --begin;
     size_t endBefore = before.size(), endAfter = after.size();
-    while (endBefore > begin && endAfter > begin && before[endBefore - 1] == after[endAfter - 1]) --endBefore, --endAfter;
-    while (endBefore < before.size() && (static_cast<unsigned char>(before[endBefore]) & 0xC0) == 0x80) ++endBefore, ++endAfter;
+    while (endBefore > begin && endAfter > begin && before[endBefore - 1] == after[endAfter - 1])
+        --endBefore, --endAfter;
+    while (endBefore < before.size() && (static_cast<unsigned char>(before[endBefore]) & 0xC0) == 0x80)
+        ++endBefore, ++endAfter;
     int line = 0, column = 0;
     getCursorPosition(&line, &column);
-    applyEdits({{{FileId(), static_cast<uint32_t>(begin), static_cast<uint32_t>(endBefore)}, after.substr(begin, endAfter - begin)}});
+    applyEdits({{{FileId(), static_cast<uint32_t>(begin), static_cast<uint32_t>(endBefore)},
+                 after.substr(begin, endAfter - begin)}});
     setCursorPosition(std::min(line, lines() - 1), column);
 }
 
@@ -473,11 +550,13 @@ void StEditor::applyFix() {
     std::vector<Choice> choices;
     for (const diagnostics::Diagnostic& d : m_diagnostics) {
         const bool isHere = at >= d.range.begin && at <= d.range.end;
-        if (!isHere && SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(d.range.begin)) != line) continue;
+        if (!isHere && SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(d.range.begin)) != line)
+            continue;
         for (const diagnostics::Fix& fix : d.fixes) choices.push_back({QString::fromStdString(fix.title), fix.edits});
         if (d.kind == diagnostics::Kind::UndeclaredName && m_model && !d.arguments.empty())
             if (const auto file = fileId())
-                if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.arguments[0])) choices.push_back({tr("Declare %1").arg(QString::fromStdString(edit->text).trimmed()), {*edit}});
+                if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.arguments[0]))
+                    choices.push_back({tr("Declare %1").arg(QString::fromStdString(edit->text).trimmed()), {*edit}});
     }
     if (utf8() != m_analysedText) return; // the analysis is on its way; its places would not fit
     if (choices.empty()) {
@@ -492,8 +571,11 @@ void StEditor::applyFix() {
     };
     if (choices.size() == 1) return apply(choices[0]);
     QMenu menu(this);
-    for (const Choice& choice : choices) connect(menu.addAction(choice.title), &QAction::triggered, this, [apply, choice] { apply(choice); });
-    menu.exec(mapToGlobal(QPoint(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, static_cast<long>(at))), static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, static_cast<long>(at))) + 18)));
+    for (const Choice& choice : choices)
+        connect(menu.addAction(choice.title), &QAction::triggered, this, [apply, choice] { apply(choice); });
+    menu.exec(mapToGlobal(
+        QPoint(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, static_cast<long>(at))),
+               static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, static_cast<long>(at))) + 18)));
 }
 
 // ------------------------------------------------------------------ online values
@@ -511,25 +593,38 @@ void StEditor::refreshOnlineValues() {
         const auto& references = m_model->checked().analysis->references;
         for (long visible = top; visible <= top + count; ++visible) {
             const long line = SendScintilla(S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(visible));
-            const auto begin = static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line))), end = static_cast<uint32_t>(SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)));
-            auto it = std::lower_bound(references.begin(), references.end(), std::pair(*file, begin), [](const sema::Reference& r, const auto& key) { return std::pair(r.range.file, r.range.begin) < key; });
+            const auto begin = static_cast<uint32_t>(
+                           SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line))),
+                       end = static_cast<uint32_t>(
+                           SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)));
+            auto it = std::lower_bound(
+                references.begin(), references.end(), std::pair(*file, begin),
+                [](const sema::Reference& r, const auto& key) { return std::pair(r.range.file, r.range.begin) < key; });
             std::vector<std::pair<QString, QString>> wanted;
             for (; it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
                 if (!it->symbol.isValid()) continue;
                 const sema::Symbol& symbol = m_model->symbol(it->symbol);
-                if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant || symbol.name.starts_with("__")) continue;
+                if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant || symbol.name.starts_with("__"))
+                    continue;
                 // a.b.c is one value: the chain that ends here, unless another member follows.
                 uint32_t from = it->range.begin;
-                while (from > begin && (m_analysedText[from - 1] == '.' || std::isalnum(static_cast<unsigned char>(m_analysedText[from - 1])) || m_analysedText[from - 1] == '_')) --from;
+                while (from > begin && (m_analysedText[from - 1] == '.' ||
+                                        std::isalnum(static_cast<unsigned char>(m_analysedText[from - 1])) ||
+                                        m_analysedText[from - 1] == '_'))
+                    --from;
                 if (it->range.end < m_analysedText.size() && m_analysedText[it->range.end] == '.') continue;
-                const std::pair entry(QString::fromStdString(m_analysedText.substr(from, it->range.end - from)), QString::fromStdString(m_model->pouAt(*file, it->range.begin)));
+                const std::pair entry(QString::fromStdString(m_analysedText.substr(from, it->range.end - from)),
+                                      QString::fromStdString(m_model->pouAt(*file, it->range.begin)));
                 if (std::find(wanted.begin(), wanted.end(), entry) == wanted.end()) wanted.push_back(entry);
             }
             std::vector<OnlineValue> values;
             if (!wanted.empty()) values = m_onlineValues(wanted);
-            auto result = std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin, [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
+            auto result =
+                std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin,
+                                 [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
             for (; result != m_accumulators.end() && result->at <= end; ++result) { // the last one of the line counts
-                auto shown = m_onlineValues({{QString::fromStdString(result->expression), QString::fromStdString(m_model->pouAt(*file, result->at))}});
+                auto shown = m_onlineValues({{QString::fromStdString(result->expression),
+                                              QString::fromStdString(m_model->pouAt(*file, result->at))}});
                 if (shown.empty()) continue;
                 if (!values.empty() && values.front().isAccumulator) values.erase(values.begin());
                 shown.front().name = tr("CR", "current result of an instruction list");
@@ -546,7 +641,9 @@ void StEditor::refreshOnlineValues() {
         for (const auto& shown : values) {
             if (std::find(others.begin(), others.end(), shown) != others.end()) continue;
             const long at = SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(shown.first));
-            changed += QRect(0, static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, at)), viewport()->width(), static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(shown.first))));
+            changed +=
+                QRect(0, static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, at)), viewport()->width(),
+                      static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(shown.first))));
         }
     };
     add(m_shownValues, before);
@@ -570,21 +667,31 @@ void StEditor::drawOnlineValues(QPainter& painter) {
     const QFontMetrics metrics(font);
     // The results of an instruction list stand under each other: a column that is read downwards.
     std::map<int, int> columns; // line → x
-    const auto endOf = [&](int line) { return static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)))) + 24; };
+    const auto endOf = [&](int line) {
+        return static_cast<int>(
+                   SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul,
+                                 SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)))) +
+               24;
+    };
     for (size_t i = 0; i < m_shownValues.size();) {
         size_t next = i;
         int x = 0;
-        while (next < m_shownValues.size() && m_shownValues[next].second.front().isAccumulator && m_shownValues[next].first <= m_shownValues[i].first + static_cast<int>(next - i) + 3) x = std::max(x, endOf(m_shownValues[next++].first));
-        for (size_t k = i; k < next && x < viewport()->width() * 2 / 3; ++k) columns[m_shownValues[k].first] = x; // not beyond long comments
+        while (next < m_shownValues.size() && m_shownValues[next].second.front().isAccumulator &&
+               m_shownValues[next].first <= m_shownValues[i].first + static_cast<int>(next - i) + 3)
+            x = std::max(x, endOf(m_shownValues[next++].first));
+        for (size_t k = i; k < next && x < viewport()->width() * 2 / 3; ++k)
+            columns[m_shownValues[k].first] = x; // not beyond long comments
         i = std::max(next, i + 1);
     }
     for (const auto& [line, values] : m_shownValues) {
         const auto end = SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line));
         const auto column = columns.find(line);
         int x = column != columns.end() ? column->second : endOf(line);
-        const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)), height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
+        const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)),
+                  height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
         for (const OnlineValue& value : values) {
-            const QString name = values.size() > 1 || value.isAccumulator ? value.name.section('.', -1) + " " : QString();
+            const QString name =
+                values.size() > 1 || value.isAccumulator ? value.name.section('.', -1) + " " : QString();
             const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(value.value);
             const QRectF box(x, y + 1.5, nameWidth + valueWidth + 10, height - 3);
             QColor ground = value.isForced ? c.forced : value.isBool ? (value.isTrue ? c.good : c.muted) : c.online;
@@ -600,8 +707,11 @@ void StEditor::drawOnlineValues(QPainter& painter) {
             }
             painter.setPen(c.muted);
             painter.drawText(QRectF(x + 5, y, nameWidth, height), Qt::AlignVCenter | Qt::AlignLeft, name);
-            painter.setPen(value.isBool && !value.isTrue && !value.isForced ? c.text : value.isForced ? c.text : ground.darker(c.dark ? 90 : 125));
-            painter.drawText(QRectF(x + 5 + nameWidth, y, valueWidth + 2, height), Qt::AlignVCenter | Qt::AlignLeft, value.value);
+            painter.setPen(value.isBool && !value.isTrue && !value.isForced ? c.text
+                           : value.isForced                                 ? c.text
+                                                                            : ground.darker(c.dark ? 90 : 125));
+            painter.drawText(QRectF(x + 5 + nameWidth, y, valueWidth + 2, height), Qt::AlignVCenter | Qt::AlignLeft,
+                             value.value);
             x += static_cast<int>(box.width()) + 6;
         }
     }
@@ -622,7 +732,8 @@ void StEditor::contextMenuEvent(QContextMenuEvent* event) {
     add(kit::Icon::Forward, tr("Go to Definition"), Qt::Key_F12, [this, at] { emit definitionRequested(m_file, at); });
     add(kit::Icon::Find, tr("Find All Uses"), Qt::SHIFT | Qt::Key_F12, [this, at] { emit usesRequested(m_file, at); });
     add(kit::Icon::Rename, tr("Rename…"), Qt::Key_F2, [this, at] { emit renameRequested(m_file, at); });
-    add(kit::Icon::Watch, tr("Add to Watch"), {}, [this] { emit watchRequested(hasSelectedText() ? selectedText() : wordUnderCursor()); });
+    add(kit::Icon::Watch, tr("Add to Watch"), {},
+        [this] { emit watchRequested(hasSelectedText() ? selectedText() : wordUnderCursor()); });
     add(kit::Icon::Breakpoint, tr("Toggle Breakpoint"), Qt::Key_F9, [this] {
         int line = 0, column = 0;
         getCursorPosition(&line, &column);
@@ -643,21 +754,29 @@ bool StEditor::event(QEvent* event) {
 
 void StEditor::showToolTip(const QPoint& position) {
     const QPoint inside = viewport()->mapFrom(this, position);
-    const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(inside.x()), static_cast<long>(inside.y()));
+    const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(inside.x()),
+                                  static_cast<long>(inside.y()));
     if (at < 0) return QToolTip::hideText();
     QString html;
     for (const diagnostics::Diagnostic& d : m_diagnostics)
         if (static_cast<uint32_t>(at) >= d.range.begin && static_cast<uint32_t>(at) <= d.range.end) {
-            html += QString("<p><b>%1</b> %2</p>").arg(QString::fromUtf8(diagnostics::codeOf(d.kind).data(), static_cast<int>(diagnostics::codeOf(d.kind).size())), QString::fromStdString(d.message()).toHtmlEscaped());
-            for (const diagnostics::Fix& fix : d.fixes) html += QString("<p>&nbsp;&nbsp;%1 <i>Alt+Enter</i></p>").arg(QString::fromStdString(fix.title).toHtmlEscaped());
+            html += QString("<p><b>%1</b> %2</p>")
+                        .arg(QString::fromUtf8(diagnostics::codeOf(d.kind).data(),
+                                               static_cast<int>(diagnostics::codeOf(d.kind).size())),
+                             QString::fromStdString(d.message()).toHtmlEscaped());
+            for (const diagnostics::Fix& fix : d.fixes)
+                html += QString("<p>&nbsp;&nbsp;%1 <i>Alt+Enter</i></p>")
+                            .arg(QString::fromStdString(fix.title).toHtmlEscaped());
         }
     if (!html.isEmpty()) return QToolTip::showText(mapToGlobal(position), html, this);
     emit hoverRequested(m_file, static_cast<uint32_t>(at), mapToGlobal(position));
 }
 
 void StEditor::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ControlModifier) && !(event->modifiers() & Qt::ShiftModifier)) {
-        const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(event->pos().x()), static_cast<long>(event->pos().y()));
+    if (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ControlModifier) &&
+        !(event->modifiers() & Qt::ShiftModifier)) {
+        const long at = SendScintilla(S::SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(event->pos().x()),
+                                      static_cast<long>(event->pos().y()));
         if (at >= 0) {
             emit definitionRequested(m_file, static_cast<uint32_t>(at));
             return;

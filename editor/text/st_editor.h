@@ -1,13 +1,13 @@
-// One ST file in the studio: QScintilla with the compiler's colours, folding, indentation, completion, diagnostics and fixes,
-// breakpoints, the executed line and online values beside the text. Owned by its tab; GUI thread. It knows no controller: values come
-// through OnlineValues, requests leave as signals.
+// One ST file in the studio: QScintilla with the compiler's colours, folding, indentation, completion, diagnostics and
+// fixes, breakpoints, the executed line and online values beside the text. Owned by its tab; GUI thread. It knows no
+// controller: values come through OnlineValues, requests leave as signals.
 #pragma once
 #include "editor/text/block_structure.h"
 #include "editor/text/st_lexer.h"
 #include "projects/analysis/code_model.h"
 
-#include <Qsci/qsciscintilla.h>
 #include <QTimer>
+#include <Qsci/qsciscintilla.h>
 
 #include <functional>
 #include <set>
@@ -21,7 +21,8 @@ struct OnlineValue {
     bool isAccumulator = false; // the current result of a line of an instruction list
     bool operator==(const OnlineValue&) const = default;
 };
-using OnlineValues = std::function<std::vector<OnlineValue>(const std::vector<std::pair<QString, QString>>& namesWithPou)>;
+using OnlineValues =
+    std::function<std::vector<OnlineValue>(const std::vector<std::pair<QString, QString>>& namesWithPou)>;
 
 struct EditorSettings {
     int indent = 4;
@@ -57,7 +58,7 @@ public:
     // positions in bytes
     [[nodiscard]] uint32_t cursorOffset() const;
     void goTo(uint32_t offset, uint32_t length = 0);
-    void goToLine(int line); // 1-based
+    void goToLine(int line);                                     // 1-based
     [[nodiscard]] uint32_t offsetOf(int line, int column) const; // 1-based, column in characters
     /// One undo step; offsets are of the present text, edits do not overlap.
     void applyEdits(std::vector<diagnostics::TextEdit> edits);
@@ -68,12 +69,14 @@ public:
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
     /// What stands beside the lines now, by line from 0.
-    [[nodiscard]] const std::vector<std::pair<int, std::vector<OnlineValue>>>& shownValues() const { return m_shownValues; }
+    [[nodiscard]] const std::vector<std::pair<int, std::vector<OnlineValue>>>& shownValues() const {
+        return m_shownValues;
+    }
 
     // commands (also in the menus)
     void triggerCompletion();
     void showParameterHelp();
-    void applyFix();            // Alt+Enter: a menu when there are several
+    void applyFix(); // Alt+Enter: a menu when there are several
     void toggleComment();
     void duplicateLine();
     void moveLines(int direction);

@@ -3,8 +3,8 @@
 #include "editor/kit/theme.h"
 #include "runtime/base/text.h"
 
-#include <Qsci/qsciscintilla.h>
 #include <QFontDatabase>
+#include <Qsci/qsciscintilla.h>
 
 #include <algorithm>
 
@@ -19,27 +19,48 @@ struct Ink {
 };
 Ink inkOf(TokenClass kind) {
     switch (kind) {
-    case TokenClass::Plain: return {0x1f2328, 0xd6dae0};
-    case TokenClass::Keyword: return {0x0a3fa8, 0x7aa8ff, true};
-    case TokenClass::Type: return {0x0b6e75, 0x5cc8cf};
-    case TokenClass::Number: return {0x7a3e00, 0xe0a870};
-    case TokenClass::Text: return {0x8a1c3c, 0xf08fa8};
-    case TokenClass::Comment: return {0x5c6b5e, 0x8fa392, false, true};
-    case TokenClass::Pragma: return {0x6b5b95, 0xb3a4dd};
-    case TokenClass::Operator: return {0x444b55, 0xaab2bd};
-    case TokenClass::Constant: return {0x7a3e00, 0xe0a870, true};
-    case TokenClass::EnumValue: return {0x8a5a00, 0xe8c46a};
-    case TokenClass::Input: return {0x116329, 0x7bd88f};
-    case TokenClass::Output: return {0x9a3412, 0xff9e6d};
-    case TokenClass::InOut: return {0x6d28d9, 0xc4a5ff};
-    case TokenClass::Local: return {0x1f2328, 0xd6dae0};
-    case TokenClass::Global: return {0x0550ae, 0x9ecbff, false, true};
-    case TokenClass::Instance: return {0x57606a, 0xc3cbd6, true};
-    case TokenClass::Function: return {0x5b21b6, 0xd2a8ff};
-    case TokenClass::Label: return {0x8a5a00, 0xe8c46a, true};
-    case TokenClass::Address: return {0x9a3412, 0xff9e6d};
-    case TokenClass::Step: return {0x0b6e75, 0x5cc8cf, true};
-    case TokenClass::Error: return {0xc01c28, 0xff7b72};
+    case TokenClass::Plain:
+        return {0x1f2328, 0xd6dae0};
+    case TokenClass::Keyword:
+        return {0x0a3fa8, 0x7aa8ff, true};
+    case TokenClass::Type:
+        return {0x0b6e75, 0x5cc8cf};
+    case TokenClass::Number:
+        return {0x7a3e00, 0xe0a870};
+    case TokenClass::Text:
+        return {0x8a1c3c, 0xf08fa8};
+    case TokenClass::Comment:
+        return {0x5c6b5e, 0x8fa392, false, true};
+    case TokenClass::Pragma:
+        return {0x6b5b95, 0xb3a4dd};
+    case TokenClass::Operator:
+        return {0x444b55, 0xaab2bd};
+    case TokenClass::Constant:
+        return {0x7a3e00, 0xe0a870, true};
+    case TokenClass::EnumValue:
+        return {0x8a5a00, 0xe8c46a};
+    case TokenClass::Input:
+        return {0x116329, 0x7bd88f};
+    case TokenClass::Output:
+        return {0x9a3412, 0xff9e6d};
+    case TokenClass::InOut:
+        return {0x6d28d9, 0xc4a5ff};
+    case TokenClass::Local:
+        return {0x1f2328, 0xd6dae0};
+    case TokenClass::Global:
+        return {0x0550ae, 0x9ecbff, false, true};
+    case TokenClass::Instance:
+        return {0x57606a, 0xc3cbd6, true};
+    case TokenClass::Function:
+        return {0x5b21b6, 0xd2a8ff};
+    case TokenClass::Label:
+        return {0x8a5a00, 0xe8c46a, true};
+    case TokenClass::Address:
+        return {0x9a3412, 0xff9e6d};
+    case TokenClass::Step:
+        return {0x0b6e75, 0x5cc8cf, true};
+    case TokenClass::Error:
+        return {0xc01c28, 0xff7b72};
     }
     return {0, 0xffffff};
 }
@@ -48,7 +69,9 @@ constexpr int kClasses = static_cast<int>(TokenClass::Error) + 1;
 
 StLexer::StLexer(QsciScintilla* parent) : QsciLexerCustom(parent) { applyTheme(); }
 
-QString StLexer::description(int style) const { return style >= 0 && style < kClasses ? QString::number(style) : QString(); }
+QString StLexer::description(int style) const {
+    return style >= 0 && style < kClasses ? QString::number(style) : QString();
+}
 
 QColor StLexer::colourOf(TokenClass kind) const {
     const Ink ink = inkOf(kind);
@@ -79,7 +102,8 @@ void StLexer::applyTheme() {
     }
 }
 
-void StLexer::setModel(const std::shared_ptr<const analysis::CodeModel>& model, std::optional<FileId> file, std::string_view analysedText) {
+void StLexer::setModel(const std::shared_ptr<const analysis::CodeModel>& model, std::optional<FileId> file,
+                       std::string_view analysedText) {
     m_classOfName.clear();
     m_exact.clear();
     m_analysedText = std::string(analysedText);
@@ -95,42 +119,62 @@ void StLexer::styleText(int start, int end) {
     if (!view || start < 0 || end <= start) return;
     const auto length = static_cast<size_t>(view->SendScintilla(QsciScintillaBase::SCI_GETLENGTH));
     // Scintilla's own bytes: a large text is not copied for every key.
-    const auto* bytes = reinterpret_cast<const char*>(view->SendScintillaPtrResult(QsciScintillaBase::SCI_GETCHARACTERPOINTER));
+    const auto* bytes =
+        reinterpret_cast<const char*>(view->SendScintillaPtrResult(QsciScintillaBase::SCI_GETCHARACTERPOINTER));
     const std::string_view text(bytes, length);
     const auto first = static_cast<uint32_t>(start);
-    const auto endsBefore = [](uint32_t at) { return [at](const analysis::ColouredToken& token) { return token.end <= at; }; };
+    const auto endsBefore = [](uint32_t at) {
+        return [at](const analysis::ColouredToken& token) { return token.end <= at; };
+    };
 
     std::vector<analysis::ColouredToken> tokens;
     if (text == m_analysedText && !m_exact.empty()) {
         const auto from = std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first));
-        const auto to = std::partition_point(from, m_exact.end(), [&](const analysis::ColouredToken& token) { return token.begin < static_cast<uint32_t>(end); });
+        const auto to = std::partition_point(from, m_exact.end(), [&](const analysis::ColouredToken& token) {
+            return token.begin < static_cast<uint32_t>(end);
+        });
         tokens.assign(from, to);
     } else {
         // What lies before the first change keeps its colours; behind it only what is asked for is read again.
-        const auto same = static_cast<uint32_t>(std::mismatch(text.begin(), text.end(), m_analysedText.begin(), m_analysedText.end()).first - text.begin());
-        const auto kept = same == 0 ? m_exact.begin() : std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(same - 1));
+        const auto same = static_cast<uint32_t>(
+            std::mismatch(text.begin(), text.end(), m_analysedText.begin(), m_analysedText.end()).first - text.begin());
+        const auto kept =
+            same == 0 ? m_exact.begin() : std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(same - 1));
         tokens.assign(std::min(kept, std::partition_point(m_exact.begin(), m_exact.end(), endsBefore(first))), kept);
         const uint32_t restart = kept == m_exact.begin() ? 0 : std::prev(kept)->end;
-        const auto lineEnd = std::min(text.size(), text.find('\n', std::max<size_t>(static_cast<size_t>(end), restart)));
+        const auto lineEnd =
+            std::min(text.size(), text.find('\n', std::max<size_t>(static_cast<size_t>(end), restart)));
         const std::string piece(text.substr(restart, lineEnd - restart));
         diagnostics::Sink sink;
         const lex::TokenList list = lex::tokenize(FileId(size_t(0)), piece, sink);
-        const auto kindAt = [&](size_t i) { return i < list.tokens.size() ? list.tokens[i].kind : lex::TokenKind::EndOfFile; };
+        const auto kindAt = [&](size_t i) {
+            return i < list.tokens.size() ? list.tokens[i].kind : lex::TokenKind::EndOfFile;
+        };
         const auto isNewLine = [&](size_t i) { // first on its line
-            return i == 0 || std::string_view(text).substr(list.tokens[i - 1].end, list.tokens[i].begin - list.tokens[i - 1].end).find('\n') != std::string_view::npos;
+            return i == 0 || std::string_view(text)
+                                     .substr(list.tokens[i - 1].end, list.tokens[i].begin - list.tokens[i - 1].end)
+                                     .find('\n') != std::string_view::npos;
         };
         for (size_t i = 0; i < list.tokens.size(); ++i) {
             const lex::Token& token = list.tokens[i];
             TokenClass kind = lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
             switch (token.kind) {
             case lex::TokenKind::Identifier: {
-                const auto known = m_classOfName.find(foldCase(std::string_view(piece).substr(token.begin, token.end - token.begin)));
-                kind = known != m_classOfName.end() ? known->second : token.soft != lex::SoftWord::None ? TokenClass::Keyword : TokenClass::Plain;
+                const auto known =
+                    m_classOfName.find(foldCase(std::string_view(piece).substr(token.begin, token.end - token.begin)));
+                kind = known != m_classOfName.end()        ? known->second
+                       : token.soft != lex::SoftWord::None ? TokenClass::Keyword
+                                                           : TokenClass::Plain;
                 // an instruction: the first word of a line, or behind a label, and no statement
-                if (kind == TokenClass::Plain && analysis::isListOperator(std::string_view(text).substr(token.begin, token.end - token.begin))) {
-                    const bool isFirst = isNewLine(i) || (i >= 2 && kindAt(i - 1) == lex::TokenKind::Colon && isNewLine(i - 2));
-                    const lex::TokenKind next = isNewLine(std::min(i + 1, list.tokens.size() - 1)) ? lex::TokenKind::EndOfFile : kindAt(i + 1);
-                    if (isFirst && next != lex::TokenKind::Assign && next != lex::TokenKind::Dot && next != lex::TokenKind::Colon && next != lex::TokenKind::LeftBracket) kind = TokenClass::Keyword;
+                if (kind == TokenClass::Plain &&
+                    analysis::isListOperator(std::string_view(text).substr(token.begin, token.end - token.begin))) {
+                    const bool isFirst =
+                        isNewLine(i) || (i >= 2 && kindAt(i - 1) == lex::TokenKind::Colon && isNewLine(i - 2));
+                    const lex::TokenKind next =
+                        isNewLine(std::min(i + 1, list.tokens.size() - 1)) ? lex::TokenKind::EndOfFile : kindAt(i + 1);
+                    if (isFirst && next != lex::TokenKind::Assign && next != lex::TokenKind::Dot &&
+                        next != lex::TokenKind::Colon && next != lex::TokenKind::LeftBracket)
+                        kind = TokenClass::Keyword;
                 }
                 break;
             }
@@ -139,25 +183,40 @@ void StLexer::styleText(int start, int end) {
             case lex::TokenKind::DurationLiteral:
             case lex::TokenKind::DateLiteral:
             case lex::TokenKind::TimeOfDayLiteral:
-            case lex::TokenKind::DateTimeLiteral: kind = TokenClass::Number; break;
+            case lex::TokenKind::DateTimeLiteral:
+                kind = TokenClass::Number;
+                break;
             case lex::TokenKind::StringLiteral:
-            case lex::TokenKind::WstringLiteral: kind = TokenClass::Text; break;
-            case lex::TokenKind::TypedPrefix: kind = TokenClass::Type; break;
-            case lex::TokenKind::DirectAddress: kind = TokenClass::Address; break;
-            case lex::TokenKind::Pragma: kind = TokenClass::Pragma; break;
+            case lex::TokenKind::WstringLiteral:
+                kind = TokenClass::Text;
+                break;
+            case lex::TokenKind::TypedPrefix:
+                kind = TokenClass::Type;
+                break;
+            case lex::TokenKind::DirectAddress:
+                kind = TokenClass::Address;
+                break;
+            case lex::TokenKind::Pragma:
+                kind = TokenClass::Pragma;
+                break;
             case lex::TokenKind::True:
-            case lex::TokenKind::False: kind = TokenClass::Constant; break;
+            case lex::TokenKind::False:
+                kind = TokenClass::Constant;
+                break;
             case lex::TokenKind::Error: { // a comment may go on behind the piece
                 const std::string_view head = std::string_view(piece).substr(token.begin, 2);
                 kind = head == "(*" || head == "/*" ? TokenClass::Comment : TokenClass::Error;
                 break;
             }
-            case lex::TokenKind::EndOfFile: continue;
-            default: break;
+            case lex::TokenKind::EndOfFile:
+                continue;
+            default:
+                break;
             }
             tokens.push_back({restart + token.begin, restart + token.end, kind});
         }
-        for (const lex::Comment& comment : list.comments) tokens.push_back({restart + comment.begin, restart + comment.end, TokenClass::Comment});
+        for (const lex::Comment& comment : list.comments)
+            tokens.push_back({restart + comment.begin, restart + comment.end, TokenClass::Comment});
         std::sort(tokens.begin(), tokens.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
     }
     startStyling(start);
@@ -167,7 +226,8 @@ void StLexer::styleText(int start, int end) {
     const auto style = [&](uint32_t upTo, TokenClass kind) {
         upTo = std::min(upTo, last);
         if (upTo <= at) return;
-        view->SendScintilla(QsciScintillaBase::SCI_SETSTYLING, static_cast<unsigned long>(upTo - at), static_cast<long>(kind));
+        view->SendScintilla(QsciScintillaBase::SCI_SETSTYLING, static_cast<unsigned long>(upTo - at),
+                            static_cast<long>(kind));
         at = upTo;
     };
     for (const analysis::ColouredToken& token : tokens) {

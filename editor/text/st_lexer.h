@@ -1,5 +1,5 @@
-// Colours of ST text in QScintilla, from the compiler's own tokens (D3): lexical at once, by meaning as soon as the analysis is there.
-// Owned by its editor; GUI thread.
+// Colours of ST text in QScintilla, from the compiler's own tokens (D3): lexical at once, by meaning as soon as the
+// analysis is there. Owned by its editor; GUI thread.
 #pragma once
 #include "projects/analysis/code_model.h"
 
@@ -17,7 +17,8 @@ public:
     [[nodiscard]] QString description(int style) const override;
     void styleText(int start, int end) override;
     /// Meanings of the names of this file, from the newest analysis.
-    void setModel(const std::shared_ptr<const analysis::CodeModel>& model, std::optional<FileId> file, std::string_view analysedText);
+    void setModel(const std::shared_ptr<const analysis::CodeModel>& model, std::optional<FileId> file,
+                  std::string_view analysedText);
     void applyTheme();
     [[nodiscard]] QColor colourOf(analysis::TokenClass kind) const;
 

@@ -5,8 +5,8 @@
 #include "runtime/compiler/lex/token.h"
 
 #include <QGuiApplication>
-#include <QScreen>
 #include <QKeyEvent>
+#include <QScreen>
 
 #include <algorithm>
 
@@ -16,7 +16,9 @@ using S = QsciScintillaBase;
 
 namespace {
 constexpr int kListId = 1;
-bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80; }
+bool isWord(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+}
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
@@ -33,9 +35,11 @@ void StEditor::keyPressEvent(QKeyEvent* event) {
         }
     }
     if (event->key() == Qt::Key_Space && event->modifiers() == Qt::ControlModifier) return triggerCompletion();
-    if (event->key() == Qt::Key_Space && event->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier)) return showParameterHelp();
+    if (event->key() == Qt::Key_Space && event->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier))
+        return showParameterHelp();
     if (event->key() == Qt::Key_Slash && event->modifiers() == Qt::ControlModifier) return toggleComment();
-    if ((event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) && event->modifiers() == Qt::AltModifier) return moveLines(event->key() == Qt::Key_Up ? -1 : 1);
+    if ((event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) && event->modifiers() == Qt::AltModifier)
+        return moveLines(event->key() == Qt::Key_Up ? -1 : 1);
     QsciScintilla::keyPressEvent(event);
 }
 
@@ -45,7 +49,8 @@ bool StEditor::isWordComplete() const {
     uint32_t begin = end;
     while (begin > 0 && isWord(text[begin - 1])) --begin;
     const std::string_view typed = std::string_view(text).substr(begin, end - begin);
-    return std::any_of(m_completion.items.begin(), m_completion.items.end(), [&](const analysis::CompletionItem& item) { return equalsIgnoringCase(item.text, typed); });
+    return std::any_of(m_completion.items.begin(), m_completion.items.end(),
+                       [&](const analysis::CompletionItem& item) { return equalsIgnoringCase(item.text, typed); });
 }
 
 void StEditor::afterCharacter(int character) {
@@ -70,7 +75,8 @@ void StEditor::triggerCompletion() {
     if (!file) return;
     const std::string text = utf8();
     m_completion = m_model->complete(*file, text, cursorOffset());
-    const std::string typed = text.substr(m_completion.replaceBegin, m_completion.replaceEnd - m_completion.replaceBegin);
+    const std::string typed =
+        text.substr(m_completion.replaceBegin, m_completion.replaceEnd - m_completion.replaceBegin);
     std::string list;
     size_t shown = 0;
     for (const analysis::CompletionItem& item : m_completion.items) {
@@ -86,7 +92,8 @@ void StEditor::triggerCompletion() {
     }
     // Scintilla asks the screen below the cursor for its size; a window that hangs over the edge may have none there.
     const long caret = SendScintilla(S::SCI_GETCURRENTPOS);
-    const QPoint at(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0UL, caret)), static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0UL, caret)));
+    const QPoint at(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0UL, caret)),
+                    static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0UL, caret)));
     if (!QGuiApplication::screenAt(viewport()->mapToGlobal(at))) return;
     SendScintilla(S::SCI_USERLISTSHOW, static_cast<unsigned long>(kListId), list.c_str());
 }
@@ -101,10 +108,13 @@ void StEditor::insertCompletion(const analysis::CompletionItem& item) {
         const size_t lineBegin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
         const size_t indent = text.find_first_not_of(" \t", lineBegin);
         const std::string blanks = text.substr(lineBegin, std::min<size_t>(indent, begin) - lineBegin);
-        for (size_t i = 0; (i = inserted.find('\n', i)) != std::string::npos; i += 1 + blanks.size()) inserted.insert(i + 1, blanks);
+        for (size_t i = 0; (i = inserted.find('\n', i)) != std::string::npos; i += 1 + blanks.size())
+            inserted.insert(i + 1, blanks);
         cursor = inserted.find('|');
-        if (cursor != std::string::npos) inserted.erase(cursor, 1);
-        else cursor = inserted.size();
+        if (cursor != std::string::npos)
+            inserted.erase(cursor, 1);
+        else
+            cursor = inserted.size();
     }
     applyEdits({{{FileId(), begin, end}, inserted}});
     SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(begin + cursor));
@@ -130,7 +140,8 @@ void StEditor::showParameterHelp() {
         if (i == help->current) highlightEnd = tip.size();
     }
     tip += ")";
-    if (help->current < help->parameters.size() && !help->parameters[help->current].comment.empty()) tip += "\n" + help->parameters[help->current].comment;
+    if (help->current < help->parameters.size() && !help->parameters[help->current].comment.empty())
+        tip += "\n" + help->parameters[help->current].comment;
     SendScintilla(S::SCI_CALLTIPSHOW, static_cast<unsigned long>(cursorOffset()), tip.c_str());
     SendScintilla(S::SCI_CALLTIPSETHLT, static_cast<unsigned long>(highlightBegin), static_cast<long>(highlightEnd));
 }
@@ -144,10 +155,19 @@ void StEditor::enterPressed() {
     const size_t first = before.find_first_not_of(" \t", lineBegin);
     const int own = static_cast<int>(std::min<size_t>(first == std::string::npos ? at : first, at) - lineBegin);
     const bool atLineEnd = at >= before.size() || before[at] == '\n';
-    const std::string end = m_settings.autoCloseBlocks && indent > own && atLineEnd ? missingEnd(before, at) : std::string();
+    const std::string end =
+        m_settings.autoCloseBlocks && indent > own && atLineEnd ? missingEnd(before, at) : std::string();
     std::string inserted = "\n" + std::string(static_cast<size_t>(indent), ' ');
     const size_t cursor = inserted.size();
-    if (!end.empty()) inserted += "\n" + std::string(static_cast<size_t>(own), ' ') + end + (end == "END_VAR" || end == "END_TYPE" || end.starts_with("END_F") || end == "END_PROGRAM" || end == "END_METHOD" ? "" : end == "END_IF" || end == "END_CASE" || end == "END_WHILE" || end == "END_REPEAT" || end == "END_STRUCT" ? ";" : "");
+    if (!end.empty())
+        inserted +=
+            "\n" + std::string(static_cast<size_t>(own), ' ') + end +
+            (end == "END_VAR" || end == "END_TYPE" || end.starts_with("END_F") || end == "END_PROGRAM" ||
+                     end == "END_METHOD"
+                 ? ""
+             : end == "END_IF" || end == "END_CASE" || end == "END_WHILE" || end == "END_REPEAT" || end == "END_STRUCT"
+                 ? ";"
+                 : "");
     if (end == "END_FOR") inserted += ";";
     beginUndoAction();
     replaceSelectedText("");
@@ -173,11 +193,13 @@ void StEditor::outdentClosingWord() {
     };
     for (const BlockPair& pair : findBlocks(text)) {
         const bool ends = pair.close.begin == wordBegin;
-        const bool divides = std::any_of(pair.middle.begin(), pair.middle.end(), [&](const BlockMark& m) { return m.begin == wordBegin; });
+        const bool divides = std::any_of(pair.middle.begin(), pair.middle.end(),
+                                         [&](const BlockMark& m) { return m.begin == wordBegin; });
         if (!ends && !divides) continue;
         const int wanted = columnOf(pair.open.begin), now = static_cast<int>(wordBegin - lineBegin);
         if (wanted >= now) return;
-        applyEdits({{{FileId(), static_cast<uint32_t>(lineBegin), static_cast<uint32_t>(wordBegin)}, std::string(static_cast<size_t>(wanted), ' ')}});
+        applyEdits({{{FileId(), static_cast<uint32_t>(lineBegin), static_cast<uint32_t>(wordBegin)},
+                     std::string(static_cast<size_t>(wanted), ' ')}});
         SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(at - static_cast<uint32_t>(now - wanted)));
         return;
     }
@@ -197,7 +219,8 @@ void StEditor::upperCaseWordBefore() {
     const lex::TokenList all = lex::tokenize(FileId(size_t(0)), text, sink);
     for (const lex::Comment& comment : all.comments)
         if (begin >= comment.begin && begin < comment.end) return;
-    const auto token = std::find_if(all.tokens.begin(), all.tokens.end(), [&](const lex::Token& t) { return t.begin == begin; });
+    const auto token =
+        std::find_if(all.tokens.begin(), all.tokens.end(), [&](const lex::Token& t) { return t.begin == begin; });
     if (token == all.tokens.end() || !lex::isKeyword(token->kind)) return; // inside a string or a pragma
     std::string upper = word;
     for (char& c : upper)

@@ -43,7 +43,8 @@ std::vector<kit::PropertyChoice> choices(const QStringList& labels) {
     return out;
 }
 
-kit::PropertyDescriptor describe(const char* id, const QString& group, const QString& label, kit::PropertyKind kind, const QVariant& standard = {}) {
+kit::PropertyDescriptor describe(const char* id, const QString& group, const QString& label, kit::PropertyKind kind,
+                                 const QVariant& standard = {}) {
     kit::PropertyDescriptor d;
     d.id = QLatin1String(id);
     d.group = group;
@@ -118,7 +119,9 @@ ChannelPanel::ChannelPanel(QWidget* parent) : QWidget(parent) {
         const bool visible = item->checkState(0) == Qt::Checked;
         if (m_setup.channels[static_cast<size_t>(channel)].isVisible == visible) return;
         m_isTicked = true;
-        emit changeRequested(visible ? tr("Show channel") : tr("Hide channel"), [channel, visible](TraceSetup& s) { s.channels[static_cast<size_t>(channel)].isVisible = visible; });
+        emit changeRequested(visible ? tr("Show channel") : tr("Hide channel"), [channel, visible](TraceSetup& s) {
+            s.channels[static_cast<size_t>(channel)].isVisible = visible;
+        });
         m_isTicked = false;
     });
     connect(m_grid, &kit::PropertyGrid::committed, this, &ChannelPanel::commit);
@@ -134,7 +137,9 @@ void ChannelPanel::setCheck(kit::TextCheck check) {
     m_grid->setCheck([check](const QString&, const QString& text) { return check(text); });
 }
 
-void ChannelPanel::setPicker(std::function<std::optional<QString>(const QString&)> picker) { m_grid->setPicker(std::move(picker)); }
+void ChannelPanel::setPicker(std::function<std::optional<QString>(const QString&)> picker) {
+    m_grid->setPicker(std::move(picker));
+}
 
 int ChannelPanel::selectedChannel() const {
     const QTreeWidgetItem* item = m_list->currentItem();
@@ -149,13 +154,17 @@ int ChannelPanel::selectedChart() const {
 void ChannelPanel::selectChannel(int channel) {
     for (int i = 0; i < m_list->topLevelItemCount(); ++i)
         for (int j = 0; j < m_list->topLevelItem(i)->childCount(); ++j)
-            if (m_list->topLevelItem(i)->child(j)->data(0, ChannelRole).toInt() == channel) m_list->setCurrentItem(m_list->topLevelItem(i)->child(j));
+            if (m_list->topLevelItem(i)->child(j)->data(0, ChannelRole).toInt() == channel)
+                m_list->setCurrentItem(m_list->topLevelItem(i)->child(j));
 }
 
 void ChannelPanel::showSetup(const TraceSetup& setup, const kit::PlotModel& model) {
     m_setup = setup;
-    if (m_isTicked) QMetaObject::invokeMethod(this, [this] { rebuild(); }, Qt::QueuedConnection);
-    else rebuild();
+    if (m_isTicked)
+        QMetaObject::invokeMethod(
+            this, [this] { rebuild(); }, Qt::QueuedConnection);
+    else
+        rebuild();
     showValues(model);
 }
 
@@ -165,14 +174,16 @@ void ChannelPanel::rebuild() {
     m_list->clear();
     for (size_t c = 0; c < m_setup.charts.size(); ++c) {
         const std::string& title = m_setup.charts[c].title;
-        auto* chartItem = new QTreeWidgetItem(m_list, {title.empty() ? tr("Chart %1").arg(c + 1) : QString::fromStdString(title)});
+        auto* chartItem =
+            new QTreeWidgetItem(m_list, {title.empty() ? tr("Chart %1").arg(c + 1) : QString::fromStdString(title)});
         chartItem->setData(0, ChartRole, static_cast<int>(c));
         chartItem->setIcon(0, kit::icon(kit::Icon::Trace));
         chartItem->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDropEnabled);
         for (size_t i = 0; i < m_setup.channels.size(); ++i) {
             const ChannelSetup& s = m_setup.channels[i];
             if (s.chart != static_cast<int>(c)) continue;
-            auto* item = new QTreeWidgetItem(chartItem, {QString::fromStdString(s.label.empty() ? s.expression : s.label)});
+            auto* item =
+                new QTreeWidgetItem(chartItem, {QString::fromStdString(s.label.empty() ? s.expression : s.label)});
             item->setData(0, ChartRole, static_cast<int>(c));
             item->setData(0, ChannelRole, static_cast<int>(i));
             item->setIcon(0, swatch(channelColor(m_setup, i)));
@@ -205,16 +216,20 @@ void ChannelPanel::showValues(const kit::PlotModel& model) {
             if (item->text(1) == shown) continue;
             item->setText(1, shown);
             item->setForeground(1, curve.problem.isEmpty() ? kit::colors().online : kit::colors().bad);
-            item->setToolTip(0, curve.problem.isEmpty() ? QString::fromStdString(m_setup.channels[index].expression) : curve.problem);
+            item->setToolTip(0, curve.problem.isEmpty() ? QString::fromStdString(m_setup.channels[index].expression)
+                                                        : curve.problem);
         }
     m_filling = false;
 }
 
 void ChannelPanel::showProperties() {
     if (m_filling) return;
-    if (const int channel = selectedChannel(); channel >= 0 && channel < static_cast<int>(m_setup.channels.size())) describeChannel(channel);
-    else if (const int chart = selectedChart(); chart >= 0 && chart < static_cast<int>(m_setup.charts.size())) describeChart(chart);
-    else describeTrace();
+    if (const int channel = selectedChannel(); channel >= 0 && channel < static_cast<int>(m_setup.channels.size()))
+        describeChannel(channel);
+    else if (const int chart = selectedChart(); chart >= 0 && chart < static_cast<int>(m_setup.charts.size()))
+        describeChart(chart);
+    else
+        describeTrace();
 }
 
 void ChannelPanel::describeChannel(int channel) {
@@ -238,18 +253,28 @@ void ChannelPanel::describeChannel(int channel) {
     d[d.size() - 2].decimals = d.back().decimals = 9;
     d.push_back(describe("chart", group, tr("Chart"), PropertyKind::Enumeration));
     QStringList charts, axes;
-    for (size_t i = 0; i < m_setup.charts.size(); ++i) charts += m_setup.charts[i].title.empty() ? tr("Chart %1").arg(i + 1) : QString::fromStdString(m_setup.charts[i].title);
+    for (size_t i = 0; i < m_setup.charts.size(); ++i)
+        charts += m_setup.charts[i].title.empty() ? tr("Chart %1").arg(i + 1)
+                                                  : QString::fromStdString(m_setup.charts[i].title);
     charts += tr("New chart");
     d.back().choices = choices(charts);
     d.push_back(describe("axis", group, tr("Axis"), PropertyKind::Enumeration));
     const ChartSetup& chart = m_setup.charts[static_cast<size_t>(c.chart)];
-    for (size_t i = 0; i < chart.axes.size(); ++i) axes += chart.axes[i].title.empty() ? tr("Axis %1").arg(i + 1) : QString::fromStdString(chart.axes[i].title);
+    for (size_t i = 0; i < chart.axes.size(); ++i)
+        axes += chart.axes[i].title.empty() ? tr("Axis %1").arg(i + 1) : QString::fromStdString(chart.axes[i].title);
     axes += tr("New axis");
     d.back().choices = choices(axes);
     m_grid->setDescriptors(std::move(d));
-    m_grid->setValues({{"expression", QString::fromStdString(c.expression)}, {"label", QString::fromStdString(c.label)}, {"unit", QString::fromStdString(c.unit)},
-                       {"style", static_cast<int>(c.style)}, {"color", channelColor(m_setup, static_cast<size_t>(channel))}, {"width", c.width}, {"scale", c.scale},
-                       {"offset", c.offset}, {"chart", c.chart}, {"axis", c.axis}});
+    m_grid->setValues({{"expression", QString::fromStdString(c.expression)},
+                       {"label", QString::fromStdString(c.label)},
+                       {"unit", QString::fromStdString(c.unit)},
+                       {"style", static_cast<int>(c.style)},
+                       {"color", channelColor(m_setup, static_cast<size_t>(channel))},
+                       {"width", c.width},
+                       {"scale", c.scale},
+                       {"offset", c.offset},
+                       {"chart", c.chart},
+                       {"axis", c.axis}});
 }
 
 void ChannelPanel::describeChart(int chart) {
@@ -265,7 +290,8 @@ void ChannelPanel::describeChart(int chart) {
     for (size_t i = 0; i < c.axes.size(); ++i) {
         const QString group = c.axes.size() == 1 ? tr("Axis") : tr("Axis %1").arg(i + 1);
         const QString prefix = QStringLiteral("axis%1.").arg(i);
-        auto add = [&](const char* id, const QString& label, PropertyKind kind, const QVariant& value, const QVariant& standard) {
+        auto add = [&](const char* id, const QString& label, PropertyKind kind, const QVariant& value,
+                       const QVariant& standard) {
             d.push_back(describe(id, group, label, kind, standard));
             d.back().id = prefix + QLatin1String(id);
             d.back().decimals = 9;
@@ -309,28 +335,44 @@ void ChannelPanel::describeTrace() {
     }
     m_grid->setDescriptors(std::move(d));
     const TriggerSetup& t = m_setup.trigger;
-    m_grid->setValues({{"title", QString::fromStdString(m_setup.title)}, {"every", static_cast<int>(m_setup.every)}, {"condition", QString::fromStdString(m_setup.condition)},
-                       {"trigger", QString::fromStdString(t.expression)}, {"edge", static_cast<int>(t.edge)}, {"mode", static_cast<int>(t.mode)},
-                       {"before", static_cast<double>(t.before) / 1e9}, {"after", static_cast<double>(t.after) / 1e9}});
+    m_grid->setValues({{"title", QString::fromStdString(m_setup.title)},
+                       {"every", static_cast<int>(m_setup.every)},
+                       {"condition", QString::fromStdString(m_setup.condition)},
+                       {"trigger", QString::fromStdString(t.expression)},
+                       {"edge", static_cast<int>(t.edge)},
+                       {"mode", static_cast<int>(t.mode)},
+                       {"before", static_cast<double>(t.before) / 1e9},
+                       {"after", static_cast<double>(t.after) / 1e9}});
 }
 
 void ChannelPanel::commit(const QString& id, const QVariant& value) {
-    if (const int channel = selectedChannel(); channel >= 0) commitChannel(channel, id, value);
-    else if (const int chart = selectedChart(); chart >= 0) commitChart(chart, id, value);
-    else commitTrace(id, value);
+    if (const int channel = selectedChannel(); channel >= 0)
+        commitChannel(channel, id, value);
+    else if (const int chart = selectedChart(); chart >= 0)
+        commitChart(chart, id, value);
+    else
+        commitTrace(id, value);
 }
 
 void ChannelPanel::commitChannel(int channel, const QString& id, const QVariant& value) {
     emit changeRequested(tr("Change channel"), [channel, id, value](TraceSetup& s) {
         ChannelSetup& c = s.channels[static_cast<size_t>(channel)];
-        if (id == QLatin1String("expression") && !value.toString().trimmed().isEmpty()) c.expression = value.toString().trimmed().toStdString();
-        else if (id == QLatin1String("label")) c.label = utf8(value);
-        else if (id == QLatin1String("unit")) c.unit = utf8(value);
-        else if (id == QLatin1String("style")) c.style = static_cast<ChannelStyle>(value.toInt());
-        else if (id == QLatin1String("color")) c.color = value.value<QColor>().isValid() ? value.value<QColor>().name().toStdString() : std::string();
-        else if (id == QLatin1String("width")) c.width = value.toDouble();
-        else if (id == QLatin1String("scale")) c.scale = value.toDouble();
-        else if (id == QLatin1String("offset")) c.offset = value.toDouble();
+        if (id == QLatin1String("expression") && !value.toString().trimmed().isEmpty())
+            c.expression = value.toString().trimmed().toStdString();
+        else if (id == QLatin1String("label"))
+            c.label = utf8(value);
+        else if (id == QLatin1String("unit"))
+            c.unit = utf8(value);
+        else if (id == QLatin1String("style"))
+            c.style = static_cast<ChannelStyle>(value.toInt());
+        else if (id == QLatin1String("color"))
+            c.color = value.value<QColor>().isValid() ? value.value<QColor>().name().toStdString() : std::string();
+        else if (id == QLatin1String("width"))
+            c.width = value.toDouble();
+        else if (id == QLatin1String("scale"))
+            c.scale = value.toDouble();
+        else if (id == QLatin1String("offset"))
+            c.offset = value.toDouble();
         else if (id == QLatin1String("chart")) {
             c.chart = value.toInt();
             c.axis = 0;
@@ -349,39 +391,56 @@ void ChannelPanel::commitChannel(int channel, const QString& id, const QVariant&
 void ChannelPanel::commitChart(int chart, const QString& id, const QVariant& value) {
     emit changeRequested(tr("Change chart"), [chart, id, value](TraceSetup& s) {
         ChartSetup& c = s.charts[static_cast<size_t>(chart)];
-        if (id == QLatin1String("title")) c.title = utf8(value);
-        else if (id == QLatin1String("weight")) c.weight = value.toDouble();
+        if (id == QLatin1String("title"))
+            c.title = utf8(value);
+        else if (id == QLatin1String("weight"))
+            c.weight = value.toDouble();
         if (!id.startsWith(QLatin1String("axis"))) return;
         const auto axis = static_cast<size_t>(id.mid(4, id.indexOf(QLatin1Char('.')) - 4).toInt());
         if (axis >= c.axes.size()) return;
         const QString part = id.section(QLatin1Char('.'), 1);
         AxisSetup& a = c.axes[axis];
-        if (part == QLatin1String("title")) a.title = utf8(value);
-        else if (part == QLatin1String("unit")) a.unit = utf8(value);
-        else if (part == QLatin1String("mode")) a.mode = static_cast<ScaleMode>(value.toInt());
-        else if (part == QLatin1String("min")) a.minimum = value.toDouble();
-        else if (part == QLatin1String("max")) a.maximum = value.toDouble();
-        else if (part == QLatin1String("right")) a.isOnRight = value.toBool();
+        if (part == QLatin1String("title"))
+            a.title = utf8(value);
+        else if (part == QLatin1String("unit"))
+            a.unit = utf8(value);
+        else if (part == QLatin1String("mode"))
+            a.mode = static_cast<ScaleMode>(value.toInt());
+        else if (part == QLatin1String("min"))
+            a.minimum = value.toDouble();
+        else if (part == QLatin1String("max"))
+            a.maximum = value.toDouble();
+        else if (part == QLatin1String("right"))
+            a.isOnRight = value.toBool();
     });
 }
 
 void ChannelPanel::commitTrace(const QString& id, const QVariant& value) {
     emit changeRequested(tr("Change trace"), [id, value](TraceSetup& s) {
-        if (id == QLatin1String("title")) s.title = utf8(value);
-        else if (id == QLatin1String("every")) s.every = static_cast<uint32_t>(value.toInt());
-        else if (id == QLatin1String("condition")) s.condition = utf8(value);
-        else if (id == QLatin1String("trigger")) s.trigger.expression = utf8(value);
-        else if (id == QLatin1String("edge")) s.trigger.edge = static_cast<TriggerEdge>(value.toInt());
-        else if (id == QLatin1String("mode")) s.trigger.mode = static_cast<TriggerMode>(value.toInt());
-        else if (id == QLatin1String("before")) s.trigger.before = std::llround(value.toDouble() * 1e9);
-        else if (id == QLatin1String("after")) s.trigger.after = std::llround(value.toDouble() * 1e9);
+        if (id == QLatin1String("title"))
+            s.title = utf8(value);
+        else if (id == QLatin1String("every"))
+            s.every = static_cast<uint32_t>(value.toInt());
+        else if (id == QLatin1String("condition"))
+            s.condition = utf8(value);
+        else if (id == QLatin1String("trigger"))
+            s.trigger.expression = utf8(value);
+        else if (id == QLatin1String("edge"))
+            s.trigger.edge = static_cast<TriggerEdge>(value.toInt());
+        else if (id == QLatin1String("mode"))
+            s.trigger.mode = static_cast<TriggerMode>(value.toInt());
+        else if (id == QLatin1String("before"))
+            s.trigger.before = std::llround(value.toDouble() * 1e9);
+        else if (id == QLatin1String("after"))
+            s.trigger.after = std::llround(value.toDouble() * 1e9);
     });
 }
 
 void ChannelPanel::removeSelected() {
     const int channel = selectedChannel(), chart = selectedChart();
     if (channel >= 0) {
-        emit changeRequested(tr("Remove channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); });
+        emit changeRequested(tr("Remove channel"),
+                             [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); });
     } else if (chart >= 0 && m_setup.charts.size() > 1) {
         emit changeRequested(tr("Remove chart"), [chart](TraceSetup& s) {
             std::erase_if(s.channels, [chart](const ChannelSetup& c) { return c.chart == chart; });
@@ -405,7 +464,8 @@ void ChannelPanel::dropOn(QTreeWidgetItem* target, bool below, const QStringList
     emit changeRequested(tr("Move channel"), [moved, before, chart](TraceSetup& s) {
         // Colours by order would change with the place: keep what is seen.
         for (size_t i = 0; i < s.channels.size(); ++i)
-            if (s.channels[i].color.empty()) s.channels[i].color = kit::lightColors().curve(static_cast<int>(i)).name().toStdString();
+            if (s.channels[i].color.empty())
+                s.channels[i].color = kit::lightColors().curve(static_cast<int>(i)).name().toStdString();
         ChannelSetup channel = s.channels[static_cast<size_t>(moved)];
         if (channel.chart != chart) channel.axis = 0;
         channel.chart = chart;
@@ -415,7 +475,8 @@ void ChannelPanel::dropOn(QTreeWidgetItem* target, bool below, const QStringList
 }
 
 bool ChannelPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_list && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+    if (watched == m_list && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
         removeSelected();
         return true;
     }
@@ -424,7 +485,8 @@ bool ChannelPanel::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::DragEnter:
         case QEvent::DragMove: {
             auto* drag = static_cast<QDragMoveEvent*>(event);
-            const bool known = drag->source() == m_list || drag->mimeData()->hasFormat(kit::VariableMime) || drag->mimeData()->hasText();
+            const bool known = drag->source() == m_list || drag->mimeData()->hasFormat(kit::VariableMime) ||
+                               drag->mimeData()->hasText();
             if (known) drag->acceptProposedAction();
             return known;
         }
@@ -443,7 +505,8 @@ bool ChannelPanel::eventFilter(QObject* watched, QEvent* event) {
                 showProperties();
             }
             break;
-        default: break;
+        default:
+            break;
         }
     }
     return QWidget::eventFilter(watched, event);

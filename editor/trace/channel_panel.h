@@ -1,5 +1,5 @@
-// The list of a trace's charts and channels, an entry to add one, and the properties of what is selected. It edits nothing itself:
-// it asks for a changed set-up. Owned by the trace view; GUI thread.
+// The list of a trace's charts and channels, an entry to add one, and the properties of what is selected. It edits
+// nothing itself: it asks for a changed set-up. Owned by the trace view; GUI thread.
 #pragma once
 
 #include "editor/kit/expression_edit.h"
@@ -61,7 +61,8 @@ private:
     kit::ExpressionEdit* m_entry;
     QTreeWidget* m_list;
     kit::PropertyGrid* m_grid;
-    bool m_filling = false, m_isTicked = false; // ticked: the list is telling us of a change and must not be rebuilt yet
+    bool m_filling = false,
+         m_isTicked = false; // ticked: the list is telling us of a change and must not be rebuilt yet
 };
 
 } // namespace plc::trace

@@ -18,19 +18,26 @@ bool hasMembers(const types::Type& type) {
     switch (type.kind) {
     case TypeKind::Struct:
     case TypeKind::Union:
-    case TypeKind::Block: return !type.fields.empty();
-    case TypeKind::Array: return true;
-    default: return false;
+    case TypeKind::Block:
+        return !type.fields.empty();
+    case TypeKind::Array:
+        return true;
+    default:
+        return false;
     }
 }
 
 Icon iconOf(const types::Type& type, types::FieldSection section) {
     switch (type.kind) {
-    case TypeKind::Block: return Icon::Block;
+    case TypeKind::Block:
+        return Icon::Block;
     case TypeKind::Struct:
-    case TypeKind::Union: return Icon::Structure;
-    case TypeKind::Enum: return Icon::Enumeration;
-    default: break;
+    case TypeKind::Union:
+        return Icon::Structure;
+    case TypeKind::Enum:
+        return Icon::Enumeration;
+    default:
+        break;
     }
     if (section == types::FieldSection::Input) return Icon::Input;
     if (section == types::FieldSection::Output) return Icon::Output;
@@ -39,16 +46,23 @@ Icon iconOf(const types::Type& type, types::FieldSection section) {
 
 Icon iconOf(const image::Root& root, const types::Type& type) {
     switch (root.area) {
-    case image::Area::Program: return Icon::Program;
-    case image::Area::Input: return Icon::Input;
-    case image::Area::Output: return Icon::Output;
-    default: return root.constant ? Icon::Constant : iconOf(type, types::FieldSection::Member);
+    case image::Area::Program:
+        return Icon::Program;
+    case image::Area::Input:
+        return Icon::Input;
+    case image::Area::Output:
+        return Icon::Output;
+    default:
+        return root.constant ? Icon::Constant : iconOf(type, types::FieldSection::Member);
     }
 }
 
 QString text(const std::string& s) { return QString::fromStdString(s); }
 
-bool isPathCharacter(QChar c) { return c.isLetterOrNumber() || c == QLatin1Char('_') || c == QLatin1Char('.') || c == QLatin1Char('[') || c == QLatin1Char(']') || c == QLatin1Char('%'); }
+bool isPathCharacter(QChar c) {
+    return c.isLetterOrNumber() || c == QLatin1Char('_') || c == QLatin1Char('.') || c == QLatin1Char('[') ||
+           c == QLatin1Char(']') || c == QLatin1Char('%');
+}
 
 } // namespace
 
@@ -59,7 +73,8 @@ std::vector<kit::VariableNode> ProgramVariables::rootNodes() const {
         if (root.isHidden) continue;
         if (!root.list.empty()) {
             const QString list = text(root.space.empty() ? root.list : root.space + "." + root.list);
-            if (lists.insert(list.toLower()).second) out.push_back({list, list, QString(), QString(), Icon::Globals, true, false});
+            if (lists.insert(list.toLower()).second)
+                out.push_back({list, list, QString(), QString(), Icon::Globals, true, false});
             continue;
         }
         const types::Type& type = (*m_program->layout.types)[root.type];
@@ -67,7 +82,9 @@ std::vector<kit::VariableNode> ProgramVariables::rootNodes() const {
         out.push_back({path, path, text(type.name), text(root.comment), iconOf(root, type), hasMembers(type)});
     }
     std::stable_sort(out.begin(), out.end(), [](const kit::VariableNode& a, const kit::VariableNode& b) {
-        auto rank = [](const kit::VariableNode& n) { return n.icon == Icon::Program ? 0 : n.icon == Icon::Globals ? 1 : 2; };
+        auto rank = [](const kit::VariableNode& n) {
+            return n.icon == Icon::Program ? 0 : n.icon == Icon::Globals ? 1 : 2;
+        };
         return rank(a) < rank(b);
     });
     return out;
@@ -87,7 +104,8 @@ std::vector<kit::VariableNode> ProgramVariables::memberNodes(const QString& path
             QStringList indices;
             for (int64_t index : at) indices += QString::number(index);
             const QString name = QLatin1Char('[') + indices.join(QLatin1Char(',')) + QLatin1Char(']');
-            out.push_back({name, path + name, text(element.name), QString(), iconOf(element, types::FieldSection::Member), hasMembers(element)});
+            out.push_back({name, path + name, text(element.name), QString(),
+                           iconOf(element, types::FieldSection::Member), hasMembers(element)});
             for (size_t d = at.size(); d-- > 0;) {
                 if (++at[d] <= type.dimensions[d].high) break;
                 at[d] = type.dimensions[d].low;
@@ -100,7 +118,8 @@ std::vector<kit::VariableNode> ProgramVariables::memberNodes(const QString& path
         const types::Type& fieldType = types[field.type];
         const QString name = text(field.name);
         const bool follows = field.section != types::FieldSection::InOut; // an IN_OUT is only a way to elsewhere
-        out.push_back({name, path + QLatin1Char('.') + name, text(fieldType.name), text(field.comment), iconOf(fieldType, field.section), follows && hasMembers(fieldType)});
+        out.push_back({name, path + QLatin1Char('.') + name, text(fieldType.name), text(field.comment),
+                       iconOf(fieldType, field.section), follows && hasMembers(fieldType)});
     }
     return out;
 }
@@ -114,7 +133,8 @@ std::vector<kit::VariableNode> ProgramVariables::children(const QString& path) c
         const QString list = text(root.space.empty() ? root.list : root.space + "." + root.list);
         if (list.compare(path, Qt::CaseInsensitive) != 0) continue;
         const types::Type& type = (*m_program->layout.types)[root.type];
-        out.push_back({text(root.name), text(image::Layout::pathOf(root)), text(type.name), text(root.comment), iconOf(root, type), hasMembers(type)});
+        out.push_back({text(root.name), text(image::Layout::pathOf(root)), text(type.name), text(root.comment),
+                       iconOf(root, type), hasMembers(type)});
     }
     if (!out.empty()) return out;
     const auto place = m_program->layout.find(path.toStdString());
@@ -152,7 +172,8 @@ std::vector<kit::Completion> ProgramVariables::complete(const QString& line, int
         const auto match = kit::fuzzyMatch(begun, node.name);
         if (match) hits.emplace_back(match->score + bonus, kit::Completion{inserted, node.type, node.icon, from});
     };
-    for (const kit::VariableNode& node : children(parent)) offer(node, 20, node.name, start + static_cast<int>(dot) + 1);
+    for (const kit::VariableNode& node : children(parent))
+        offer(node, 20, node.name, start + static_cast<int>(dot) + 1);
     // Members of programs and lists can be found by their own name.
     if (dot < 0 && begun.size() >= 2)
         for (const kit::VariableNode& root : children(QString()))

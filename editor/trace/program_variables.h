@@ -1,5 +1,5 @@
-// The variables of a compiled program as a tree, for pickers and completion; and the unit that a declaration's comment names in
-// brackets. The program is shared and immutable; GUI thread.
+// The variables of a compiled program as a tree, for pickers and completion; and the unit that a declaration's comment
+// names in brackets. The program is shared and immutable; GUI thread.
 #pragma once
 
 #include "editor/kit/expression_edit.h"

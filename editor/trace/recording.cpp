@@ -26,7 +26,8 @@ ChannelType channelTypeOf(const expression::Expression& expression) {
     out.name = type->name;
     if (type->kind == TypeKind::Enum)
         for (const types::Enumerator& e : type->enumerators) out.valueNames.emplace(e.value, e.name);
-    while ((type->kind == TypeKind::Enum || type->kind == TypeKind::Subrange) && type->element.isValid()) type = &table[type->element];
+    while ((type->kind == TypeKind::Enum || type->kind == TypeKind::Subrange) && type->element.isValid())
+        type = &table[type->element];
     switch (types::familyOf(type->kind)) {
     case types::Family::Bool:
         out.isBool = true;
@@ -36,8 +37,11 @@ ChannelType channelTypeOf(const expression::Expression& expression) {
     case types::Family::Signed:
     case types::Family::Unsigned:
         out.isInteger = true;
-        out.kind = type->size <= 2 ? (type->size == 1 || types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int16 : ColumnKind::Int32)
-                   : type->size == 4 ? (types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int32 : ColumnKind::Double)
+        out.kind = type->size <= 2
+                       ? (type->size == 1 || types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int16
+                                                                                                  : ColumnKind::Int32)
+                   : type->size == 4
+                       ? (types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int32 : ColumnKind::Double)
                    : types::familyOf(type->kind) == types::Family::Signed ? ColumnKind::Int64
                                                                           : ColumnKind::Uint64;
         break;
@@ -54,10 +58,13 @@ ChannelType channelTypeOf(const expression::Expression& expression) {
     case types::Family::DateTime:
         out.isInteger = true;
         out.kind = ColumnKind::Int64;
-        out.toText = [expression](int64_t value) { return types::toText(expression.types(), types::Value{expression.type(), value}); };
+        out.toText = [expression](int64_t value) {
+            return types::toText(expression.types(), types::Value{expression.type(), value});
+        };
         break;
     case types::Family::Character:
-    case types::Family::Other: break;
+    case types::Family::Other:
+        break;
     }
     return out;
 }

@@ -1,5 +1,5 @@
-// What a trace reads from: a running session's history, or a recording from a file. Positions, times and samples; expressions by
-// their text. Functions may be called from the window's thread while the scan thread records.
+// What a trace reads from: a running session's history, or a recording from a file. Positions, times and samples;
+// expressions by their text. Functions may be called from the window's thread while the scan thread records.
 #pragma once
 
 #include "runtime/expression/expression.h"
@@ -21,8 +21,8 @@ using history::Position;
 struct ChannelType {
     history::ColumnKind kind = history::ColumnKind::Double;
     bool isBool = false, isSingle = false, isInteger = false;
-    bool isTime = false; // nanoseconds, shown as milliseconds
-    std::string name;    // "REAL"
+    bool isTime = false;                        // nanoseconds, shown as milliseconds
+    std::string name;                           // "REAL"
     std::function<std::string(int64_t)> toText; // of dates and times of day
     std::map<int64_t, std::string> valueNames;
 };
@@ -41,9 +41,12 @@ public:
     [[nodiscard]] virtual history::Statistics statistics() const = 0;
 
     [[nodiscard]] virtual Result<ChannelType> typeOf(const std::string& expression) const = 0;
-    [[nodiscard]] virtual std::vector<history::Sample> samples(const std::string& expression, Position from, Position to) const = 0;
-    [[nodiscard]] virtual std::optional<Position> find(const std::string& expression, Position from, history::History::Direction direction) const = 0;
-    [[nodiscard]] virtual std::optional<Position> findChange(const std::string& expression, Position from, history::History::Direction direction) const = 0;
+    [[nodiscard]] virtual std::vector<history::Sample> samples(const std::string& expression, Position from,
+                                                               Position to) const = 0;
+    [[nodiscard]] virtual std::optional<Position> find(const std::string& expression, Position from,
+                                                       history::History::Direction direction) const = 0;
+    [[nodiscard]] virtual std::optional<Position> findChange(const std::string& expression, Position from,
+                                                             history::History::Direction direction) const = 0;
     /// The program of the newest scan, for names and completion; null before anything ran.
     [[nodiscard]] virtual std::shared_ptr<const image::CompiledProgram> program() const = 0;
     /// Writes what is recorded now to a file that `stepwise replay` and the studio open.

@@ -19,13 +19,15 @@ std::vector<history::Sample> SessionRecording::samples(const std::string& text, 
     return m_session.history().samples(*expression, m_session.recompile(text), from, to);
 }
 
-std::optional<Position> SessionRecording::find(const std::string& text, Position from, history::History::Direction direction) const {
+std::optional<Position> SessionRecording::find(const std::string& text, Position from,
+                                               history::History::Direction direction) const {
     const auto expression = m_session.expression(text);
     if (!expression) return std::nullopt;
     return m_session.history().find(*expression, m_session.recompile(text), from, direction);
 }
 
-std::optional<Position> SessionRecording::findChange(const std::string& text, Position from, history::History::Direction direction) const {
+std::optional<Position> SessionRecording::findChange(const std::string& text, Position from,
+                                                     history::History::Direction direction) const {
     const auto expression = m_session.expression(text);
     if (!expression) return std::nullopt;
     return m_session.history().findChange(*expression, m_session.recompile(text), from, direction);
@@ -34,18 +36,19 @@ std::optional<Position> SessionRecording::findChange(const std::string& text, Po
 Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& path) {
     std::shared_ptr<FileRecording> recording(new FileRecording);
     std::string failure;
-    auto history = history::History::load(path, [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
-        driver::BuildInput input;
-        for (const auto& [name, text] : sources) input.files.push_back({name, text});
-        input.libraries = libraries;
-        driver::Built built = driver::build(input);
-        if (!built.program) {
-            failure = built.failure.empty() ? "the program in it has errors" : built.failure;
-            return nullptr;
-        }
-        recording->m_versions.push_back({built.program, built.checked});
-        return built.program;
-    });
+    auto history = history::History::load(
+        path, [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
+            driver::BuildInput input;
+            for (const auto& [name, text] : sources) input.files.push_back({name, text});
+            input.libraries = libraries;
+            driver::Built built = driver::build(input);
+            if (!built.program) {
+                failure = built.failure.empty() ? "the program in it has errors" : built.failure;
+                return nullptr;
+            }
+            recording->m_versions.push_back({built.program, built.checked});
+            return built.program;
+        });
     if (!history) return failure.empty() ? history.error() : Error{"The recording can not be opened: " + failure, path};
     recording->m_history = std::move(*history);
     return recording;
@@ -64,7 +67,8 @@ Result<expression::Expression> FileRecording::compile(const std::string& text) c
     return expression;
 }
 
-Result<expression::Expression> FileRecording::expression(const std::string& text, const std::string& scope, const image::CompiledProgram& program) const {
+Result<expression::Expression> FileRecording::expression(const std::string& text, const std::string& scope,
+                                                         const image::CompiledProgram& program) const {
     for (const Version& version : m_versions)
         if (version.program->version == program.version) return driver::compileExpression(version.checked, text, scope);
     return Error{"The recording holds no program", ""};
@@ -92,16 +96,20 @@ std::vector<history::Sample> FileRecording::samples(const std::string& text, Pos
     return expression ? m_history->samples(*expression, recompile(text), from, to) : std::vector<history::Sample>();
 }
 
-std::optional<Position> FileRecording::find(const std::string& text, Position from, history::History::Direction direction) const {
+std::optional<Position> FileRecording::find(const std::string& text, Position from,
+                                            history::History::Direction direction) const {
     const auto expression = compile(text);
     return expression ? m_history->find(*expression, recompile(text), from, direction) : std::nullopt;
 }
 
-std::optional<Position> FileRecording::findChange(const std::string& text, Position from, history::History::Direction direction) const {
+std::optional<Position> FileRecording::findChange(const std::string& text, Position from,
+                                                  history::History::Direction direction) const {
     const auto expression = compile(text);
     return expression ? m_history->findChange(*expression, recompile(text), from, direction) : std::nullopt;
 }
 
-std::shared_ptr<const image::CompiledProgram> FileRecording::program() const { return m_versions.empty() ? nullptr : m_versions.back().program; }
+std::shared_ptr<const image::CompiledProgram> FileRecording::program() const {
+    return m_versions.empty() ? nullptr : m_versions.back().program;
+}
 
 } // namespace plc::trace

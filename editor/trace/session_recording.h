@@ -1,5 +1,5 @@
-// Recordings of a running session and of a file. A session outlives its recording; a file's recording owns its history. The
-// functions may be called while the scan thread records.
+// Recordings of a running session and of a file. A session outlives its recording; a file's recording owns its history.
+// The functions may be called while the scan thread records.
 #pragma once
 
 #include "editor/trace/recording.h"
@@ -16,13 +16,19 @@ public:
     std::pair<Position, Position> extent() const override;
     std::vector<history::Branch> branches() const override { return m_session.history().branches(); }
     std::vector<history::Mark> marks() const override { return m_session.history().marks(); }
-    std::optional<history::ScanStamp> stamp(Position position) const override { return m_session.history().stamp(position); }
-    std::optional<Position> positionAt(int64_t time) const override { return m_session.history().positionAt(history::Nanoseconds(time)); }
+    std::optional<history::ScanStamp> stamp(Position position) const override {
+        return m_session.history().stamp(position);
+    }
+    std::optional<Position> positionAt(int64_t time) const override {
+        return m_session.history().positionAt(history::Nanoseconds(time));
+    }
     history::Statistics statistics() const override { return m_session.history().statistics(); }
     Result<ChannelType> typeOf(const std::string& expression) const override;
     std::vector<history::Sample> samples(const std::string& expression, Position from, Position to) const override;
-    std::optional<Position> find(const std::string& expression, Position from, history::History::Direction direction) const override;
-    std::optional<Position> findChange(const std::string& expression, Position from, history::History::Direction direction) const override;
+    std::optional<Position> find(const std::string& expression, Position from,
+                                 history::History::Direction direction) const override;
+    std::optional<Position> findChange(const std::string& expression, Position from,
+                                       history::History::Direction direction) const override;
     std::shared_ptr<const image::CompiledProgram> program() const override { return m_session.program(); }
     Result<void> save(const std::string& path) const override { return m_session.history().save(path); }
 
@@ -39,17 +45,22 @@ public:
     std::vector<history::Branch> branches() const override { return m_history->branches(); }
     std::vector<history::Mark> marks() const override { return m_history->marks(); }
     std::optional<history::ScanStamp> stamp(Position position) const override { return m_history->stamp(position); }
-    std::optional<Position> positionAt(int64_t time) const override { return m_history->positionAt(history::Nanoseconds(time)); }
+    std::optional<Position> positionAt(int64_t time) const override {
+        return m_history->positionAt(history::Nanoseconds(time));
+    }
     history::Statistics statistics() const override { return m_history->statistics(); }
     Result<ChannelType> typeOf(const std::string& expression) const override;
     std::vector<history::Sample> samples(const std::string& expression, Position from, Position to) const override;
-    std::optional<Position> find(const std::string& expression, Position from, history::History::Direction direction) const override;
-    std::optional<Position> findChange(const std::string& expression, Position from, history::History::Direction direction) const override;
+    std::optional<Position> find(const std::string& expression, Position from,
+                                 history::History::Direction direction) const override;
+    std::optional<Position> findChange(const std::string& expression, Position from,
+                                       history::History::Direction direction) const override;
     std::shared_ptr<const image::CompiledProgram> program() const override;
     Result<void> save(const std::string& path) const override { return m_history->save(path); }
     [[nodiscard]] const history::History& history() const { return *m_history; }
     /// For images of that version, as seen from `scope`.
-    Result<expression::Expression> expression(const std::string& text, const std::string& scope, const image::CompiledProgram& program) const;
+    Result<expression::Expression> expression(const std::string& text, const std::string& scope,
+                                              const image::CompiledProgram& program) const;
 
 private:
     struct Version {

@@ -70,7 +70,8 @@ void TimeBar::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(groove, 3, 3);
     if (m_to <= 0) return;
     painter.setBrush(QBrush(c.border, Qt::BDiagPattern)); // no longer kept
-    if (m_from > 0) painter.drawRect(QRectF(QPointF(groove.left(), groove.top()), QPointF(xOf(m_from), groove.bottom())));
+    if (m_from > 0)
+        painter.drawRect(QRectF(QPointF(groove.left(), groove.top()), QPointF(xOf(m_from), groove.bottom())));
     QColor kept = c.accent;
     kept.setAlphaF(0.45f);
     painter.setBrush(kept);
@@ -98,8 +99,10 @@ void TimeBar::paintEvent(QPaintEvent*) {
 
 void TimeBar::wantAt(double x) {
     // At the very end means live: the newest scan, whatever comes.
-    if (x >= width() - Edge - 2) emit liveWanted();
-    else emit timeWanted(std::max(timeAt(x), m_from));
+    if (x >= width() - Edge - 2)
+        emit liveWanted();
+    else
+        emit timeWanted(std::max(timeAt(x), m_from));
 }
 
 void TimeBar::mousePressEvent(QMouseEvent* event) {
@@ -115,9 +118,11 @@ bool TimeBar::event(QEvent* event) {
     auto* help = static_cast<QHelpEvent*>(event);
     QString text = m_to > 0 ? kit::momentText(timeAt(help->pos().x()) / 1'000'000 * 1'000'000) : QString();
     for (const Event& e : m_events)
-        if (std::abs(xOf(e.time) - help->pos().x()) <= 4) text = QStringLiteral("%1\n%2").arg(e.text, kit::momentText(e.time));
+        if (std::abs(xOf(e.time) - help->pos().x()) <= 4)
+            text = QStringLiteral("%1\n%2").arg(e.text, kit::momentText(e.time));
     for (int64_t branch : m_branches)
-        if (std::abs(xOf(branch) - help->pos().x()) <= 6) text = tr("Resumed from here\n%1").arg(kit::momentText(branch));
+        if (std::abs(xOf(branch) - help->pos().x()) <= 6)
+            text = tr("Resumed from here\n%1").arg(kit::momentText(branch));
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }
@@ -136,9 +141,12 @@ TimeSlider::TimeSlider(QWidget* parent) : QWidget(parent) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 8, 2);
     layout->setSpacing(3);
-    m_steps = {makeButton(kit::Icon::StepBack, tr("One scan back (Left)"), [this] { stepScans(-1); }), makeButton(kit::Icon::Step, tr("One scan forth (Right)"), [this] { stepScans(1); }),
-               makeButton(kit::Icon::PreviousChange, tr("Previous change of the variable (Ctrl+Left)"), [this] { stepChange(-1); }),
-               makeButton(kit::Icon::NextChange, tr("Next change of the variable (Ctrl+Right)"), [this] { stepChange(1); })};
+    m_steps = {
+        makeButton(kit::Icon::StepBack, tr("One scan back (Left)"), [this] { stepScans(-1); }),
+        makeButton(kit::Icon::Step, tr("One scan forth (Right)"), [this] { stepScans(1); }),
+        makeButton(kit::Icon::PreviousChange, tr("Previous change of the variable (Ctrl+Left)"),
+                   [this] { stepChange(-1); }),
+        makeButton(kit::Icon::NextChange, tr("Next change of the variable (Ctrl+Right)"), [this] { stepChange(1); })};
     layout->addWidget(m_steps[0]);
     layout->addWidget(m_steps[1]);
     layout->addWidget(m_bar, 1);
@@ -154,7 +162,8 @@ TimeSlider::TimeSlider(QWidget* parent) : QWidget(parent) {
     layout->addWidget(m_live);
     connect(m_bar, &TimeBar::timeWanted, this, [this](qint64 time) {
         if (!m_recording) return;
-        if (const auto position = m_recording->positionAt(time)) setPosition(std::max(*position, m_recording->extent().first));
+        if (const auto position = m_recording->positionAt(time))
+            setPosition(std::max(*position, m_recording->extent().first));
     });
     connect(m_bar, &TimeBar::liveWanted, this, &TimeSlider::goLive);
     connect(m_variable, &QLineEdit::returnPressed, this, [this] { stepChange(-1); });
@@ -183,7 +192,9 @@ void TimeSlider::setRecording(const Recording* recording) {
     refresh();
 }
 
-std::vector<PositionRange> TimeSlider::chain() const { return history::chainTo(m_recording->branches(), m_recording->extent().second); }
+std::vector<PositionRange> TimeSlider::chain() const {
+    return history::chainTo(m_recording->branches(), m_recording->extent().second);
+}
 
 void TimeSlider::setPosition(std::optional<Position> position) {
     if (position && (!m_recording || !m_recording->stamp(*position))) return;
@@ -221,9 +232,11 @@ bool TimeSlider::stepChange(int direction) {
         return false;
     }
     const Position from = m_position ? *m_position : m_recording->extent().second - 1;
-    const auto found = m_recording->findChange(variable, from, direction < 0 ? history::History::Direction::Backward : history::History::Direction::Forward);
+    const auto found = m_recording->findChange(
+        variable, from, direction < 0 ? history::History::Direction::Backward : history::History::Direction::Forward);
     if (!found) {
-        emit message(direction < 0 ? tr("%1 does not change before this scan.").arg(m_variable->text()) : tr("%1 does not change after this scan.").arg(m_variable->text()));
+        emit message(direction < 0 ? tr("%1 does not change before this scan.").arg(m_variable->text())
+                                   : tr("%1 does not change after this scan.").arg(m_variable->text()));
         return false;
     }
     setPosition(found);
@@ -251,12 +264,14 @@ void TimeSlider::refresh() {
     for (const PositionRange& range : path)
         if (!oldest && range.end > first) oldest = m_recording->stamp(std::max(first, range.begin));
     m_bar->setRange(oldest ? oldest->time.count() : 0, newest ? newest->time.count() : 0);
-    if (m_position && *m_position < first) setPosition(oldest ? std::optional(oldest->position) : std::nullopt); // evicted under our feet
+    if (m_position && *m_position < first)
+        setPosition(oldest ? std::optional(oldest->position) : std::nullopt); // evicted under our feet
     kit::PlotModel marks;
     applyMarks(marks, *m_recording, path);
     std::vector<TimeBar::Event> events;
     for (const kit::PlotMarker& marker : marks.markers)
-        if (marker.kind != kit::MarkerKind::Branch) events.push_back({marker.time, kit::markerColor(marker.kind), marker.text});
+        if (marker.kind != kit::MarkerKind::Branch)
+            events.push_back({marker.time, kit::markerColor(marker.kind), marker.text});
     m_bar->setEvents(std::move(events));
     std::vector<int64_t> branches;
     for (const history::Branch& branch : m_recording->branches())
@@ -280,11 +295,21 @@ void TimeSlider::showState() {
 void TimeSlider::keyPressEvent(QKeyEvent* event) {
     const bool control = event->modifiers() & Qt::ControlModifier;
     switch (event->key()) {
-    case Qt::Key_Left: control ? (void)stepChange(-1) : stepScans(-1); return;
-    case Qt::Key_Right: control ? (void)stepChange(1) : stepScans(1); return;
-    case Qt::Key_PageUp: stepScans(-100); return;
-    case Qt::Key_PageDown: stepScans(100); return;
-    case Qt::Key_End: goLive(); return;
+    case Qt::Key_Left:
+        control ? (void)stepChange(-1) : stepScans(-1);
+        return;
+    case Qt::Key_Right:
+        control ? (void)stepChange(1) : stepScans(1);
+        return;
+    case Qt::Key_PageUp:
+        stepScans(-100);
+        return;
+    case Qt::Key_PageDown:
+        stepScans(100);
+        return;
+    case Qt::Key_End:
+        goLive();
+        return;
     case Qt::Key_Home:
         if (m_recording)
             for (const PositionRange& range : chain())
@@ -293,7 +318,8 @@ void TimeSlider::keyPressEvent(QKeyEvent* event) {
                     return;
                 }
         return;
-    default: QWidget::keyPressEvent(event);
+    default:
+        QWidget::keyPressEvent(event);
     }
 }
 

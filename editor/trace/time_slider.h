@@ -1,6 +1,6 @@
-// The time slider over all windows: the recording as a bar, events and branches on it, the scan that is shown, buttons to go by
-// scan or by change of a variable, back to live, and to resume from there. It says which position is wanted; the owner tells the
-// other windows. GUI thread.
+// The time slider over all windows: the recording as a bar, events and branches on it, the scan that is shown, buttons
+// to go by scan or by change of a variable, back to live, and to resume from there. It says which position is wanted;
+// the owner tells the other windows. GUI thread.
 #pragma once
 
 #include "editor/kit/expression_edit.h"

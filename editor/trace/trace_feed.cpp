@@ -20,7 +20,9 @@ void ColumnSource::buckets(int64_t from, int64_t to, std::span<kit::PlotBucket> 
     static_assert(sizeof(kit::PlotBucket) == sizeof(history::ColumnBucket));
     std::vector<history::ColumnBucket> buckets(out.size());
     column().buckets(from, to, buckets);
-    for (size_t i = 0; i < out.size(); ++i) out[i] = {buckets[i].first, buckets[i].minimum, buckets[i].maximum, buckets[i].last, buckets[i].count, buckets[i].isNumber};
+    for (size_t i = 0; i < out.size(); ++i)
+        out[i] = {buckets[i].first, buckets[i].minimum, buckets[i].maximum,
+                  buckets[i].last,  buckets[i].count,   buckets[i].isNumber};
 }
 
 void ColumnSource::visit(int64_t from, int64_t to, const Visitor& visitor) const {
@@ -57,20 +59,24 @@ std::optional<kit::WholeNumber> ColumnSource::integerAt(int64_t time) const {
     return kit::WholeNumber{static_cast<uint64_t>(c.integer(*row)), c.kind() == history::ColumnKind::Uint64};
 }
 
-std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integerExtent(int64_t from, int64_t to) const {
+std::optional<std::pair<kit::WholeNumber, kit::WholeNumber>> ColumnSource::integerExtent(int64_t from,
+                                                                                         int64_t to) const {
     const Column& c = column();
     const bool isUnsigned = c.kind() == history::ColumnKind::Uint64;
     if ((c.kind() != history::ColumnKind::Int64 && !isUnsigned) || to < from) return std::nullopt;
     const uint64_t first = c.rowInForceAt(from).value_or(c.rowAtOrAfter(from)), end = c.rowAtOrAfter(to + 1);
     if (first >= end) return std::nullopt;
     int64_t low = c.integer(first), high = low;
-    const auto less = [&](int64_t a, int64_t b) { return isUnsigned ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b; };
+    const auto less = [&](int64_t a, int64_t b) {
+        return isUnsigned ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b;
+    };
     for (uint64_t row = first + 1; row < end; ++row) {
         const int64_t value = c.integer(row);
         if (less(value, low)) low = value;
         if (less(high, value)) high = value;
     }
-    return std::pair(kit::WholeNumber{static_cast<uint64_t>(low), isUnsigned}, kit::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
+    return std::pair(kit::WholeNumber{static_cast<uint64_t>(low), isUnsigned},
+                     kit::WholeNumber{static_cast<uint64_t>(high), isUnsigned});
 }
 
 std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
@@ -79,10 +85,17 @@ std::vector<kit::PlotGap> ColumnSource::gaps(int64_t from, int64_t to) const {
         if (gap.from >= to || gap.to <= from) continue;
         auto reason = kit::PlotGap::Reason::NotRecorded;
         switch (gap.reason) {
-        case ColumnGap::Reason::Evicted: reason = kit::PlotGap::Reason::Evicted; break;
-        case ColumnGap::Reason::NoPath: reason = kit::PlotGap::Reason::NoPath; break;
-        case ColumnGap::Reason::SkippedScans: reason = kit::PlotGap::Reason::SkippedScans; break;
-        case ColumnGap::Reason::NotRecorded: break;
+        case ColumnGap::Reason::Evicted:
+            reason = kit::PlotGap::Reason::Evicted;
+            break;
+        case ColumnGap::Reason::NoPath:
+            reason = kit::PlotGap::Reason::NoPath;
+            break;
+        case ColumnGap::Reason::SkippedScans:
+            reason = kit::PlotGap::Reason::SkippedScans;
+            break;
+        case ColumnGap::Reason::NotRecorded:
+            break;
         }
         result.push_back({gap.from, gap.to, reason});
     }
@@ -96,13 +109,14 @@ struct TraceFeed::Channel {
     std::string problem;
     std::shared_ptr<ColumnSource> source; // null while there is a problem
     bool hasStarted = false;
-    Position last = 0;                    // newest position read
-    int64_t lastTime = 0;                 // and its time
+    Position last = 0;                     // newest position read
+    int64_t lastTime = 0;                  // and its time
     std::optional<ColumnGap::Reason> open; // since openFrom there has been no value, for this reason
     int64_t openFrom = 0;
 };
 
-TraceFeed::TraceFeed(const Recording& recording, std::shared_ptr<history::ColumnStore> store) : m_recording(recording), m_store(std::move(store)) {}
+TraceFeed::TraceFeed(const Recording& recording, std::shared_ptr<history::ColumnStore> store)
+    : m_recording(recording), m_store(std::move(store)) {}
 
 TraceFeed::~TraceFeed() {
     for (auto& channel : m_channels)
@@ -127,7 +141,9 @@ void TraceFeed::setSettings(const FeedSettings& settings) {
 void TraceFeed::setExpressions(const std::vector<std::string>& expressions, const std::string& trigger) {
     std::vector<std::unique_ptr<Channel>> channels;
     const auto keep = [&](const std::string& expression, bool isTrigger) {
-        auto same = [&](const std::unique_ptr<Channel>& c) { return c && c->expression == expression && c->isTrigger == isTrigger; };
+        auto same = [&](const std::unique_ptr<Channel>& c) {
+            return c && c->expression == expression && c->isTrigger == isTrigger;
+        };
         if (std::any_of(channels.begin(), channels.end(), same)) return;
         if (const auto old = std::find_if(m_channels.begin(), m_channels.end(), same); old != m_channels.end()) {
             channels.push_back(std::move(*old));
@@ -153,7 +169,10 @@ void TraceFeed::retryProblems() {
         channel->problem = type ? std::string() : type.error().message;
         if (!type) continue;
         channel->type = *type;
-        const auto kind = type->isBool ? kit::PlotValueKind::Bool : type->isInteger ? kit::PlotValueKind::Integer : type->isSingle ? kit::PlotValueKind::Single : kit::PlotValueKind::Double;
+        const auto kind = type->isBool      ? kit::PlotValueKind::Bool
+                          : type->isInteger ? kit::PlotValueKind::Integer
+                          : type->isSingle  ? kit::PlotValueKind::Single
+                                            : kit::PlotValueKind::Double;
         channel->source = std::make_shared<ColumnSource>(m_store, m_store->add(type->kind), kind);
         restart(*channel);
     }
@@ -188,11 +207,14 @@ void TraceFeed::refreshChain() {
     const Position end = m_recording.extent().second;
     m_chain = history::chainTo(branches, end);
     if (branches.size() == m_branches) return;
-    // The controller went back: what was recorded after the scan it continues from is no longer the past of the present.
+    // The controller went back: what was recorded after the scan it continues from is no longer the past of the
+    // present.
     m_branches = branches.size();
     for (auto& channel : m_channels) {
         if (!channel->source || !channel->hasStarted) continue;
-        const bool stillThere = std::any_of(m_chain.begin(), m_chain.end(), [&](const PositionRange& r) { return channel->last >= r.begin && channel->last < r.end; });
+        const bool stillThere = std::any_of(m_chain.begin(), m_chain.end(), [&](const PositionRange& r) {
+            return channel->last >= r.begin && channel->last < r.end;
+        });
         if (stillThere) continue;
         const auto kept = [&]() -> std::optional<Position> { // the newest position read that is still on the chain
             for (size_t i = m_chain.size(); i-- > 0;)
@@ -212,7 +234,8 @@ void TraceFeed::refreshChain() {
     }
 }
 
-void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& samples, const std::vector<history::Sample>& condition) {
+void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& samples,
+                       const std::vector<history::Sample>& condition) {
     Column& column = channel.source->column();
     size_t c = 0;
     for (const history::Sample& sample : samples) {
@@ -221,13 +244,16 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
         if (!sample.hasValue) missing = ColumnGap::Reason::NoPath;
         if (!channel.isTrigger && (!condition.empty() || !m_settings.condition.empty())) {
             while (c < condition.size() && condition[c].at.position < sample.at.position) ++c;
-            const bool holds = c < condition.size() && condition[c].at.position == sample.at.position && condition[c].hasValue && condition[c].value != 0;
+            const bool holds = c < condition.size() && condition[c].at.position == sample.at.position &&
+                               condition[c].hasValue && condition[c].value != 0;
             if (!holds) missing = ColumnGap::Reason::NotRecorded;
         }
         const bool skipped = !channel.isTrigger && m_settings.every > 1 && sample.at.scan % m_settings.every != 0;
         if (missing) {
             if (!channel.open || *channel.open != *missing) {
-                const int64_t from = column.isEmpty() ? time : std::max(column.lastTime(), channel.open ? channel.lastTime : column.lastTime());
+                const int64_t from =
+                    column.isEmpty() ? time
+                                     : std::max(column.lastTime(), channel.open ? channel.lastTime : column.lastTime());
                 if (channel.open) column.appendGap(channel.openFrom, time, *channel.open);
                 channel.open = missing;
                 channel.openFrom = channel.open && !column.isEmpty() ? from : time;
@@ -237,7 +263,8 @@ void TraceFeed::append(Channel& channel, const std::vector<history::Sample>& sam
                 column.appendGap(channel.openFrom, time, *channel.open);
                 channel.open.reset();
             }
-            const bool isWide = column.kind() == history::ColumnKind::Int64 || column.kind() == history::ColumnKind::Uint64;
+            const bool isWide =
+                column.kind() == history::ColumnKind::Int64 || column.kind() == history::ColumnKind::Uint64;
             isWide ? column.appendInteger(time, sample.integer) : column.append(time, sample.value);
         }
         channel.last = sample.at.position;
@@ -270,11 +297,13 @@ bool TraceFeed::readSlice(Channel& channel) {
     } else if (!channel.hasStarted && *from > 0) {
         evicted = true;
     }
-    const auto range = std::find_if(m_chain.begin(), m_chain.end(), [&](const PositionRange& r) { return *from >= r.begin && *from < r.end; });
+    const auto range = std::find_if(m_chain.begin(), m_chain.end(),
+                                    [&](const PositionRange& r) { return *from >= r.begin && *from < r.end; });
     if (range == m_chain.end()) return true;
     const Position to = std::min(range->end, *from + Slice);
     const auto samples = m_recording.samples(channel.expression, *from, to);
-    const auto condition = m_settings.condition.empty() ? std::vector<history::Sample>() : m_recording.samples(m_settings.condition, *from, to);
+    const auto condition = m_settings.condition.empty() ? std::vector<history::Sample>()
+                                                        : m_recording.samples(m_settings.condition, *from, to);
     if (evicted && !samples.empty()) {
         const int64_t since = channel.hasStarted ? channel.lastTime : 0;
         channel.source->column().appendGap(since, samples.front().at.time.count(), ColumnGap::Reason::Evicted);
@@ -306,7 +335,8 @@ bool TraceFeed::pump(std::chrono::steady_clock::duration budget) {
 }
 
 void TraceFeed::pumpAll() {
-    while (!pump(std::chrono::hours(1))) {}
+    while (!pump(std::chrono::hours(1))) {
+    }
 }
 
 } // namespace plc::trace

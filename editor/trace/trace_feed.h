@@ -1,5 +1,6 @@
-// Carries channels from a recording into the column store, a slice at a time, so that the window never waits: new scans first come
-// first, long pasts are filled in over many calls. Follows branches after going back. Owned by the trace view; its thread.
+// Carries channels from a recording into the column store, a slice at a time, so that the window never waits: new scans
+// first come first, long pasts are filled in over many calls. Follows branches after going back. Owned by the trace
+// view; its thread.
 #pragma once
 
 #include "editor/kit/plot_sample.h"
@@ -73,7 +74,8 @@ private:
     struct Channel;
     void refreshChain();
     bool readSlice(Channel& channel);
-    void append(Channel& channel, const std::vector<history::Sample>& samples, const std::vector<history::Sample>& condition);
+    void append(Channel& channel, const std::vector<history::Sample>& samples,
+                const std::vector<history::Sample>& condition);
     void restart(Channel& channel);
 
     const Recording& m_recording;

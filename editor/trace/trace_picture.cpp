@@ -25,7 +25,8 @@ std::optional<int64_t> shotOf(const TraceSetup& setup, const TraceFeed& feed) {
     TriggerMachine machine;
     machine.setSetup(setup.trigger);
     source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
-        for (const kit::PlotSample& s : block) machine.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
+        for (const kit::PlotSample& s : block)
+            machine.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
     });
     return machine.completeAt() ? machine.completeAt() : machine.firedAt();
 }
@@ -40,7 +41,8 @@ std::string tableText(const kit::MeasureTable& table) {
     QString out = table.headline + QLatin1Char('\n');
     auto line = [&](const QStringList& cells) {
         for (qsizetype c = 0; c < cells.size(); ++c)
-            out += c == 0 ? cells[c].leftJustified(widths[static_cast<size_t>(c)]) : QStringLiteral("  ") + cells[c].rightJustified(widths[static_cast<size_t>(c)]);
+            out += c == 0 ? cells[c].leftJustified(widths[static_cast<size_t>(c)])
+                          : QStringLiteral("  ") + cells[c].rightJustified(widths[static_cast<size_t>(c)]);
         out += QLatin1Char('\n');
     };
     line(table.headers);
@@ -56,7 +58,8 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     ProgramVariables variables;
     variables.setProgram(recording.program());
     for (ChannelSetup& channel : setup.channels)
-        if (channel.unit.empty()) channel.unit = variables.unitOf(QString::fromStdString(channel.expression)).toStdString();
+        if (channel.unit.empty())
+            channel.unit = variables.unitOf(QString::fromStdString(channel.expression)).toStdString();
     feed.setSettings({setup.every, setup.condition});
     std::vector<std::string> needed = expressionsOf(setup);
     feed.setExpressions(needed, setup.trigger.expression);
@@ -64,7 +67,8 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     for (const std::string& expression : needed)
         if (const std::string problem = feed.problem(expression); !problem.empty()) return Error{problem, expression};
     if (!setup.condition.empty())
-        if (const auto type = recording.typeOf(setup.condition); !type) return Error{type.error().message, setup.condition};
+        if (const auto type = recording.typeOf(setup.condition); !type)
+            return Error{type.error().message, setup.condition};
     feed.pumpAll();
 
     kit::Theme& theme = kit::Theme::current();
@@ -84,7 +88,8 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     auto whole = kit::wholeRange(model);
     if (whole) // the last scan's values hold for the length of a scan
         for (const kit::PlotCurve& curve : model.curves)
-            if (const auto last = curve.source ? curve.source->timeRange() : std::nullopt; last && last->second == whole->second)
+            if (const auto last = curve.source ? curve.source->timeRange() : std::nullopt;
+                last && last->second == whole->second)
                 if (const auto before = curve.source->inForceAt(last->second - 1)) {
                     whole->second += last->second - before->time;
                     break;

@@ -1,5 +1,5 @@
-// A trace without a window: a set-up and a recording give a picture, a CSV file and statistics. What `stepwise trace` does and what
-// the pictures of the documentation are made with. Needs a QApplication (offscreen will do); its thread.
+// A trace without a window: a set-up and a recording give a picture, a CSV file and statistics. What `stepwise trace`
+// does and what the pictures of the documentation are made with. Needs a QApplication (offscreen will do); its thread.
 #pragma once
 
 #include "editor/trace/trace_feed.h"
@@ -21,7 +21,8 @@ struct TraceOutput {
     const Recording* beneath = nullptr;
 };
 
-/// Writes the files; the text is the statistics table, or what the trigger did. An expression that can not be compiled is the error.
+/// Writes the files; the text is the statistics table, or what the trigger did. An expression that can not be compiled
+/// is the error.
 [[nodiscard]] Result<std::string> renderTrace(const Recording& recording, const TraceOutput& output);
 
 } // namespace plc::trace

@@ -11,9 +11,12 @@ namespace {
 
 kit::AxisMode modeOf(ScaleMode mode) {
     switch (mode) {
-    case ScaleMode::Automatic: return kit::AxisMode::Automatic;
-    case ScaleMode::Fit: return kit::AxisMode::Fit;
-    case ScaleMode::Fixed: return kit::AxisMode::Fixed;
+    case ScaleMode::Automatic:
+        return kit::AxisMode::Automatic;
+    case ScaleMode::Fit:
+        return kit::AxisMode::Fit;
+    case ScaleMode::Fixed:
+        return kit::AxisMode::Fixed;
     }
     return kit::AxisMode::Automatic;
 }
@@ -24,18 +27,27 @@ std::optional<kit::MarkerKind> markerOf(int kind) {
     switch (static_cast<EventKind>(kind)) {
     case EventKind::Started:
     case EventKind::Stopped:
-    case EventKind::Paused: return kit::MarkerKind::Start;
-    case EventKind::Fault: return kit::MarkerKind::Fault;
-    case EventKind::Reset: return kit::MarkerKind::Reset;
+    case EventKind::Paused:
+        return kit::MarkerKind::Start;
+    case EventKind::Fault:
+        return kit::MarkerKind::Fault;
+    case EventKind::Reset:
+        return kit::MarkerKind::Reset;
     case EventKind::Force:
-    case EventKind::Release: return kit::MarkerKind::Force;
-    case EventKind::OnlineChange: return kit::MarkerKind::OnlineChange;
-    case EventKind::Breakpoint: return kit::MarkerKind::Breakpoint;
-    case EventKind::SkippedScans: return kit::MarkerKind::SkippedScans;
-    case EventKind::WentBack: return kit::MarkerKind::Branch;
+    case EventKind::Release:
+        return kit::MarkerKind::Force;
+    case EventKind::OnlineChange:
+        return kit::MarkerKind::OnlineChange;
+    case EventKind::Breakpoint:
+        return kit::MarkerKind::Breakpoint;
+    case EventKind::SkippedScans:
+        return kit::MarkerKind::SkippedScans;
+    case EventKind::WentBack:
+        return kit::MarkerKind::Branch;
     case EventKind::Write:
     case EventKind::RetainSaved:
-    case EventKind::RetainRestored: return std::nullopt;
+    case EventKind::RetainRestored:
+        return std::nullopt;
     }
     return kit::MarkerKind::Event;
 }
@@ -51,20 +63,34 @@ QString markText(int kind, const std::string& utf8) {
     const QString text = QString::fromStdString(utf8);
     const auto with = [&](const QString& word) { return text.isEmpty() ? word : word + QStringLiteral(": ") + text; };
     switch (static_cast<EventKind>(kind)) {
-    case EventKind::Started: return with(MarkText::tr("Started"));
-    case EventKind::Stopped: return with(MarkText::tr("Stopped"));
-    case EventKind::Paused: return with(MarkText::tr("Paused"));
-    case EventKind::Fault: return with(MarkText::tr("Fault"));
-    case EventKind::Reset: return with(MarkText::tr("Reset"));
-    case EventKind::Write: return with(MarkText::tr("Written"));
-    case EventKind::Force: return with(MarkText::tr("Forced"));
-    case EventKind::Release: return text.isEmpty() ? MarkText::tr("All forces released") : with(MarkText::tr("Released"));
-    case EventKind::OnlineChange: return with(MarkText::tr("Online change"));
-    case EventKind::Breakpoint: return with(MarkText::tr("Breakpoint"));
-    case EventKind::RetainSaved: return with(MarkText::tr("Retained values saved"));
-    case EventKind::RetainRestored: return with(MarkText::tr("Retained values restored"));
-    case EventKind::SkippedScans: return MarkText::tr("%n scan(s) skipped: the machine was late", nullptr, text.toInt());
-    case EventKind::WentBack: return with(MarkText::tr("Resumed from this scan"));
+    case EventKind::Started:
+        return with(MarkText::tr("Started"));
+    case EventKind::Stopped:
+        return with(MarkText::tr("Stopped"));
+    case EventKind::Paused:
+        return with(MarkText::tr("Paused"));
+    case EventKind::Fault:
+        return with(MarkText::tr("Fault"));
+    case EventKind::Reset:
+        return with(MarkText::tr("Reset"));
+    case EventKind::Write:
+        return with(MarkText::tr("Written"));
+    case EventKind::Force:
+        return with(MarkText::tr("Forced"));
+    case EventKind::Release:
+        return text.isEmpty() ? MarkText::tr("All forces released") : with(MarkText::tr("Released"));
+    case EventKind::OnlineChange:
+        return with(MarkText::tr("Online change"));
+    case EventKind::Breakpoint:
+        return with(MarkText::tr("Breakpoint"));
+    case EventKind::RetainSaved:
+        return with(MarkText::tr("Retained values saved"));
+    case EventKind::RetainRestored:
+        return with(MarkText::tr("Retained values restored"));
+    case EventKind::SkippedScans:
+        return MarkText::tr("%n scan(s) skipped: the machine was late", nullptr, text.toInt());
+    case EventKind::WentBack:
+        return with(MarkText::tr("Resumed from this scan"));
     }
     return text;
 }
@@ -76,10 +102,14 @@ QColor channelColor(const TraceSetup& setup, size_t channel) {
 
 kit::CurveStyle styleOf(const ChannelSetup& channel, const ChannelType* type) {
     switch (channel.style) {
-    case ChannelStyle::Line: return kit::CurveStyle::Line;
-    case ChannelStyle::Hold: return kit::CurveStyle::Hold;
-    case ChannelStyle::Digital: return kit::CurveStyle::Digital;
-    case ChannelStyle::Automatic: return type && (type->isBool || !type->valueNames.empty()) ? kit::CurveStyle::Digital : kit::CurveStyle::Hold;
+    case ChannelStyle::Line:
+        return kit::CurveStyle::Line;
+    case ChannelStyle::Hold:
+        return kit::CurveStyle::Hold;
+    case ChannelStyle::Digital:
+        return kit::CurveStyle::Digital;
+    case ChannelStyle::Automatic:
+        return type && (type->isBool || !type->valueNames.empty()) ? kit::CurveStyle::Digital : kit::CurveStyle::Hold;
     }
     return kit::CurveStyle::Hold;
 }
@@ -131,8 +161,12 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
         if (feed) curve.source = feed->source(channel.expression);
         if (feed) curve.problem = QString::fromStdString(feed->problem(channel.expression));
         if (type) {
-            for (const auto& [value, name] : type->valueNames) curve.valueNames.emplace(value, QString::fromStdString(name));
-            if (type->toText) curve.integerText = [toText = type->toText](int64_t value) { return QString::fromStdString(toText(value)); };
+            for (const auto& [value, name] : type->valueNames)
+                curve.valueNames.emplace(value, QString::fromStdString(name));
+            if (type->toText)
+                curve.integerText = [toText = type->toText](int64_t value) {
+                    return QString::fromStdString(toText(value));
+                };
             if (type->isTime) { // kept as nanoseconds, read as milliseconds
                 curve.scale *= 1e-6;
                 if (curve.unit.isEmpty()) curve.unit = QStringLiteral("ms");
@@ -146,11 +180,16 @@ void applyMarks(kit::PlotModel& model, const Recording& recording, const std::ve
     model.markers.clear();
     for (const history::Mark& mark : recording.marks()) {
         const auto kind = markerOf(mark.kind);
-        if (!kind || (*kind == kit::MarkerKind::Start && mark.time.count() == 0)) continue; // that it began at 0 goes without saying
-        const bool onChain = std::any_of(chain.begin(), chain.end(), [&](const PositionRange& r) { return mark.position >= r.begin && mark.position < r.end; });
-        if (onChain || chain.empty()) model.markers.push_back({mark.time.count(), *kind, markText(mark.kind, mark.text)});
+        if (!kind || (*kind == kit::MarkerKind::Start && mark.time.count() == 0))
+            continue; // that it began at 0 goes without saying
+        const bool onChain = std::any_of(chain.begin(), chain.end(), [&](const PositionRange& r) {
+            return mark.position >= r.begin && mark.position < r.end;
+        });
+        if (onChain || chain.empty())
+            model.markers.push_back({mark.time.count(), *kind, markText(mark.kind, mark.text)});
     }
-    std::stable_sort(model.markers.begin(), model.markers.end(), [](const kit::PlotMarker& a, const kit::PlotMarker& b) { return a.time < b.time; });
+    std::stable_sort(model.markers.begin(), model.markers.end(),
+                     [](const kit::PlotMarker& a, const kit::PlotMarker& b) { return a.time < b.time; });
 }
 
 void applyBeneath(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed& older) {

@@ -1,5 +1,5 @@
-// From a set-up and what was recorded to what is drawn: colours, styles, names, units, markers. Used by the trace view and by the
-// command line alike. Functions; GUI thread.
+// From a set-up and what was recorded to what is drawn: colours, styles, names, units, markers. Used by the trace view
+// and by the command line alike. Functions; GUI thread.
 #pragma once
 
 #include "editor/kit/plot_model.h"
@@ -8,13 +8,15 @@
 
 namespace plc::trace {
 
-/// Fills charts and curves of the model, without samples where there is no feed; the part in view, cursors and y zooms stay as they are.
+/// Fills charts and curves of the model, without samples where there is no feed; the part in view, cursors and y zooms
+/// stay as they are.
 void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed);
 /// What happened, in words: an event's kind and its text. Also the log says it so.
 [[nodiscard]] QString markText(int kind, const std::string& text);
 /// Events of the recording that lie on the way to the newest scan.
 void applyMarks(kit::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain);
-/// Draws another recording's channels beneath those of the same expression, both beginning at the same place on the axis.
+/// Draws another recording's channels beneath those of the same expression, both beginning at the same place on the
+/// axis.
 void applyBeneath(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed& older);
 
 /// What feeds must read for a set-up: its channels, and its trigger.

@@ -17,23 +17,42 @@ template <class E> struct Word {
     E value;
     const char* text;
 };
-constexpr Word<ChannelStyle> Styles[] = {{ChannelStyle::Automatic, "automatic"}, {ChannelStyle::Line, "line"}, {ChannelStyle::Hold, "hold"}, {ChannelStyle::Digital, "digital"}};
-constexpr Word<ScaleMode> Modes[] = {{ScaleMode::Automatic, "automatic"}, {ScaleMode::Fit, "fit"}, {ScaleMode::Fixed, "fixed"}};
-constexpr Word<TriggerEdge> Edges[] = {{TriggerEdge::Rising, "rising"}, {TriggerEdge::Falling, "falling"}, {TriggerEdge::Both, "both"}, {TriggerEdge::Level, "level"}};
-constexpr Word<TriggerMode> TriggerModes[] = {{TriggerMode::Off, "off"}, {TriggerMode::Single, "single"}, {TriggerMode::Repeated, "repeated"}};
+constexpr Word<ChannelStyle> Styles[] = {{ChannelStyle::Automatic, "automatic"},
+                                         {ChannelStyle::Line, "line"},
+                                         {ChannelStyle::Hold, "hold"},
+                                         {ChannelStyle::Digital, "digital"}};
+constexpr Word<ScaleMode> Modes[] = {
+    {ScaleMode::Automatic, "automatic"}, {ScaleMode::Fit, "fit"}, {ScaleMode::Fixed, "fixed"}};
+constexpr Word<TriggerEdge> Edges[] = {{TriggerEdge::Rising, "rising"},
+                                       {TriggerEdge::Falling, "falling"},
+                                       {TriggerEdge::Both, "both"},
+                                       {TriggerEdge::Level, "level"}};
+constexpr Word<TriggerMode> TriggerModes[] = {
+    {TriggerMode::Off, "off"}, {TriggerMode::Single, "single"}, {TriggerMode::Repeated, "repeated"}};
 
 /// Reads fields of one object; the first that does not fit is the error.
 class Reader {
 public:
-    Reader(const Json& json, std::string where, std::string& problem) : m_json(json), m_where(std::move(where)), m_problem(problem) {}
+    Reader(const Json& json, std::string where, std::string& problem)
+        : m_json(json), m_where(std::move(where)), m_problem(problem) {}
 
-    void text(const char* key, std::string& out) const { take(key, "a text", [&](const Json& v) { return v.is_string() && (out = v.get<std::string>(), true); }); }
-    void flag(const char* key, bool& out) const { take(key, "true or false", [&](const Json& v) { return v.is_boolean() && (out = v.get<bool>(), true); }); }
+    void text(const char* key, std::string& out) const {
+        take(key, "a text", [&](const Json& v) { return v.is_string() && (out = v.get<std::string>(), true); });
+    }
+    void flag(const char* key, bool& out) const {
+        take(key, "true or false", [&](const Json& v) { return v.is_boolean() && (out = v.get<bool>(), true); });
+    }
     void number(const char* key, double& out, double least = -1e300, double most = 1e300) const {
-        take(key, "a number", [&](const Json& v) { return v.is_number() && v.get<double>() >= least && v.get<double>() <= most && (out = v.get<double>(), true); });
+        take(key, "a number", [&](const Json& v) {
+            return v.is_number() && v.get<double>() >= least && v.get<double>() <= most &&
+                   (out = v.get<double>(), true);
+        });
     }
     template <class T> void whole(const char* key, T& out, int64_t least, int64_t most) const {
-        take(key, "a whole number", [&](const Json& v) { return v.is_number_integer() && v.get<int64_t>() >= least && v.get<int64_t>() <= most && (out = static_cast<T>(v.get<int64_t>()), true); });
+        take(key, "a whole number", [&](const Json& v) {
+            return v.is_number_integer() && v.get<int64_t>() >= least && v.get<int64_t>() <= most &&
+                   (out = static_cast<T>(v.get<int64_t>()), true);
+        });
     }
     /// Seconds in the file, nanoseconds here.
     void time(const char* key, int64_t& out, double least = 0) const {
@@ -103,8 +122,10 @@ public:
         std::string after; // the known field that unknown ones follow
         std::vector<std::pair<std::string, std::vector<std::pair<std::string, Json>>>> unknown = {{"", {}}};
         for (const auto& [key, value] : m_origin.items()) {
-            if (m_known.count(key)) unknown.push_back({key, {}});
-            else unknown.back().second.emplace_back(key, value);
+            if (m_known.count(key))
+                unknown.push_back({key, {}});
+            else
+                unknown.back().second.emplace_back(key, value);
         }
         auto emitUnknown = [&](const std::string& behind) {
             for (auto& [anchor, fields] : unknown)
@@ -199,7 +220,8 @@ Json chartJson(const ChartSetup& c) {
     return w.finish();
 }
 
-template <class T, class Read> std::vector<T> listOf(const Json& json, const char* key, const std::string& where, std::string& problem, Read&& read) {
+template <class T, class Read>
+std::vector<T> listOf(const Json& json, const char* key, const std::string& where, std::string& problem, Read&& read) {
     std::vector<T> out;
     const auto it = json.find(key);
     if (it == json.end()) return out;
@@ -210,8 +232,10 @@ template <class T, class Read> std::vector<T> listOf(const Json& json, const cha
     size_t index = 0;
     for (const Json& item : *it) {
         const std::string place = where + std::string(key) + "[" + std::to_string(index++) + "]: ";
-        if (item.is_object()) out.push_back(read(item, place, problem));
-        else if (problem.empty()) problem = place + "must be an object";
+        if (item.is_object())
+            out.push_back(read(item, place, problem));
+        else if (problem.empty())
+            problem = place + "must be an object";
     }
     return out;
 }
@@ -253,9 +277,11 @@ TriggerSetup triggerOf(const Json& json, const std::string& where, std::string& 
 /// Channels must name charts and axes that exist.
 void mendReferences(TraceSetup& setup) {
     for (ChannelSetup& channel : setup.channels) {
-        if (channel.chart >= static_cast<int>(setup.charts.size())) setup.charts.resize(static_cast<size_t>(channel.chart) + 1);
+        if (channel.chart >= static_cast<int>(setup.charts.size()))
+            setup.charts.resize(static_cast<size_t>(channel.chart) + 1);
         ChartSetup& chart = setup.charts[static_cast<size_t>(channel.chart)];
-        if (channel.axis >= static_cast<int>(chart.axes.size())) chart.axes.resize(static_cast<size_t>(channel.axis) + 1);
+        if (channel.axis >= static_cast<int>(chart.axes.size()))
+            chart.axes.resize(static_cast<size_t>(channel.axis) + 1);
     }
 }
 
@@ -263,7 +289,8 @@ void mendReferences(TraceSetup& setup) {
 
 Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     const JsonText<Json> read = readJson<Json>(text);
-    if (!read.isGood()) return Error{"The trace set-up is not JSON (see line " + std::to_string(read.line) + ")", place};
+    if (!read.isGood())
+        return Error{"The trace set-up is not JSON (see line " + std::to_string(read.line) + ")", place};
     const Json& json = read.value;
     if (!json.is_object()) return Error{"A trace set-up must be a JSON object", place};
     TraceSetup setup;
@@ -272,7 +299,9 @@ Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     const Reader r(json, "", problem);
     int version = Version;
     r.whole("version", version, 1, 1'000'000);
-    if (version > Version) return Error{"This trace set-up was written by a newer Stepwise (version " + std::to_string(version) + ")", place};
+    if (version > Version)
+        return Error{"This trace set-up was written by a newer Stepwise (version " + std::to_string(version) + ")",
+                     place};
     r.text("title", setup.title);
     r.time("span", setup.span, 1e-9);
     r.whole("every", setup.every, 1, 1'000'000'000);
@@ -287,7 +316,8 @@ Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     };
     cursor("cursorA", setup.cursorA);
     cursor("cursorB", setup.cursorB);
-    if (const auto it = json.find("trigger"); it != json.end() && it->is_object()) setup.trigger = triggerOf(*it, "trigger: ", problem);
+    if (const auto it = json.find("trigger"); it != json.end() && it->is_object())
+        setup.trigger = triggerOf(*it, "trigger: ", problem);
     setup.charts = listOf<ChartSetup>(json, "charts", "", problem, chartOf);
     if (setup.charts.empty()) setup.charts.push_back({});
     setup.channels = listOf<ChannelSetup>(json, "channels", "", problem, channelOf);
@@ -306,10 +336,14 @@ std::string writeSetup(const TraceSetup& setup) {
     w.put("condition", setup.condition, "");
     w.put("compareWith", setup.compareWith, "");
     w.put("table", setup.hasTable, false);
-    if (setup.cursorA) w.put("cursorA", seconds(*setup.cursorA));
-    else w.skip("cursorA");
-    if (setup.cursorB) w.put("cursorB", seconds(*setup.cursorB));
-    else w.skip("cursorB");
+    if (setup.cursorA)
+        w.put("cursorA", seconds(*setup.cursorA));
+    else
+        w.skip("cursorA");
+    if (setup.cursorB)
+        w.put("cursorB", seconds(*setup.cursorB));
+    else
+        w.skip("cursorB");
     w.put("trigger", triggerJson(setup.trigger), Json::object());
     Json charts = Json::array(), channels = Json::array();
     for (const ChartSetup& chart : setup.charts) charts.push_back(chartJson(chart));
@@ -325,7 +359,9 @@ Result<TraceSetup> loadSetup(const std::string& path) {
     return readSetup(*text, path);
 }
 
-Result<void> saveSetup(const TraceSetup& setup, const std::string& path) { return projects::writeFileAtomically(path, writeSetup(setup)); }
+Result<void> saveSetup(const TraceSetup& setup, const std::string& path) {
+    return projects::writeFileAtomically(path, writeSetup(setup));
+}
 
 TraceSetup setupOf(const std::vector<std::string>& expressions) {
     TraceSetup setup;

@@ -1,5 +1,5 @@
-// A trace set-up: what traces/NAME.trace.json holds. A value without Qt; reading and writing keep what this version does not know,
-// and loading and saving our own file changes no byte. Any thread.
+// A trace set-up: what traces/NAME.trace.json holds. A value without Qt; reading and writing keep what this version
+// does not know, and loading and saving our own file changes no byte. Any thread.
 #pragma once
 
 #include "runtime/base/result.h"
@@ -15,7 +15,12 @@ namespace plc::trace {
 
 using Json = nlohmann::ordered_json;
 
-enum class ChannelStyle : uint8_t { Automatic, Line, Hold, Digital }; // automatic: digital for BOOL and enums, hold else
+enum class ChannelStyle : uint8_t {
+    Automatic,
+    Line,
+    Hold,
+    Digital
+}; // automatic: digital for BOOL and enums, hold else
 enum class ScaleMode : uint8_t { Automatic, Fit, Fixed };
 enum class TriggerEdge : uint8_t { Rising, Falling, Both, Level };
 enum class TriggerMode : uint8_t { Off, Single, Repeated };

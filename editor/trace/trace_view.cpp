@@ -1,8 +1,8 @@
 #include "editor/trace/trace_view.h"
 
-#include "editor/kit/long_task.h"
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/long_task.h"
 #include "editor/kit/plot_export.h"
 #include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
@@ -72,30 +72,35 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
     layout->addWidget(splitter, 1);
     layout->addLayout(status);
 
-    m_channels->setCompletionSource([this](const QString& text, int cursor) { return m_variables.complete(text, cursor); });
+    m_channels->setCompletionSource(
+        [this](const QString& text, int cursor) { return m_variables.complete(text, cursor); });
     m_channels->setCheck([this](const QString& text) {
         if (!m_recording) return QString();
         const auto type = m_recording->typeOf(text.trimmed().toStdString());
         return type ? QString() : QString::fromStdString(type.error().message);
     });
     m_channels->setPicker([this](const QString& current) { return kit::pickVariable(m_variables, current, this); });
-    connect(m_channels, &ChannelPanel::changeRequested, this, [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
+    connect(m_channels, &ChannelPanel::changeRequested, this,
+            [this](const QString& text, const std::function<void(TraceSetup&)>& f) { change(text, f); });
     connect(m_channels, &ChannelPanel::channelWanted, this, &TraceView::addChannel);
     connect(m_channels, &ChannelPanel::channelSelected, this, [this](int channel) {
-        m_plot->edit([channel](kit::PlotModel& model) { model.selected = channel >= 0 ? QString::number(channel) : QString(); });
+        m_plot->edit(
+            [channel](kit::PlotModel& model) { model.selected = channel >= 0 ? QString::number(channel) : QString(); });
     });
     connect(m_plot, &kit::PlotView::variablesDropped, this, [this](const QStringList& paths, int chart) {
         for (const QString& path : paths) addChannel(path, chart);
     });
     connect(m_plot, &kit::PlotView::curveToggled, this, [this](const QString& id, bool visible) {
         const int channel = id.toInt();
-        change(visible ? tr("Show channel") : tr("Hide channel"), [channel, visible](TraceSetup& s) { s.channels[static_cast<size_t>(channel)].isVisible = visible; });
+        change(visible ? tr("Show channel") : tr("Hide channel"),
+               [channel, visible](TraceSetup& s) { s.channels[static_cast<size_t>(channel)].isVisible = visible; });
     });
     connect(m_plot, &kit::PlotView::curveSelected, this, [this](const QString& id) {
         if (!id.isEmpty()) m_channels->selectChannel(id.toInt());
     });
     connect(m_plot, &kit::PlotView::followingChanged, m_follow, &QAction::setChecked);
-    connect(m_plot, &kit::PlotView::toolChanged, this, [this](kit::PlotTool tool) { (tool == kit::PlotTool::Pan ? m_panTool : m_zoomTool)->setChecked(true); });
+    connect(m_plot, &kit::PlotView::toolChanged, this,
+            [this](kit::PlotTool tool) { (tool == kit::PlotTool::Pan ? m_panTool : m_zoomTool)->setChecked(true); });
     connect(m_plot, &kit::PlotView::cursorsChanged, this, [this] {
         m_cursors->setChecked(m_plot->hasCursors());
         showTable();
@@ -133,7 +138,8 @@ void TraceView::makeActions(QToolBar* bar) {
         action->setCheckable(true);
         return action;
     };
-    m_follow = toggle(add(kit::Icon::Follow, tr("Follow"), tr("Follow the newest scan (End)"), [this] { m_plot->setFollowing(m_follow->isChecked()); }));
+    m_follow = toggle(add(kit::Icon::Follow, tr("Follow"), tr("Follow the newest scan (End)"),
+                          [this] { m_plot->setFollowing(m_follow->isChecked()); }));
     add(kit::Icon::Fit, tr("Fit"), tr("Show everything recorded (Home)"), [this] {
         m_plot->setFollowing(false);
         m_plot->fit();
@@ -142,29 +148,38 @@ void TraceView::makeActions(QToolBar* bar) {
     add(kit::Icon::Back, tr("Zoom back"), tr("Back to the view before (Backspace)"), [this] { m_plot->zoomBack(); });
     bar->addSeparator();
     auto* tools = new QActionGroup(this);
-    m_zoomTool = toggle(add(kit::Icon::ZoomBox, tr("Zoom"), tr("Drag a box to zoom: flat for time, upright for values"), [this] { m_plot->setTool(kit::PlotTool::ZoomBox); }));
-    m_panTool = toggle(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"), [this] { m_plot->setTool(kit::PlotTool::Pan); }));
+    m_zoomTool = toggle(add(kit::Icon::ZoomBox, tr("Zoom"), tr("Drag a box to zoom: flat for time, upright for values"),
+                            [this] { m_plot->setTool(kit::PlotTool::ZoomBox); }));
+    m_panTool = toggle(add(kit::Icon::Pan, tr("Pan"), tr("Drag to pan (middle button always does)"),
+                           [this] { m_plot->setTool(kit::PlotTool::Pan); }));
     tools->addAction(m_zoomTool);
     tools->addAction(m_panTool);
     m_zoomTool->setChecked(true);
-    m_cursors = toggle(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"), [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
-    m_tableShown = toggle(add(kit::Icon::Statistics, tr("Measure"), tr("Table of values and statistics between the cursors"), [this] {
-        const bool shown = m_tableShown->isChecked();
-        if (shown && !m_plot->hasCursors()) m_plot->setCursorsShown(true);
-        change(tr("Measuring table"), [shown](TraceSetup& s) { s.hasTable = shown; });
-    }));
+    m_cursors = toggle(add(kit::Icon::Cursor, tr("Cursors"), tr("Two cursors (Ctrl+click sets A, Shift+click sets B)"),
+                           [this] { m_plot->setCursorsShown(m_cursors->isChecked()); }));
+    m_tableShown = toggle(
+        add(kit::Icon::Statistics, tr("Measure"), tr("Table of values and statistics between the cursors"), [this] {
+            const bool shown = m_tableShown->isChecked();
+            if (shown && !m_plot->hasCursors()) m_plot->setCursorsShown(true);
+            change(tr("Measuring table"), [shown](TraceSetup& s) { s.hasTable = shown; });
+        }));
     bar->addSeparator();
-    m_arm = toggle(add(kit::Icon::Trigger, tr("Trigger"), tr("Arm the trigger set in the properties of the trace"), [this] { m_arm->isChecked() ? armTrigger() : m_trigger.disarm(); }));
-    add(kit::Icon::ChevronLeft, tr("Previous trigger"), tr("Where the trigger would have fired before"), [this] { findTrigger(history::History::Direction::Backward); });
-    add(kit::Icon::ChevronRight, tr("Next trigger"), tr("Where the trigger would have fired next"), [this] { findTrigger(history::History::Direction::Forward); });
+    m_arm = toggle(add(kit::Icon::Trigger, tr("Trigger"), tr("Arm the trigger set in the properties of the trace"),
+                       [this] { m_arm->isChecked() ? armTrigger() : m_trigger.disarm(); }));
+    add(kit::Icon::ChevronLeft, tr("Previous trigger"), tr("Where the trigger would have fired before"),
+        [this] { findTrigger(history::History::Direction::Backward); });
+    add(kit::Icon::ChevronRight, tr("Next trigger"), tr("Where the trigger would have fired next"),
+        [this] { findTrigger(history::History::Direction::Forward); });
     bar->addSeparator();
-    add(kit::Icon::Add, tr("Add chart"), tr("Another chart over the same time"), [this] { change(tr("Add chart"), [](TraceSetup& s) { s.charts.emplace_back(); }); });
+    add(kit::Icon::Add, tr("Add chart"), tr("Another chart over the same time"),
+        [this] { change(tr("Add chart"), [](TraceSetup& s) { s.charts.emplace_back(); }); });
     add(kit::Icon::Layers, tr("Compare"), tr("Load an older recording beneath the present one"), [this] {
         if (m_beneath) {
             report(compareWith({}));
             return;
         }
-        const QString path = QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}), tr("Recordings (*.rec);;All files (*)"));
+        const QString path = QFileDialog::getOpenFileName(this, tr("Recording to draw beneath"), inProject({}),
+                                                          tr("Recordings (*.rec);;All files (*)"));
         if (!path.isEmpty()) report(compareWith(path));
     });
 
@@ -184,25 +199,30 @@ void TraceView::makeActions(QToolBar* bar) {
     };
     QMenu* files = menuButton(kit::Icon::Save, tr("Trace set-up"));
     files->addAction(kit::icon(kit::Icon::Open), tr("Open set-up…"), this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open trace set-up"), m_folder, tr("Trace set-ups (*.trace.json)"));
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Open trace set-up"), m_folder, tr("Trace set-ups (*.trace.json)"));
         if (!path.isEmpty()) report(openSetup(path));
     });
     auto saveAs = [this] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save trace set-up"), m_path.isEmpty() ? m_folder : m_path, tr("Trace set-ups (*.trace.json)"));
+        QString path = QFileDialog::getSaveFileName(this, tr("Save trace set-up"), m_path.isEmpty() ? m_folder : m_path,
+                                                    tr("Trace set-ups (*.trace.json)"));
         if (path.isEmpty()) return;
         if (!path.endsWith(QLatin1String(".trace.json"))) path += QStringLiteral(".trace.json");
         report(storeSetup(path));
     };
-    files->addAction(kit::icon(kit::Icon::Save), tr("Save set-up"), this, [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
+    files->addAction(kit::icon(kit::Icon::Save), tr("Save set-up"), this,
+                     [this, saveAs] { m_path.isEmpty() ? saveAs() : report(storeSetup(m_path)); });
     files->addAction(tr("Save set-up as…"), this, saveAs);
     files->addSeparator();
     files->addAction(tr("Open recording…"), this, [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}), tr("Recordings (*.rec);;All files (*)"));
+        const QString path = QFileDialog::getOpenFileName(this, tr("Open recording"), inProject({}),
+                                                          tr("Recordings (*.rec);;All files (*)"));
         if (!path.isEmpty()) report(openRecording(path));
     });
     QAction* close = files->addAction(tr("Back to the running PLC"), this, &TraceView::closeRecording);
     QAction* save = files->addAction(tr("Save recording…"), this, [this] {
-        QString path = QFileDialog::getSaveFileName(this, tr("Save recording"), inProject({}), tr("Recordings (*.rec)"));
+        QString path =
+            QFileDialog::getSaveFileName(this, tr("Save recording"), inProject({}), tr("Recordings (*.rec)"));
         if (path.isEmpty() || !m_recording) return;
         if (!path.endsWith(QLatin1String(".rec"))) path += QStringLiteral(".rec");
         report(m_recording->save(path.toStdString()));
@@ -212,10 +232,14 @@ void TraceView::makeActions(QToolBar* bar) {
         save->setEnabled(m_recording != nullptr);
     });
     QMenu* exports = menuButton(kit::Icon::Export, tr("Export"));
-    exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] { kit::copyPicture(m_plot->model(), {m_plot->size(), 2}); });
+    exports->addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
+        kit::copyPicture(m_plot->model(), {m_plot->size(), 2});
+    });
     for (const char* suffix : {"png", "svg", "pdf", "csv"})
-        exports->addAction(suffix == QLatin1String("csv") ? tr("Save samples in view as CSV…") : tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()), this,
-                           [this, suffix] { exportTo(QLatin1String(suffix)); });
+        exports->addAction(suffix == QLatin1String("csv")
+                               ? tr("Save samples in view as CSV…")
+                               : tr("Save as %1…").arg(QString(QLatin1String(suffix)).toUpper()),
+                           this, [this, suffix] { exportTo(QLatin1String(suffix)); });
     exports->addAction(kit::icon(kit::Icon::Print), tr("Print…"), this, [this] {
         QPrinter printer(QPrinter::HighResolution);
         printer.setPageOrientation(QPageLayout::Landscape);
@@ -236,11 +260,14 @@ void TraceView::report(const Result<void>& result) {
 }
 
 void TraceView::exportTo(const QString& suffix) {
-    QString path = QFileDialog::getSaveFileName(this, tr("Save as %1").arg(suffix.toUpper()), m_folder, QStringLiteral("*.%1").arg(suffix));
+    QString path = QFileDialog::getSaveFileName(this, tr("Save as %1").arg(suffix.toUpper()), m_folder,
+                                                QStringLiteral("*.%1").arg(suffix));
     if (path.isEmpty()) return;
     if (!path.endsWith(QLatin1Char('.') + suffix)) path += QLatin1Char('.') + suffix;
-    if (suffix == QLatin1String("csv")) exportSamples(path);
-    else report(kit::exportPicture(m_plot->model(), path, {m_plot->size(), 2}));
+    if (suffix == QLatin1String("csv"))
+        exportSamples(path);
+    else
+        report(kit::exportPicture(m_plot->model(), path, {m_plot->size(), 2}));
 }
 
 void TraceView::exportSamples(const QString& path) {
@@ -399,7 +426,8 @@ void TraceView::change(const QString& text, const std::function<void(TraceSetup&
     TraceSetup next = m_setup;
     change(next);
     if (next == m_setup) return;
-    m_undo.push(new kit::EditCommand<TraceSetup>(text, std::move(next), [this](const TraceSetup& edit) { return applyEdit(edit); }, mergeId));
+    m_undo.push(new kit::EditCommand<TraceSetup>(
+        text, std::move(next), [this](const TraceSetup& edit) { return applyEdit(edit); }, mergeId));
 }
 
 void TraceView::addChannel(const QString& expression, int chart) {
@@ -426,7 +454,8 @@ void TraceView::setupTaken() {
     m_trigger.setSetup(m_setup.trigger);
     m_triggerRead = INT64_MIN;
     m_shots = 0;
-    if (const auto source = m_feed && !m_opened ? m_feed->triggerSource() : nullptr) // only what is yet to come fires it; of a file, all that was
+    if (const auto source = m_feed && !m_opened ? m_feed->triggerSource()
+                                                : nullptr) // only what is yet to come fires it; of a file, all that was
         if (const auto range = source->timeRange()) m_triggerRead = range->second;
     m_tableShown->setChecked(m_setup.hasTable);
     rebuildModel();
@@ -464,9 +493,11 @@ void TraceView::runTrigger() {
     const auto range = source->timeRange();
     if (!range) return;
     if (range->second < m_triggerRead) m_triggerRead = range->second; // went back
-    source->visit(m_triggerRead == INT64_MIN ? INT64_MIN : m_triggerRead + 1, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
-        for (const kit::PlotSample& s : block) m_trigger.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
-    });
+    source->visit(m_triggerRead == INT64_MIN ? INT64_MIN : m_triggerRead + 1, INT64_MAX,
+                  [&](std::span<const kit::PlotSample> block) {
+                      for (const kit::PlotSample& s : block)
+                          m_trigger.feed(s.time, std::isnan(s.value) ? std::nullopt : std::optional(s.value != 0));
+                  });
     m_triggerRead = range->second;
     if (m_trigger.shots() == m_shots) return;
     m_shots = m_trigger.shots();
@@ -479,7 +510,8 @@ void TraceView::showShot(int64_t time) {
         model.trigger = time;
         model.origin = time;
     });
-    m_plot->setRange(time - m_setup.trigger.before, std::max(time + m_setup.trigger.after, time - m_setup.trigger.before + 1000));
+    m_plot->setRange(time - m_setup.trigger.before,
+                     std::max(time + m_setup.trigger.after, time - m_setup.trigger.before + 1000));
     m_arm->setChecked(m_trigger.state() == TriggerState::Armed);
     showTable();
     showStatus();
@@ -488,7 +520,8 @@ void TraceView::showShot(int64_t time) {
 void TraceView::armTrigger() {
     if (m_setup.trigger.mode == TriggerMode::Off && !m_setup.trigger.expression.empty())
         change(tr("Arm trigger"), [](TraceSetup& s) { s.trigger.mode = TriggerMode::Single; });
-    else m_trigger.arm();
+    else
+        m_trigger.arm();
     if (m_opened) m_triggerRead = INT64_MIN; // nothing more comes: the first in the file
     m_arm->setChecked(m_trigger.state() == TriggerState::Armed);
     if (m_setup.trigger.expression.empty()) {
@@ -512,7 +545,8 @@ bool TraceView::findTrigger(history::History::Direction direction) {
     std::optional<Position> found;
     auto look = [&](const std::string& expression) {
         const auto position = m_recording->find(expression, *from, direction);
-        if (position && (!found || (direction == history::History::Direction::Forward) == (*position < *found))) found = position;
+        if (position && (!found || (direction == history::History::Direction::Forward) == (*position < *found)))
+            found = position;
     };
     if (t.edge != TriggerEdge::Falling) look(t.expression);
     if (t.edge == TriggerEdge::Falling || t.edge == TriggerEdge::Both) look("NOT (" + t.expression + ")");
@@ -557,8 +591,10 @@ void TraceView::showTable() {
         for (int c = 0; c < m_table->columnCount(); ++c) {
             const kit::MeasureTable::Row& row = table.rows[static_cast<size_t>(r)];
             auto* item = new QTableWidgetItem(row.cells[c]);
-            if (c == 0) item->setForeground(row.color);
-            else item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            if (c == 0)
+                item->setForeground(row.color);
+            else
+                item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             m_table->setItem(r, c, item);
         }
     m_table->resizeColumnsToContents();
@@ -573,12 +609,21 @@ void TraceView::showTable() {
 QString TraceView::statusText() const {
     QString trigger;
     switch (m_trigger.state()) {
-    case TriggerState::Off: trigger = m_setup.trigger.expression.empty() ? QString() : tr("Trigger off"); break;
-    case TriggerState::Armed: trigger = tr("Trigger armed"); break;
-    case TriggerState::Collecting: trigger = tr("Triggered, collecting"); break;
-    case TriggerState::Done: trigger = tr("Triggered"); break;
+    case TriggerState::Off:
+        trigger = m_setup.trigger.expression.empty() ? QString() : tr("Trigger off");
+        break;
+    case TriggerState::Armed:
+        trigger = tr("Trigger armed");
+        break;
+    case TriggerState::Collecting:
+        trigger = tr("Triggered, collecting");
+        break;
+    case TriggerState::Done:
+        trigger = tr("Triggered");
+        break;
     }
-    if (m_shots > 0 && m_setup.trigger.mode == TriggerMode::Repeated) trigger += QLatin1Char(' ') + tr("(%n shot(s))", nullptr, static_cast<int>(m_shots));
+    if (m_shots > 0 && m_setup.trigger.mode == TriggerMode::Repeated)
+        trigger += QLatin1Char(' ') + tr("(%n shot(s))", nullptr, static_cast<int>(m_shots));
     if (const kit::PlotModel& model = m_plot->model(); model.cursorA && model.cursorB) {
         const QString cursors = kit::measureTable(model).headline;
         return trigger.isEmpty() ? cursors : trigger + QStringLiteral("     ") + cursors;
@@ -596,23 +641,31 @@ void TraceView::showStatus() {
     auto megabytes = [](size_t bytes) { return QLocale().toString(static_cast<double>(bytes) / 1048576.0, 'f', 1); };
     const QString file = m_opened ? m_openedName + QStringLiteral("  ·  ") : QString();
     m_memory->setText(file + tr("%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB")
-                          .arg(s.scans).arg(megabytes(s.bytes), megabytes(s.budget), megabytes(m_store->bytes()), megabytes(m_store->budget())));
+                                 .arg(s.scans)
+                                 .arg(megabytes(s.bytes), megabytes(s.budget), megabytes(m_store->bytes()),
+                                      megabytes(m_store->budget())));
 }
 
 void TraceView::plotMenu(const QPoint& global, int chart, const QString& curve) {
     QMenu menu(this);
     if (!curve.isEmpty()) {
         const int channel = curve.toInt();
-        menu.addAction(kit::icon(kit::Icon::Configuration), tr("Properties"), this, [this, channel] { m_channels->selectChannel(channel); });
-        menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove channel"), this, [this, channel] { change(tr("Remove channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); }); });
+        menu.addAction(kit::icon(kit::Icon::Configuration), tr("Properties"), this,
+                       [this, channel] { m_channels->selectChannel(channel); });
+        menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove channel"), this, [this, channel] {
+            change(tr("Remove channel"), [channel](TraceSetup& s) { s.channels.erase(s.channels.begin() + channel); });
+        });
         menu.addSeparator();
     }
     menu.addAction(kit::icon(kit::Icon::Add), tr("Add channel…"), this, [this, chart] {
         if (const auto path = kit::pickVariable(m_variables, {}, this)) addChannel(*path, chart);
     });
     menu.addAction(kit::icon(kit::Icon::Fit), tr("Fit"), m_plot, &kit::PlotView::fit);
-    menu.addAction(kit::icon(kit::Icon::Cursor), tr("Cursors"), this, [this] { m_plot->setCursorsShown(!m_plot->hasCursors()); });
-    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] { kit::copyPicture(m_plot->model(), {m_plot->size(), 2}); });
+    menu.addAction(kit::icon(kit::Icon::Cursor), tr("Cursors"), this,
+                   [this] { m_plot->setCursorsShown(!m_plot->hasCursors()); });
+    menu.addAction(kit::icon(kit::Icon::Copy), tr("Copy as picture"), this, [this] {
+        kit::copyPicture(m_plot->model(), {m_plot->size(), 2});
+    });
     menu.exec(global);
 }
 

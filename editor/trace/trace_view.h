@@ -1,5 +1,5 @@
-// The trace view: charts of a recording, live or past, with channels, trigger, cursors and set-ups. It reads the recording 30 times
-// a second while it can be seen; the recording may come and go. Owned by its dock; GUI thread.
+// The trace view: charts of a recording, live or past, with channels, trigger, cursors and set-ups. It reads the
+// recording 30 times a second while it can be seen; the recording may come and go. Owned by its dock; GUI thread.
 #pragma once
 
 #include "editor/kit/plot_view.h"

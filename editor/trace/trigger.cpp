@@ -21,10 +21,14 @@ void TriggerMachine::disarm() { m_state = TriggerState::Off; }
 
 bool TriggerMachine::fires(bool before, bool now) const {
     switch (m_setup.edge) {
-    case TriggerEdge::Rising: return !before && now;
-    case TriggerEdge::Falling: return before && !now;
-    case TriggerEdge::Both: return before != now;
-    case TriggerEdge::Level: return now;
+    case TriggerEdge::Rising:
+        return !before && now;
+    case TriggerEdge::Falling:
+        return before && !now;
+    case TriggerEdge::Both:
+        return before != now;
+    case TriggerEdge::Level:
+        return now;
     }
     return false;
 }

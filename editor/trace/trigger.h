@@ -1,5 +1,5 @@
-// The trigger of a trace as a state machine over samples of its expression: armed, fired and waiting for what comes after, done.
-// Knows neither expression nor chart; pure, any thread.
+// The trigger of a trace as a state machine over samples of its expression: armed, fired and waiting for what comes
+// after, done. Knows neither expression nor chart; pure, any thread.
 #pragma once
 
 #include "editor/trace/trace_setup.h"

@@ -29,8 +29,10 @@ void AlarmBook::setFile(const AlarmFile& file) {
 
 Result<void> AlarmBook::openStore(const QString& path) {
     const Result<void> opened = m_store.open(path);
-    if (opened) m_store.trim(100'000);
-    else (void)m_store.open(QStringLiteral(":memory:"));
+    if (opened)
+        m_store.trim(100'000);
+    else
+        (void)m_store.open(QStringLiteral(":memory:"));
     emit changed();
     return opened;
 }
@@ -123,7 +125,8 @@ AlarmEntry AlarmBook::entryOf(size_t alarm) const {
     return entry;
 }
 
-std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes, AlarmOrder order) const {
+std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes,
+                                           AlarmOrder order) const {
     std::vector<AlarmEntry> out;
     for (size_t i = 0; i < m_definitions.size(); ++i) {
         if (states.state(i) == AlarmState::Normal) continue;
@@ -143,7 +146,9 @@ std::vector<AlarmEntry> AlarmBook::entries(const AlarmLifeCycle& states, quint64
         }
         out.push_back(std::move(entry));
     }
-    const auto urgency = [](const AlarmEntry& entry) { return entry.state == AlarmState::Unacknowledged ? 0 : entry.state == AlarmState::Returned ? 1 : 2; };
+    const auto urgency = [](const AlarmEntry& entry) {
+        return entry.state == AlarmState::Unacknowledged ? 0 : entry.state == AlarmState::Returned ? 1 : 2;
+    };
     std::stable_sort(out.begin(), out.end(), [&](const AlarmEntry& a, const AlarmEntry& b) {
         if (order == AlarmOrder::Priority) {
             if (urgency(a) != urgency(b)) return urgency(a) < urgency(b);
@@ -192,8 +197,9 @@ std::vector<AlarmEntry> AlarmBook::history(const QStringList& classes, int limit
         const bool needsAcknowledge = alarm < 0 || m_definitions[static_cast<size_t>(alarm)].mustAcknowledge;
         entry.returned = returned;
         entry.acknowledged = acknowledged;
-        entry.state = returned ? (acknowledged || !needsAcknowledge ? AlarmState::Normal : AlarmState::Returned)
-                               : (acknowledged || !needsAcknowledge ? AlarmState::Acknowledged : AlarmState::Unacknowledged);
+        entry.state = returned
+                          ? (acknowledged || !needsAcknowledge ? AlarmState::Normal : AlarmState::Returned)
+                          : (acknowledged || !needsAcknowledge ? AlarmState::Acknowledged : AlarmState::Unacknowledged);
         returned.reset();
         acknowledged.reset();
         if (!classes.isEmpty() && !classes.contains(entry.className)) continue;

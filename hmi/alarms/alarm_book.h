@@ -32,7 +32,8 @@ public:
     /// The newest 100,000 entries of the file are kept. In memory when it can not be used.
     Result<void> openStore(const QString& path);
     QString storePath() const { return m_store.path(); }
-    /// Which run of a controller findings are of; found again by another watch, they are not kept twice. A new one after `clear`.
+    /// Which run of a controller findings are of; found again by another watch, they are not kept twice. A new one
+    /// after `clear`.
     void setRun(const QString& run) { m_run = run; }
     const std::vector<AlarmDefinition>& definitions() const { return m_definitions; }
     const std::vector<AlarmClass>& classes() const { return m_classes; }
@@ -70,7 +71,8 @@ signals:
 
 private:
     void record(std::span<const AlarmEvent> events, const ValuesOf& values, const QString& user);
-    std::vector<AlarmEntry> entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes, AlarmOrder order) const;
+    std::vector<AlarmEntry> entries(const AlarmLifeCycle& states, quint64 until, const QStringList& classes,
+                                    AlarmOrder order) const;
     AlarmEntry entryOf(size_t alarm) const;
 
     std::vector<AlarmDefinition> m_definitions;
@@ -79,8 +81,8 @@ private:
     AlarmStore m_store;
     QString m_run;
     qint64 m_clockAtZero = 946684800000000000; // 2000-01-01, where virtual time begins
-    std::vector<AlarmEvent> m_events;    // of this run, oldest first
-    std::vector<AlarmRecord> m_records;  // beside each event, for values at a past scan
+    std::vector<AlarmEvent> m_events;          // of this run, oldest first
+    std::vector<AlarmRecord> m_records;        // beside each event, for values at a past scan
 };
 
 } // namespace plc::hmi

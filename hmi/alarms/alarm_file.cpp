@@ -13,8 +13,10 @@ Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place
     AlarmFile file;
     file.m_fields = root;
     for (const char* key : {"classes", "alarms"}) {
-        if (!root.contains(key)) file.m_fields[key] = nullptr;
-        else if (!root[key].is_array()) return fail(QStringLiteral("`%1` must be a list.").arg(QLatin1String(key)));
+        if (!root.contains(key))
+            file.m_fields[key] = nullptr;
+        else if (!root[key].is_array())
+            return fail(QStringLiteral("`%1` must be a list.").arg(QLatin1String(key)));
     }
     QSet<QString> ids;
     const auto read = [&](const char* key, const ElementDescriptor& descriptor, std::vector<Properties>& out) {
@@ -68,7 +70,8 @@ std::vector<AlarmDefinition> AlarmFile::definitions() const {
         one.mustAcknowledge = row.isSet("acknowledge");
         const Json& values = row.at("values");
         if (values.is_object())
-            for (const auto& [name, expression] : values.items()) one.values.emplace_back(QString::fromStdString(name), toQString(expression));
+            for (const auto& [name, expression] : values.items())
+                one.values.emplace_back(QString::fromStdString(name), toQString(expression));
         out.push_back(std::move(one));
     }
     return out;

@@ -12,7 +12,7 @@ struct AlarmClass {
 
 struct AlarmDefinition {
     QString id, condition, className, text, inhibit;
-    int priority = 2; // 1 is the most urgent
+    int priority = 2;                 // 1 is the most urgent
     double onDelay = 0, offDelay = 0; // seconds
     bool mustAcknowledge = true;
     std::vector<std::pair<QString, QString>> values; // placeholder name → expression

@@ -11,16 +11,26 @@ namespace plc::hmi {
 
 Json toJson(const Value& value) {
     switch (value.kind()) {
-    case ValueKind::None: return nullptr;
-    case ValueKind::Bool: return value.toBool();
-    case ValueKind::Integer: return static_cast<int64_t>(value.toInteger());
-    case ValueKind::Unsigned: return Json{{"u", static_cast<uint64_t>(value.toInteger())}};
-    case ValueKind::Real: return Json{{"r", value.toLiteral().toStdString()}};
-    case ValueKind::Text: return toUtf8(value.text());
-    case ValueKind::Time: return Json{{"t", static_cast<int64_t>(value.toInteger())}};
-    case ValueKind::Date: return Json{{"d", static_cast<int64_t>(value.toInteger())}};
-    case ValueKind::DateTime: return Json{{"dt", static_cast<int64_t>(value.toInteger())}};
-    case ValueKind::TimeOfDay: return Json{{"tod", static_cast<int64_t>(value.toInteger())}};
+    case ValueKind::None:
+        return nullptr;
+    case ValueKind::Bool:
+        return value.toBool();
+    case ValueKind::Integer:
+        return static_cast<int64_t>(value.toInteger());
+    case ValueKind::Unsigned:
+        return Json{{"u", static_cast<uint64_t>(value.toInteger())}};
+    case ValueKind::Real:
+        return Json{{"r", value.toLiteral().toStdString()}};
+    case ValueKind::Text:
+        return toUtf8(value.text());
+    case ValueKind::Time:
+        return Json{{"t", static_cast<int64_t>(value.toInteger())}};
+    case ValueKind::Date:
+        return Json{{"d", static_cast<int64_t>(value.toInteger())}};
+    case ValueKind::DateTime:
+        return Json{{"dt", static_cast<int64_t>(value.toInteger())}};
+    case ValueKind::TimeOfDay:
+        return Json{{"tod", static_cast<int64_t>(value.toInteger())}};
     case ValueKind::Array: {
         Json out = Json::array();
         for (const Value& item : value.items()) out.push_back(toJson(item));
@@ -69,17 +79,22 @@ Result<void> AlarmStore::open(const QString& path) {
     m_database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_connection);
     m_database.setDatabaseName(path);
     if (!m_database.open())
-        return Error{"The alarm history could not be opened: " + m_database.lastError().text().toStdString(), path.toStdString()};
+        return Error{"The alarm history could not be opened: " + m_database.lastError().text().toStdString(),
+                     path.toStdString()};
     QSqlQuery query(m_database);
     query.exec(QStringLiteral("PRAGMA journal_mode=WAL"));
     query.exec(QStringLiteral("PRAGMA synchronous=NORMAL"));
     const auto hasRun = [&] { return query.exec(QStringLiteral("SELECT run FROM events LIMIT 1")); };
-    if (!query.exec(QStringLiteral("CREATE TABLE IF NOT EXISTS events (number INTEGER PRIMARY KEY AUTOINCREMENT, alarm TEXT NOT NULL, kind INTEGER NOT NULL, "
-                                   "position INTEGER NOT NULL, scan INTEGER NOT NULL, time INTEGER NOT NULL, wall INTEGER NOT NULL, vals TEXT NOT NULL, "
+    if (!query.exec(QStringLiteral("CREATE TABLE IF NOT EXISTS events (number INTEGER PRIMARY KEY AUTOINCREMENT, alarm "
+                                   "TEXT NOT NULL, kind INTEGER NOT NULL, "
+                                   "position INTEGER NOT NULL, scan INTEGER NOT NULL, time INTEGER NOT NULL, wall "
+                                   "INTEGER NOT NULL, vals TEXT NOT NULL, "
                                    "user TEXT NOT NULL, run TEXT)")) ||
         !query.exec(QStringLiteral("CREATE INDEX IF NOT EXISTS events_by_alarm ON events (alarm, number)")) ||
-        (!hasRun() && !query.exec(QStringLiteral("ALTER TABLE events ADD COLUMN run TEXT"))) || // a file of an older version
-        !query.exec(QStringLiteral("CREATE UNIQUE INDEX IF NOT EXISTS events_once ON events (run, alarm, kind, position)")) ||
+        (!hasRun() &&
+         !query.exec(QStringLiteral("ALTER TABLE events ADD COLUMN run TEXT"))) || // a file of an older version
+        !query.exec(
+            QStringLiteral("CREATE UNIQUE INDEX IF NOT EXISTS events_once ON events (run, alarm, kind, position)")) ||
         !query.exec(QStringLiteral("BEGIN IMMEDIATE")) || !query.exec(QStringLiteral("COMMIT"))) // it can be written
         return Error{"The alarm history is not usable: " + query.lastError().text().toStdString(), path.toStdString()};
     return {};
@@ -89,17 +104,25 @@ Result<void> AlarmStore::append(std::span<const AlarmRecord> records, const QStr
     if (records.empty() || !isOpen()) return {};
     m_database.transaction();
     QSqlQuery query(m_database);
-    query.prepare(QStringLiteral("INSERT OR IGNORE INTO events (alarm, kind, position, scan, time, wall, vals, user, run) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+    query.prepare(QStringLiteral("INSERT OR IGNORE INTO events (alarm, kind, position, scan, time, wall, vals, user, "
+                                 "run) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"));
     for (const AlarmRecord& record : records) {
         Json values = Json::object();
         for (const auto& [name, value] : record.values) values[toUtf8(name)] = toJson(value);
-        const QVariant fields[] = {record.alarm, static_cast<int>(record.kind), record.at.position, record.at.scan, qint64(record.at.time.count()),
-                                   record.wallTime, QString::fromStdString(values.dump()), record.user.isNull() ? QStringLiteral("") : record.user,
+        const QVariant fields[] = {record.alarm,
+                                   static_cast<int>(record.kind),
+                                   record.at.position,
+                                   record.at.scan,
+                                   qint64(record.at.time.count()),
+                                   record.wallTime,
+                                   QString::fromStdString(values.dump()),
+                                   record.user.isNull() ? QStringLiteral("") : record.user,
                                    run.isEmpty() ? QVariant() : QVariant(run)}; // no run differs from every other
         for (int i = 0; i < 9; ++i) query.bindValue(i, fields[i]);
         if (!query.exec()) {
             m_database.rollback();
-            return Error{"The alarm history could not be written: " + query.lastError().text().toStdString(), m_database.databaseName().toStdString()};
+            return Error{"The alarm history could not be written: " + query.lastError().text().toStdString(),
+                         m_database.databaseName().toStdString()};
         }
     }
     m_database.commit();
@@ -124,7 +147,10 @@ std::vector<AlarmRecord> AlarmStore::query(const AlarmQuery& wanted) const {
     }
     QSqlQuery query(m_database);
     query.setForwardOnly(true);
-    query.prepare(QStringLiteral("SELECT number, alarm, kind, position, scan, time, wall, vals, user FROM events %1 ORDER BY number DESC LIMIT %2").arg(where).arg(wanted.limit));
+    query.prepare(QStringLiteral("SELECT number, alarm, kind, position, scan, time, wall, vals, user FROM events %1 "
+                                 "ORDER BY number DESC LIMIT %2")
+                      .arg(where)
+                      .arg(wanted.limit));
     for (const QVariant& value : bound) query.addBindValue(value);
     if (!query.exec()) return out;
     while (query.next()) {
@@ -132,11 +158,13 @@ std::vector<AlarmRecord> AlarmStore::query(const AlarmQuery& wanted) const {
         record.number = query.value(0).toLongLong();
         record.alarm = query.value(1).toString();
         record.kind = static_cast<AlarmEventKind>(std::clamp(query.value(2).toInt(), 0, 2));
-        record.at = {query.value(3).toULongLong(), query.value(4).toULongLong(), Nanoseconds(query.value(5).toLongLong())};
+        record.at = {query.value(3).toULongLong(), query.value(4).toULongLong(),
+                     Nanoseconds(query.value(5).toLongLong())};
         record.wallTime = query.value(6).toLongLong();
         const Json values = readJson<Json>(query.value(7).toString().toStdString()).value;
         if (values.is_object())
-            for (const auto& [name, value] : values.items()) record.values.emplace_back(QString::fromStdString(name), valueFromJson(value));
+            for (const auto& [name, value] : values.items())
+                record.values.emplace_back(QString::fromStdString(name), valueFromJson(value));
         record.user = query.value(8).toString();
         out.push_back(std::move(record));
     }

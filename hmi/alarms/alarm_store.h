@@ -22,7 +22,7 @@ struct AlarmRecord {
 struct AlarmQuery {
     QStringList alarms; // ids; empty: all
     std::optional<AlarmEventKind> kind;
-    qint64 before = 0;  // numbers below this one; 0: from the newest
+    qint64 before = 0; // numbers below this one; 0: from the newest
     int limit = 200;
 };
 
@@ -38,7 +38,8 @@ public:
     void close();
     bool isOpen() const { return m_database.isOpen(); }
     QString path() const { return isOpen() ? m_database.databaseName() : QString(); }
-    /// One transaction. Records with a run (of a controller, from its start to its end) are kept once, however often they are found.
+    /// One transaction. Records with a run (of a controller, from its start to its end) are kept once, however often
+    /// they are found.
     Result<void> append(std::span<const AlarmRecord> records, const QString& run = {});
     /// Newest first.
     std::vector<AlarmRecord> query(const AlarmQuery& query) const;

@@ -10,7 +10,8 @@ Nanoseconds fromSeconds(double seconds) { return Nanoseconds(static_cast<qint64>
 
 AlarmLifeCycle::AlarmLifeCycle(const std::vector<AlarmDefinition>& definitions) {
     for (const AlarmDefinition& one : definitions)
-        m_alarms.push_back({fromSeconds(one.onDelay), fromSeconds(one.offDelay), one.mustAcknowledge, AlarmState::Normal, {}, {}});
+        m_alarms.push_back(
+            {fromSeconds(one.onDelay), fromSeconds(one.offDelay), one.mustAcknowledge, AlarmState::Normal, {}, {}});
 }
 
 void AlarmLifeCycle::apply(Alarm& alarm, AlarmEventKind kind, const AlarmInstant& at) {
@@ -29,8 +30,9 @@ void AlarmLifeCycle::apply(Alarm& alarm, AlarmEventKind kind, const AlarmInstant
     }
 }
 
-void AlarmLifeCycle::step(const AlarmInstant& at, std::span<const Condition> conditions, std::vector<AlarmEvent>& events) {
-    PLC_ASSERT(conditions.size() == m_alarms.size(), return);
+void AlarmLifeCycle::step(const AlarmInstant& at, std::span<const Condition> conditions,
+                          std::vector<AlarmEvent>& events) {
+    PLC_ASSERT(conditions.size() == m_alarms.size(), return );
     m_pending = 0;
     for (size_t i = 0; i < m_alarms.size(); ++i) {
         Alarm& alarm = m_alarms[i];
@@ -53,7 +55,7 @@ void AlarmLifeCycle::step(const AlarmInstant& at, std::span<const Condition> con
 }
 
 void AlarmLifeCycle::acknowledge(size_t index, const AlarmInstant& at, std::vector<AlarmEvent>& events) {
-    PLC_ASSERT(index < m_alarms.size(), return);
+    PLC_ASSERT(index < m_alarms.size(), return );
     Alarm& alarm = m_alarms[index];
     if (alarm.state != AlarmState::Unacknowledged && alarm.state != AlarmState::Returned) return;
     apply(alarm, AlarmEventKind::Acknowledged, at);
@@ -65,7 +67,7 @@ void AlarmLifeCycle::acknowledgeAll(const AlarmInstant& at, std::vector<AlarmEve
 }
 
 void AlarmLifeCycle::follow(const AlarmEvent& event) {
-    PLC_ASSERT(event.alarm < m_alarms.size(), return);
+    PLC_ASSERT(event.alarm < m_alarms.size(), return );
     apply(m_alarms[event.alarm], event.kind, event.at);
 }
 
@@ -77,7 +79,8 @@ void AlarmLifeCycle::restore(std::span<const AlarmEvent> events, quint64 until) 
         alarm.raised = {};
     }
     for (const AlarmEvent& event : events)
-        if (event.at.position <= until && event.alarm < m_alarms.size()) apply(m_alarms[event.alarm], event.kind, event.at);
+        if (event.at.position <= until && event.alarm < m_alarms.size())
+            apply(m_alarms[event.alarm], event.kind, event.at);
 }
 
 } // namespace plc::hmi

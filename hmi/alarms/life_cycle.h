@@ -1,5 +1,5 @@
-// The life of alarms: a condition, delays and acknowledgement give states and events. It knows no PLC and no clock: it is
-// stepped with the scan's time and the conditions' values. One owner, one thread (the player's evaluator).
+// The life of alarms: a condition, delays and acknowledgement give states and events. It knows no PLC and no clock: it
+// is stepped with the scan's time and the conditions' values. One owner, one thread (the player's evaluator).
 #pragma once
 #include "hmi/alarms/alarm_file.h"
 #include "runtime/base/assert.h"
@@ -14,7 +14,8 @@ using Nanoseconds = std::chrono::nanoseconds;
 enum class AlarmState { Normal, Unacknowledged, Acknowledged, Returned /* gone, not yet acknowledged */ };
 enum class AlarmEventKind { Raised, Returned, Acknowledged };
 
-/// Where in the run something happened. The position counts recorded scans over all branches, scan and time are the PLC's.
+/// Where in the run something happened. The position counts recorded scans over all branches, scan and time are the
+/// PLC's.
 struct AlarmInstant {
     quint64 position = 0;
     quint64 scan = 0;
@@ -25,7 +26,9 @@ struct AlarmEvent {
     size_t alarm = 0; // index of the definition
     AlarmEventKind kind{};
     AlarmInstant at;
-    bool operator==(const AlarmEvent& other) const { return alarm == other.alarm && kind == other.kind && at.position == other.at.position; }
+    bool operator==(const AlarmEvent& other) const {
+        return alarm == other.alarm && kind == other.kind && at.position == other.at.position;
+    }
 };
 
 /// A condition that cannot be evaluated leaves the alarm as it is.

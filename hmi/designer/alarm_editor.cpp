@@ -20,7 +20,8 @@ namespace {
 constexpr int kIndexRole = Qt::UserRole, kClassRole = Qt::UserRole + 1;
 }
 
-AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent) : QWidget(parent), m_context(context), m_list(new QTreeWidget), m_grid(new kit::PropertyGrid) {
+AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent)
+    : QWidget(parent), m_context(context), m_list(new QTreeWidget), m_grid(new kit::PropertyGrid) {
     m_list->setHeaderLabels({tr("Alarm"), tr("Priority"), tr("Condition"), tr("Text")});
     m_list->header()->setSectionResizeMode(2, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(3, QHeaderView::Stretch);
@@ -42,7 +43,9 @@ AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent) : QWidget(pare
     layout->addWidget(bar);
     layout->addWidget(splitter, 1);
     m_grid->setPicker(context.picker());
-    m_grid->setCompletionSource([this](const QString& text, int cursor) { return m_context.completions() ? m_context.completions()(text, cursor) : std::vector<kit::Completion>(); });
+    m_grid->setCompletionSource([this](const QString& text, int cursor) {
+        return m_context.completions() ? m_context.completions()(text, cursor) : std::vector<kit::Completion>();
+    });
     m_grid->setCheck([this](const QString& id, const QString& text) {
         const PropertyDescriptor* property = alarmDescriptor().property(propertyOf(id));
         return property ? m_context.checkBinding(text, property->hint, false) : QString();
@@ -56,7 +59,8 @@ AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent) : QWidget(pare
         RecordsDialog dialog(*property, now->at(property->key), m_context, {}, this);
         if (dialog.exec() != QDialog::Accepted) return;
         const Json value = dialog.value();
-        edit(tr("Values"), [&](AlarmFile& file) { const_cast<Properties*>(properties(file, row))->set(property->key, value); });
+        edit(tr("Values"),
+             [&](AlarmFile& file) { const_cast<Properties*>(properties(file, row))->set(property->key, value); });
     });
     connect(m_list, &QTreeWidget::currentItemChanged, this, &AlarmEditor::showRow);
     connect(&context, &DesignContext::alarmsChanged, this, &AlarmEditor::rebuild);
@@ -81,7 +85,8 @@ void AlarmEditor::edit(const QString& title, const std::function<void(AlarmFile&
     AlarmFile after = before;
     change(after);
     if (after.write() == before.write()) return;
-    m_undo.push(new kit::ClosureCommand(title, [this, after] { m_context.setAlarms(after); }, [this, before] { m_context.setAlarms(before); }));
+    m_undo.push(new kit::ClosureCommand(
+        title, [this, after] { m_context.setAlarms(after); }, [this, before] { m_context.setAlarms(before); }));
 }
 
 void AlarmEditor::rebuild() {
@@ -103,12 +108,16 @@ void AlarmEditor::rebuild() {
     };
     for (int i = 0; i < static_cast<int>(file.rows().size()); ++i) {
         const Properties& row = file.rows()[static_cast<size_t>(i)];
-        add(alarms, {row.text("id"), QString::number(row.integer("priority")), row.text("condition"), m_context.shownText(row.text("text"))}, {false, i}, theme.priority(row.integer("priority")));
+        add(alarms,
+            {row.text("id"), QString::number(row.integer("priority")), row.text("condition"),
+             m_context.shownText(row.text("text"))},
+            {false, i}, theme.priority(row.integer("priority")));
     }
     for (int i = 0; i < static_cast<int>(file.classRows().size()); ++i) {
         const Properties& row = file.classRows()[static_cast<size_t>(i)];
         const QColor color = theme.color(row.text("color"));
-        add(classes, {row.text("name"), QString(), QString(), m_context.shownText(row.text("title"))}, {true, i}, color.isValid() ? color : theme.color("off"));
+        add(classes, {row.text("name"), QString(), QString(), m_context.shownText(row.text("title"))}, {true, i},
+            color.isValid() ? color : theme.color("off"));
     }
     m_list->expandAll();
     m_list->resizeColumnToContents(0);
@@ -133,7 +142,8 @@ void AlarmEditor::showRow() {
         if (property.key == "class") {
             rows.front().kind = kit::PropertyKind::Enumeration;
             rows.front().choices = {{QString(), tr("none"), {}}};
-            for (const AlarmClass& one : m_context.project().alarms.classes()) rows.front().choices.push_back({one.name, one.name, {}});
+            for (const AlarmClass& one : m_context.project().alarms.classes())
+                rows.front().choices.push_back({one.name, one.name, {}});
         }
         return rows;
     };
@@ -145,7 +155,10 @@ void AlarmEditor::showRow() {
         m_grid->setDescriptors(std::move(rows));
     }
     for (const PropertyDescriptor& property : now->descriptor().properties)
-        for (const kit::PropertyDescriptor& one : rowsOf(property)) m_grid->setValue(one.id, property.key == "id" ? QVariant(now->text("id")) : gridValue(property, now->at(property.key), one.id, m_context));
+        for (const kit::PropertyDescriptor& one : rowsOf(property))
+            m_grid->setValue(one.id, property.key == "id"
+                                         ? QVariant(now->text("id"))
+                                         : gridValue(property, now->at(property.key), one.id, m_context));
 }
 
 void AlarmEditor::commit(const QString& gridId, const QVariant& value) {
@@ -156,17 +169,23 @@ void AlarmEditor::commit(const QString& gridId, const QVariant& value) {
     if (!property) return;
     const QString title = QCoreApplication::translate("Hmi", property->title);
     kit::MacroScope macro(m_undo, title);
-    Json stored = property->key == "id" ? Json(toUtf8(value.toString())) : fromGrid(*property, now->at(property->key), gridId, value);
+    Json stored = property->key == "id" ? Json(toUtf8(value.toString()))
+                                        : fromGrid(*property, now->at(property->key), gridId, value);
     if (property->key == "id") { // an id is never empty and never there twice
         bool isTaken = value.toString().trimmed().isEmpty();
-        for (const Properties& other : m_context.project().alarms.rows()) isTaken |= other.text("id") == value.toString() && &other != now;
+        for (const Properties& other : m_context.project().alarms.rows())
+            isTaken |= other.text("id") == value.toString() && &other != now;
         if (isTaken) return rebuild();
     }
-    if (property->type == PropertyType::Text) stored = toUtf8(m_context.storeText(now->text(property->key), value.toString(), QStringLiteral("alarm"), m_undo));
+    if (property->type == PropertyType::Text)
+        stored =
+            toUtf8(m_context.storeText(now->text(property->key), value.toString(), QStringLiteral("alarm"), m_undo));
     edit(title, [&](AlarmFile& file) {
         auto* row_ = const_cast<Properties*>(properties(file, row));
-        if (stored == property->fallback) row_->setField(property->key, std::nullopt, 0);
-        else row_->set(property->key, stored);
+        if (stored == property->fallback)
+            row_->setField(property->key, std::nullopt, 0);
+        else
+            row_->set(property->key, stored);
     });
 }
 
@@ -178,7 +197,9 @@ void AlarmEditor::addAlarm() {
 
 void AlarmEditor::addClass() {
     const std::string name = "class" + std::to_string(m_context.project().alarms.classRows().size() + 1);
-    edit(tr("Add class"), [&](AlarmFile& file) { file.classRows().push_back(Properties(alarmClassDescriptor(), Json{{"name", name}})); });
+    edit(tr("Add class"), [&](AlarmFile& file) {
+        file.classRows().push_back(Properties(alarmClassDescriptor(), Json{{"name", name}}));
+    });
     select(QString::fromStdString(name));
 }
 

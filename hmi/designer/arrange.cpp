@@ -11,7 +11,8 @@ namespace plc::hmi {
 QRectF boundsOf(const Panel& panel, const ElementIds& ids) {
     QRectF bounds;
     for (const ElementId& id : ids)
-        if (const Element* element = panel.find(id)) bounds = bounds.isNull() ? element->rect() : bounds.united(element->rect());
+        if (const Element* element = panel.find(id))
+            bounds = bounds.isNull() ? element->rect() : bounds.united(element->rect());
     return bounds;
 }
 
@@ -49,12 +50,24 @@ Edit align(const Panel& panel, const ElementIds& selection, Alignment alignment)
         const QRectF rect = panel.find(id)->rect();
         QPointF offset;
         switch (alignment) {
-        case Alignment::Left: offset.setX(to.left() - rect.left()); break;
-        case Alignment::CenterX: offset.setX(to.center().x() - rect.center().x()); break;
-        case Alignment::Right: offset.setX(to.right() - rect.right()); break;
-        case Alignment::Top: offset.setY(to.top() - rect.top()); break;
-        case Alignment::CenterY: offset.setY(to.center().y() - rect.center().y()); break;
-        case Alignment::Bottom: offset.setY(to.bottom() - rect.bottom()); break;
+        case Alignment::Left:
+            offset.setX(to.left() - rect.left());
+            break;
+        case Alignment::CenterX:
+            offset.setX(to.center().x() - rect.center().x());
+            break;
+        case Alignment::Right:
+            offset.setX(to.right() - rect.right());
+            break;
+        case Alignment::Top:
+            offset.setY(to.top() - rect.top());
+            break;
+        case Alignment::CenterY:
+            offset.setY(to.center().y() - rect.center().y());
+            break;
+        case Alignment::Bottom:
+            offset.setY(to.bottom() - rect.bottom());
+            break;
         }
         offsets.emplace_back(id, offset);
     }
@@ -65,12 +78,18 @@ Edit distribute(const Panel& panel, const ElementIds& selection, Direction direc
     ElementIds ids = outermost(panel, selection);
     if (ids.size() < 3) return {};
     const bool flat = direction == Direction::Horizontal;
-    const auto begin = [&](const ElementId& id) { return flat ? panel.find(id)->rect().left() : panel.find(id)->rect().top(); };
-    const auto length = [&](const ElementId& id) { return flat ? panel.find(id)->rect().width() : panel.find(id)->rect().height(); };
-    std::stable_sort(ids.begin(), ids.end(), [&](const ElementId& a, const ElementId& b) { return begin(a) < begin(b); });
+    const auto begin = [&](const ElementId& id) {
+        return flat ? panel.find(id)->rect().left() : panel.find(id)->rect().top();
+    };
+    const auto length = [&](const ElementId& id) {
+        return flat ? panel.find(id)->rect().width() : panel.find(id)->rect().height();
+    };
+    std::stable_sort(ids.begin(), ids.end(),
+                     [&](const ElementId& a, const ElementId& b) { return begin(a) < begin(b); });
     double used = 0;
     for (const ElementId& id : ids) used += length(id);
-    const double whole = begin(ids.back()) + length(ids.back()) - begin(ids.front()), gap = (whole - used) / static_cast<double>(ids.size() - 1);
+    const double whole = begin(ids.back()) + length(ids.back()) - begin(ids.front()),
+                 gap = (whole - used) / static_cast<double>(ids.size() - 1);
     double at = begin(ids.front());
     std::vector<std::pair<ElementId, QPointF>> offsets;
     for (const ElementId& id : ids) {
@@ -105,8 +124,12 @@ Edit reorder(const Panel& panel, const ElementIds& selection, Order order) {
     const auto isChosen = [&](const ElementId& id) { return chosen.contains(id); };
     wanted = now;
     switch (order) {
-    case Order::Front: std::stable_partition(wanted.begin(), wanted.end(), [&](const ElementId& id) { return !isChosen(id); }); break;
-    case Order::Back: std::stable_partition(wanted.begin(), wanted.end(), isChosen); break;
+    case Order::Front:
+        std::stable_partition(wanted.begin(), wanted.end(), [&](const ElementId& id) { return !isChosen(id); });
+        break;
+    case Order::Back:
+        std::stable_partition(wanted.begin(), wanted.end(), isChosen);
+        break;
     case Order::Forward:
         for (size_t i = wanted.size(); i-- > 1;)
             if (isChosen(wanted[i - 1]) && !isChosen(wanted[i])) std::swap(wanted[i - 1], wanted[i]);
@@ -148,7 +171,8 @@ Edit dissolveGroups(const Panel& panel, const ElementIds& ids) {
     for (const ElementId& id : ids) {
         const Element* group = panel.find(id);
         if (!group || group->kind() != ElementKind::Group) continue;
-        for (const ElementId& child : panel.childrenOf(id)) list.edits.push_back(setProperty(panel, child, "parent", toUtf8(group->parent())));
+        for (const ElementId& child : panel.childrenOf(id))
+            list.edits.push_back(setProperty(panel, child, "parent", toUtf8(group->parent())));
         list.edits.push_back({RemoveElement{id}});
     }
     return {list};
@@ -173,14 +197,16 @@ Json copied(const Panel& panel, const ElementIds& ids) {
 namespace {
 
 /// Inserts copies with new ids. `change` may alter each element before it is inserted.
-void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList& list, ElementIds* added, const std::function<void(Element&)>& change = {}) {
+void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList& list, ElementIds* added,
+                  const std::function<void(Element&)>& change = {}) {
     QHash<ElementId, ElementId> renamed;
     std::vector<Element> copies;
     for (const Json& fields : elements) {
         if (!fields.is_object()) continue;
         Element element{fields};
         const ElementId old = element.id();
-        const std::string_view stem = element.descriptor().key.empty() ? std::string_view("element") : element.descriptor().key;
+        const std::string_view stem =
+            element.descriptor().key.empty() ? std::string_view("element") : element.descriptor().key;
         element.setField("id", toUtf8(scratch.freeId(stem)), 0);
         renamed.insert(old, element.id());
         element.set("rect", rectToJson(element.rect().translated(offset)));
@@ -190,8 +216,10 @@ void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList
     }
     for (Element& element : copies) {
         const ElementId parent = element.parent();
-        if (renamed.contains(parent)) element.set("parent", toUtf8(renamed.value(parent)));
-        else if (!parent.isEmpty() && !scratch.find(parent)) element.setField("parent", std::nullopt, 0);
+        if (renamed.contains(parent))
+            element.set("parent", toUtf8(renamed.value(parent)));
+        else if (!parent.isEmpty() && !scratch.find(parent))
+            element.setField("parent", std::nullopt, 0);
         if (added && !renamed.contains(parent)) added->push_back(element.id());
         *scratch.find(element.id()) = element;
         list.edits.push_back({InsertElement{static_cast<int>(1e9), element.fields()}});
@@ -205,7 +233,8 @@ Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at,
     if (!elements.is_array()) return {list};
     QRectF bounds;
     for (const Json& fields : elements)
-        if (fields.is_object()) bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
+        if (fields.is_object())
+            bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
     QPointF offset = at ? *at - bounds.topLeft() : QPointF(16, 16);
     // Several pastes at one place would hide each other.
     const auto isTaken = [&](QPointF by) {
@@ -224,7 +253,8 @@ QString withShiftedIndex(const QString& expression, int shift) {
     const QRegularExpressionMatch match = index.match(expression);
     if (!match.hasMatch()) return expression;
     QString out = expression;
-    return out.replace(match.capturedStart(1), match.capturedLength(1), QString::number(match.captured(1).toInt() + shift));
+    return out.replace(match.capturedStart(1), match.capturedLength(1),
+                       QString::number(match.captured(1).toInt() + shift));
 }
 
 namespace {
@@ -234,7 +264,8 @@ QString withShiftedNumber(const QString& text, int shift) {
     const QRegularExpressionMatch match = number.match(text);
     if (!match.hasMatch()) return text;
     QString out = text;
-    return out.replace(match.capturedStart(1), match.capturedLength(1), QString::number(match.captured(1).toInt() + shift));
+    return out.replace(match.capturedStart(1), match.capturedLength(1),
+                       QString::number(match.captured(1).toInt() + shift));
 }
 
 } // namespace
@@ -252,12 +283,14 @@ Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLay
             Panel single;
             single.elements().push_back(element);
             const Edit change = rewrite(single, [&](const ElementId&, const Found& found) -> std::optional<QString> {
-                if (found.type == PropertyType::Text) return found.text.startsWith(u'@') ? found.text : withShiftedNumber(found.text, shift);
+                if (found.type == PropertyType::Text)
+                    return found.text.startsWith(u'@') ? found.text : withShiftedNumber(found.text, shift);
                 return found.type == PropertyType::TextList ? found.text : withShiftedIndex(found.text, shift);
             });
             applyTo(single, change);
             element = single.elements().front();
-            if (const QString name = element.text("name"); !name.isEmpty()) element.set("name", toUtf8(withShiftedNumber(name, shift)));
+            if (const QString name = element.text("name"); !name.isEmpty())
+                element.set("name", toUtf8(withShiftedNumber(name, shift)));
         });
     }
     return {list};
@@ -276,8 +309,11 @@ QString withRenamedPath(const QString& expression, const QString& from, const QS
             i = end;
             continue;
         }
-        const bool begins = isNamePart(c) && (i == 0 || (!isNamePart(expression[i - 1]) && expression[i - 1] != u'.' && expression[i - 1] != u'#'));
-        if (begins && expression.mid(i, from.size()).compare(from, Qt::CaseInsensitive) == 0 && (i + from.size() == expression.size() || !isNamePart(expression[i + from.size()]))) {
+        const bool begins =
+            isNamePart(c) &&
+            (i == 0 || (!isNamePart(expression[i - 1]) && expression[i - 1] != u'.' && expression[i - 1] != u'#'));
+        if (begins && expression.mid(i, from.size()).compare(from, Qt::CaseInsensitive) == 0 &&
+            (i + from.size() == expression.size() || !isNamePart(expression[i + from.size()]))) {
             out += to;
             i += from.size();
             continue;

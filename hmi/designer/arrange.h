@@ -37,7 +37,8 @@ struct ArrayLayout {
     int indexStep = 1;
 };
 /// Copies in rows; the first index in each binding (`Motor[1]`) and the last number of each text count up.
-Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLayout& layout, ElementIds* added = nullptr);
+Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLayout& layout,
+                       ElementIds* added = nullptr);
 /// `Motor[1].on` → `Motor[3].on` for a shift of 2.
 QString withShiftedIndex(const QString& expression, int shift);
 

@@ -8,7 +8,8 @@
 namespace plc::hmi {
 
 ArrayDialog::ArrayDialog(const ArrayLayout& layout, const QString& example, QWidget* parent)
-    : QDialog(parent), m_count(new QSpinBox), m_columns(new QSpinBox), m_step(new QSpinBox), m_gapX(new QDoubleSpinBox), m_gapY(new QDoubleSpinBox) {
+    : QDialog(parent), m_count(new QSpinBox), m_columns(new QSpinBox), m_step(new QSpinBox), m_gapX(new QDoubleSpinBox),
+      m_gapY(new QDoubleSpinBox) {
     setWindowTitle(tr("Duplicate as array"));
     m_count->setRange(2, 500);
     m_count->setValue(layout.count);
@@ -31,7 +32,8 @@ ArrayDialog::ArrayDialog(const ArrayLayout& layout, const QString& example, QWid
     auto* preview = new QLabel;
     const auto show = [this, preview, example] {
         if (example.isEmpty()) return preview->clear();
-        preview->setText(QStringLiteral("%1 … %2").arg(example, withShiftedIndex(example, (m_count->value() - 1) * m_step->value())));
+        preview->setText(QStringLiteral("%1 … %2").arg(
+            example, withShiftedIndex(example, (m_count->value() - 1) * m_step->value())));
     };
     connect(m_count, &QSpinBox::valueChanged, this, show);
     connect(m_step, &QSpinBox::valueChanged, this, show);
@@ -43,6 +45,8 @@ ArrayDialog::ArrayDialog(const ArrayLayout& layout, const QString& example, QWid
     form->addRow(buttons);
 }
 
-ArrayLayout ArrayDialog::layoutChosen() const { return {m_count->value(), m_columns->value(), QPointF(m_gapX->value(), m_gapY->value()), m_step->value()}; }
+ArrayLayout ArrayDialog::layoutChosen() const {
+    return {m_count->value(), m_columns->value(), QPointF(m_gapX->value(), m_gapY->value()), m_step->value()};
+}
 
 } // namespace plc::hmi

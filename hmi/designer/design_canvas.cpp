@@ -66,7 +66,8 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
 
 QPointF DesignCanvas::origin() const {
     const QSizeF shown = QSizeF(m_scene.size()) * m_zoom;
-    const double freeX = viewport()->width() - kRuler - shown.width(), freeY = viewport()->height() - kRuler - shown.height();
+    const double freeX = viewport()->width() - kRuler - shown.width(),
+                 freeY = viewport()->height() - kRuler - shown.height();
     const double x = freeX > 2 * kFree ? kRuler + freeX / 2 : kRuler + kMargin - horizontalScrollBar()->value();
     const double y = freeY > 2 * kFree ? kRuler + freeY / 2 : kRuler + kMargin - verticalScrollBar()->value();
     return {std::floor(x), std::floor(y)};
@@ -77,14 +78,18 @@ QPointF DesignCanvas::toPanel(QPointF point) const { return (point - origin()) /
 QPointF DesignCanvas::toViewport(QPointF point) const { return origin() + point * m_zoom; }
 
 QPointF DesignCanvas::visibleCenter() const {
-    const QRectF shown = QRectF(toPanel(QPointF(kRuler, kRuler)), toPanel(QPointF(viewport()->width(), viewport()->height()))) & QRectF(QPointF(), m_scene.size());
+    const QRectF shown =
+        QRectF(toPanel(QPointF(kRuler, kRuler)), toPanel(QPointF(viewport()->width(), viewport()->height()))) &
+        QRectF(QPointF(), m_scene.size());
     return shown.isEmpty() ? QRectF(QPointF(), m_scene.size()).center() : shown.center();
 }
 
 void DesignCanvas::updateScrollBars() {
     const QSizeF shown = QSizeF(m_scene.size()) * m_zoom;
     const QSize room = viewport()->size() - QSize(kRuler, kRuler);
-    const auto range = [](double length, int there) { return there - length > 2 * kFree ? 0 : std::max(0, static_cast<int>(length) + 2 * kMargin - there); };
+    const auto range = [](double length, int there) {
+        return there - length > 2 * kFree ? 0 : std::max(0, static_cast<int>(length) + 2 * kMargin - there);
+    };
     horizontalScrollBar()->setRange(0, range(shown.width(), room.width()));
     verticalScrollBar()->setRange(0, range(shown.height(), room.height()));
     horizontalScrollBar()->setPageStep(room.width());
@@ -93,7 +98,8 @@ void DesignCanvas::updateScrollBars() {
 }
 
 void DesignCanvas::setZoom(double zoom, std::optional<QPointF> about) {
-    const QPointF anchor = about.value_or(QPointF(viewport()->width() / 2.0, viewport()->height() / 2.0)), panel = toPanel(anchor);
+    const QPointF anchor = about.value_or(QPointF(viewport()->width() / 2.0, viewport()->height() / 2.0)),
+                  panel = toPanel(anchor);
     m_zoom = std::clamp(zoom, 0.1, 8.0);
     m_keepsFit = false;
     updateScrollBars();
@@ -106,7 +112,8 @@ void DesignCanvas::setZoom(double zoom, std::optional<QPointF> about) {
 void DesignCanvas::zoomToFit() {
     const QSizeF panel = m_scene.size();
     const double room = 2 * kMargin + kRuler + 2;
-    setZoom(std::min({(viewport()->width() - room) / panel.width(), (viewport()->height() - room) / panel.height(), 1.0}));
+    setZoom(
+        std::min({(viewport()->width() - room) / panel.width(), (viewport()->height() - room) / panel.height(), 1.0}));
     m_keepsFit = true;
 }
 
@@ -120,14 +127,17 @@ void DesignCanvas::setFindings(const std::vector<Finding>& findings) {
     for (const Finding& one : findings)
         if (!one.element.isEmpty()) {
             QString& text = m_findings[one.element];
-            text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + (one.language.isEmpty() ? QString() : QStringLiteral("[%1] ").arg(one.language)) + one.message;
+            text += (text.isEmpty() ? QString() : QStringLiteral("\n")) +
+                    (one.language.isEmpty() ? QString() : QStringLiteral("[%1] ").arg(one.language)) + one.message;
         }
     viewport()->update();
 }
 
 void DesignCanvas::resizeEvent(QResizeEvent*) {
-    if (m_keepsFit) zoomToFit();
-    else updateScrollBars();
+    if (m_keepsFit)
+        zoomToFit();
+    else
+        updateScrollBars();
 }
 
 void DesignCanvas::scrollContentsBy(int, int) { viewport()->update(); }
@@ -174,7 +184,8 @@ void DesignCanvas::drawGrid(QPainter& painter) {
     const QPointF first = origin();
     QList<QPointF> dots;
     for (double y = first.y() + std::ceil((area.top() - first.y()) / step) * step; y < area.bottom(); y += step)
-        for (double x = first.x() + std::ceil((area.left() - first.x()) / step) * step; x < area.right(); x += step) dots += QPointF(std::floor(x), std::floor(y));
+        for (double x = first.x() + std::ceil((area.left() - first.x()) / step) * step; x < area.right(); x += step)
+            dots += QPointF(std::floor(x), std::floor(y));
     painter.drawPoints(dots.constData(), static_cast<int>(dots.size()));
 }
 
@@ -202,7 +213,8 @@ void DesignCanvas::drawSelection(QPainter& painter) {
     }
     if (hasPoints()) {
         painter.setBrush(colors.accent);
-        for (int i = 0; i < m_document.panel().find(m_selection.ids().front())->points("points").size(); ++i) painter.drawEllipse(pointPlace(i), kHandle, kHandle);
+        for (int i = 0; i < m_document.panel().find(m_selection.ids().front())->points("points").size(); ++i)
+            painter.drawEllipse(pointPlace(i), kHandle, kHandle);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
 }
@@ -221,7 +233,8 @@ void DesignCanvas::drawGuides(QPainter& painter) {
     }
     if (m_drag.mode != Mode::Move && m_drag.mode != Mode::Resize) return;
     const QRectF bounds = boundsOf(m_document.panel(), m_selection.ids());
-    const QString text = m_drag.mode == Mode::Move ? QStringLiteral("%1, %2").arg(bounds.x()).arg(bounds.y()) : QStringLiteral("%1 × %2").arg(bounds.width()).arg(bounds.height());
+    const QString text = m_drag.mode == Mode::Move ? QStringLiteral("%1, %2").arg(bounds.x()).arg(bounds.y())
+                                                   : QStringLiteral("%1 × %2").arg(bounds.width()).arg(bounds.height());
     const QRectF shown = toViewport(bounds);
     QRectF label(shown.center().x() - 44, shown.bottom() + 8, 88, 20);
     painter.fillRect(label, kit::colors().accent);
@@ -267,8 +280,10 @@ void DesignCanvas::drawRulers(QPainter& painter) {
     const QRectF selected = boundsOf(m_document.panel(), m_selection.ids());
     if (!selected.isNull()) {
         const QRectF shown = toViewport(selected);
-        painter.fillRect(QRectF(shown.left(), 0, shown.width(), kRuler - 1) & QRectF(kRuler, 0, 1e6, kRuler), colors.selection);
-        painter.fillRect(QRectF(0, shown.top(), kRuler - 1, shown.height()) & QRectF(0, kRuler, kRuler, 1e6), colors.selection);
+        painter.fillRect(QRectF(shown.left(), 0, shown.width(), kRuler - 1) & QRectF(kRuler, 0, 1e6, kRuler),
+                         colors.selection);
+        painter.fillRect(QRectF(0, shown.top(), kRuler - 1, shown.height()) & QRectF(0, kRuler, kRuler, 1e6),
+                         colors.selection);
     }
     double step = 100;
     for (const double candidate : {10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0})
@@ -281,14 +296,18 @@ void DesignCanvas::drawRulers(QPainter& painter) {
     painter.setFont(small);
     for (const bool flat : {true, false}) {
         painter.save();
-        painter.setClipRect(flat ? QRect(kRuler, 0, viewport()->width(), kRuler) : QRect(0, kRuler, kRuler, viewport()->height()));
-        const double from = flat ? toPanel(QPointF(kRuler, 0)).x() : toPanel(QPointF(0, kRuler)).y(), to = flat ? toPanel(QPointF(viewport()->width(), 0)).x() : toPanel(QPointF(0, viewport()->height())).y();
+        painter.setClipRect(flat ? QRect(kRuler, 0, viewport()->width(), kRuler)
+                                 : QRect(0, kRuler, kRuler, viewport()->height()));
+        const double from = flat ? toPanel(QPointF(kRuler, 0)).x() : toPanel(QPointF(0, kRuler)).y(),
+                     to = flat ? toPanel(QPointF(viewport()->width(), 0)).x()
+                               : toPanel(QPointF(0, viewport()->height())).y();
         for (double at = std::floor(from / step) * step; at <= to; at += step / 5) {
             const double place = flat ? toViewport(QPointF(at, 0)).x() : toViewport(QPointF(0, at)).y();
             const bool isMain = std::abs(std::remainder(at, step)) < step * 0.01;
             painter.setPen(isMain ? colors.muted : colors.border);
             const double length = isMain ? 10 : 5;
-            painter.drawLine(flat ? QLineF(place, kRuler - length, place, kRuler) : QLineF(kRuler - length, place, kRuler, place));
+            painter.drawLine(flat ? QLineF(place, kRuler - length, place, kRuler)
+                                  : QLineF(kRuler - length, place, kRuler, place));
             if (!isMain) continue;
             const QString number = QString::number(std::llround(at));
             painter.setPen(colors.muted);
@@ -304,7 +323,8 @@ void DesignCanvas::drawRulers(QPainter& painter) {
         }
         painter.setPen(QPen(colors.accent, 1));
         const QPointF pointer = toViewport(m_pointer);
-        painter.drawLine(flat ? QLineF(pointer.x(), 0, pointer.x(), kRuler) : QLineF(0, pointer.y(), kRuler, pointer.y()));
+        painter.drawLine(flat ? QLineF(pointer.x(), 0, pointer.x(), kRuler)
+                              : QLineF(0, pointer.y(), kRuler, pointer.y()));
         painter.restore();
     }
     painter.setPen(colors.border);
@@ -323,7 +343,9 @@ ElementId DesignCanvas::elementAt(QPointF at, bool inside) const {
         if (!QRectF(view.rect()).adjusted(-3, -3, 3, 3).contains(at) && view.element().number("angle") == 0) continue;
         const hmi::Panel& panel = m_document.panel();
         // A frame or group is taken by its contents or its edge, not by the empty middle.
-        if (view.element().kind() == ElementKind::Group && !panel.childrenOf(view.element().id()).empty() && view.rect().adjusted(6, 6, -6, -6).contains(at)) continue;
+        if (view.element().kind() == ElementKind::Group && !panel.childrenOf(view.element().id()).empty() &&
+            view.rect().adjusted(6, 6, -6, -6).contains(at))
+            continue;
         ElementId id = view.element().id();
         if (inside) return id;
         // A press takes the outermost group, unless that group was entered.
@@ -342,7 +364,8 @@ ElementId DesignCanvas::elementAt(QPointF at, bool inside) const {
 ElementIds DesignCanvas::movable() const {
     ElementIds out;
     for (const ElementId& id : m_selection.ids())
-        if (const Element* element = m_document.panel().find(id); element && !element->isSet("locked")) out.push_back(id);
+        if (const Element* element = m_document.panel().find(id); element && !element->isSet("locked"))
+            out.push_back(id);
     return out;
 }
 
@@ -376,13 +399,15 @@ int DesignCanvas::handleAt(QPoint at) const {
 bool DesignCanvas::hasPoints() const {
     if (m_selection.ids().size() != 1) return false;
     const Element* element = m_document.panel().find(m_selection.ids().front());
-    return element && element->descriptor().property("points") && !element->isSet("locked") && element->number("angle") == 0;
+    return element && element->descriptor().property("points") && !element->isSet("locked") &&
+           element->number("angle") == 0;
 }
 
 QPointF DesignCanvas::pointPlace(int index) const {
     const Element* element = m_document.panel().find(m_selection.ids().front());
     const QPointF point = element->points("points").value(index);
-    return toViewport(element->rect().topLeft() + QPointF(point.x() * element->rect().width(), point.y() * element->rect().height()));
+    return toViewport(element->rect().topLeft() +
+                      QPointF(point.x() * element->rect().width(), point.y() * element->rect().height()));
 }
 
 int DesignCanvas::pointAt(QPoint at) const {
@@ -396,7 +421,9 @@ int DesignCanvas::pointAt(QPoint at) const {
 ElementId DesignCanvas::tabAt(QPointF at, int* page) const {
     const auto& views = m_scene.views();
     for (size_t i = views.size(); i-- > 0;) {
-        if (views[i]->element().kind() != ElementKind::Tab || !m_scene.isShown(*views[i]) || !views[i]->rect().contains(at)) continue;
+        if (views[i]->element().kind() != ElementKind::Tab || !m_scene.isShown(*views[i]) ||
+            !views[i]->rect().contains(at))
+            continue;
         *page = views[i]->currentPage();
         return views[i]->element().id();
     }
@@ -442,20 +469,26 @@ void DesignCanvas::mousePressEvent(QMouseEvent* event) {
         m_drag.before = adds ? m_selection.ids() : ElementIds();
         m_band = QRectF(panel, QSizeF());
         if (!adds) m_selection.clear();
-        if (!m_entered.isEmpty() && m_document.panel().find(m_entered) && !m_document.panel().find(m_entered)->rect().contains(panel)) m_entered.clear();
+        if (!m_entered.isEmpty() && m_document.panel().find(m_entered) &&
+            !m_document.panel().find(m_entered)->rect().contains(panel))
+            m_entered.clear();
         return;
     }
     // The head of a tab that is selected turns its page.
-    if (auto* tab = dynamic_cast<TabView*>(m_scene.view(id)); tab && m_selection.contains(id) && tab->touchArea().contains(panel - tab->rect().topLeft())) {
+    if (auto* tab = dynamic_cast<TabView*>(m_scene.view(id));
+        tab && m_selection.contains(id) && tab->touchArea().contains(panel - tab->rect().topLeft())) {
         const int pages = static_cast<int>(tab->element().at("pages").size());
         for (int page = 0; page < pages; ++page) {
             const double w = std::min(tab->element().number("fontSize") * 11, tab->rect().width() / std::max(1, pages));
-            if (panel.x() - tab->rect().left() >= page * w && panel.x() - tab->rect().left() < (page + 1) * w) tab->showPage(page);
+            if (panel.x() - tab->rect().left() >= page * w && panel.x() - tab->rect().left() < (page + 1) * w)
+                tab->showPage(page);
         }
         viewport()->update();
     }
-    if (adds) m_selection.toggle(id);
-    else if (!m_selection.contains(id)) m_selection.set({id});
+    if (adds)
+        m_selection.toggle(id);
+    else if (!m_selection.contains(id))
+        m_selection.set({id});
     m_drag.mode = Mode::Press;
     m_drag.pressed = id;
 }
@@ -508,18 +541,23 @@ void DesignCanvas::resizeSelection(QPointF at, bool freely, bool keepsRatio) {
     }
     if (keepsRatio && m_drag.bounds.height() > 0 && (edges.left || edges.right) && (edges.top || edges.bottom)) {
         const double ratio = m_drag.bounds.width() / m_drag.bounds.height(), height = wanted.width() / ratio;
-        if (edges.top) wanted.setTop(wanted.bottom() - height);
-        else wanted.setHeight(height);
+        if (edges.top)
+            wanted.setTop(wanted.bottom() - height);
+        else
+            wanted.setHeight(height);
     }
-    wanted = QRectF(std::round(wanted.x()), std::round(wanted.y()), std::max(1.0, std::round(wanted.width())), std::max(1.0, std::round(wanted.height())));
+    wanted = QRectF(std::round(wanted.x()), std::round(wanted.y()), std::max(1.0, std::round(wanted.width())),
+                    std::max(1.0, std::round(wanted.height())));
     // Several elements keep their places within the whole.
     const QRectF now = boundsOf(m_document.panel(), ids);
     if (now == wanted) return;
     EditList list;
-    const double sx = now.width() > 0 ? wanted.width() / now.width() : 1, sy = now.height() > 0 ? wanted.height() / now.height() : 1;
+    const double sx = now.width() > 0 ? wanted.width() / now.width() : 1,
+                 sy = now.height() > 0 ? wanted.height() / now.height() : 1;
     for (const ElementId& id : ids) {
         const QRectF rect = m_document.panel().find(id)->rect();
-        const QRectF scaled(wanted.x() + (rect.x() - now.x()) * sx, wanted.y() + (rect.y() - now.y()) * sy, rect.width() * sx, rect.height() * sy);
+        const QRectF scaled(wanted.x() + (rect.x() - now.x()) * sx, wanted.y() + (rect.y() - now.y()) * sy,
+                            rect.width() * sx, rect.height() * sy);
         list.edits.push_back(resizeTo(m_document.panel(), id, scaled));
     }
     m_document.perform(tr("Resize"), {list}, m_drag.gesture);
@@ -531,7 +569,9 @@ void DesignCanvas::movePoint(QPointF at, bool freely) {
     if (m_snaps && !freely) at += snapMove(QRectF(at, QSizeF(0.001, 0.001)), snapField({element->id()})).offset;
     // The rectangle follows the points: it always is their bounds.
     QList<QPointF> points;
-    for (const QPointF& point : element->points("points")) points += element->rect().topLeft() + QPointF(point.x() * element->rect().width(), point.y() * element->rect().height());
+    for (const QPointF& point : element->points("points"))
+        points += element->rect().topLeft() +
+                  QPointF(point.x() * element->rect().width(), point.y() * element->rect().height());
     if (m_drag.handle >= points.size()) return;
     points[m_drag.handle] = at;
     QRectF bounds = QPolygonF(points).boundingRect();
@@ -539,8 +579,10 @@ void DesignCanvas::movePoint(QPointF at, bool freely) {
     bounds.setHeight(std::max(1.0, bounds.height()));
     Json list = Json::array();
     for (const QPointF& point : points)
-        list.push_back(Json::array({std::round((point.x() - bounds.x()) / bounds.width() * 10000) / 10000, std::round((point.y() - bounds.y()) / bounds.height() * 10000) / 10000}));
-    EditList edits{{hmi::setProperty(m_document.panel(), element->id(), "rect", rectToJson(bounds)), hmi::setProperty(m_document.panel(), element->id(), "points", list)}};
+        list.push_back(Json::array({std::round((point.x() - bounds.x()) / bounds.width() * 10000) / 10000,
+                                    std::round((point.y() - bounds.y()) / bounds.height() * 10000) / 10000}));
+    EditList edits{{hmi::setProperty(m_document.panel(), element->id(), "rect", rectToJson(bounds)),
+                    hmi::setProperty(m_document.panel(), element->id(), "points", list)}};
     m_document.perform(tr("Move point"), {edits}, m_drag.gesture);
 }
 
@@ -565,7 +607,9 @@ void DesignCanvas::mouseMoveEvent(QMouseEvent* event) {
     switch (m_drag.mode) {
     case Mode::Idle: {
         const int index = handleAt(at);
-        const Qt::CursorShape shapes[] = {Qt::SizeFDiagCursor, Qt::SizeVerCursor, Qt::SizeBDiagCursor, Qt::SizeHorCursor, Qt::SizeFDiagCursor, Qt::SizeVerCursor, Qt::SizeBDiagCursor, Qt::SizeHorCursor};
+        const Qt::CursorShape shapes[] = {Qt::SizeFDiagCursor, Qt::SizeVerCursor,   Qt::SizeBDiagCursor,
+                                          Qt::SizeHorCursor,   Qt::SizeFDiagCursor, Qt::SizeVerCursor,
+                                          Qt::SizeBDiagCursor, Qt::SizeHorCursor};
         viewport()->setCursor(pointAt(at) >= 0 ? Qt::CrossCursor : index >= 0 ? shapes[index] : Qt::ArrowCursor);
         const QString finding = m_findings.value(elementAt(m_pointer, true));
         viewport()->setToolTip(finding);
@@ -577,10 +621,14 @@ void DesignCanvas::mouseMoveEvent(QMouseEvent* event) {
         if ((at - m_drag.fromViewport).manhattanLength() < 4) return;
         beginMove(m_pointer);
         return moveTo(m_pointer, freely);
-    case Mode::Move: return moveTo(m_pointer, freely);
-    case Mode::Resize: return resizeSelection(m_pointer, freely, event->modifiers() & Qt::ShiftModifier);
-    case Mode::Band: return bandTo(m_pointer);
-    case Mode::Point: return movePoint(m_pointer, freely);
+    case Mode::Move:
+        return moveTo(m_pointer, freely);
+    case Mode::Resize:
+        return resizeSelection(m_pointer, freely, event->modifiers() & Qt::ShiftModifier);
+    case Mode::Band:
+        return bandTo(m_pointer);
+    case Mode::Point:
+        return movePoint(m_pointer, freely);
     case Mode::Pan: {
         const QPoint by = at - m_drag.fromViewport;
         m_drag.fromViewport = at;
@@ -608,11 +656,13 @@ void DesignCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
         if (hit >= 0 && points.size() > 2) {
             points.removeAt(hit);
         } else if (hit < 0) { // a new point on the nearest piece
-            const QPointF local((at.x() - element->rect().x()) / element->rect().width(), (at.y() - element->rect().y()) / element->rect().height());
+            const QPointF local((at.x() - element->rect().x()) / element->rect().width(),
+                                (at.y() - element->rect().y()) / element->rect().height());
             qsizetype best = 1;
             double nearest = 1e18;
             for (qsizetype i = 1; i < points.size(); ++i) {
-                const double distance = QLineF(points[i - 1], local).length() + QLineF(local, points[i]).length() - QLineF(points[i - 1], points[i]).length();
+                const double distance = QLineF(points[i - 1], local).length() + QLineF(local, points[i]).length() -
+                                        QLineF(points[i - 1], points[i]).length();
                 if (distance < nearest) nearest = distance, best = i;
             }
             points.insert(best, QPointF(std::round(local.x() * 1000) / 1000, std::round(local.y() * 1000) / 1000));
@@ -623,7 +673,8 @@ void DesignCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     }
     const ElementId outer = elementAt(at, false), inner = elementAt(at, true);
-    if (const Element* group = m_document.panel().find(outer); group && group->kind() == ElementKind::Group && inner != outer) {
+    if (const Element* group = m_document.panel().find(outer);
+        group && group->kind() == ElementKind::Group && inner != outer) {
         m_entered = outer;
         m_selection.set({elementAt(at, false)});
         return;
@@ -657,12 +708,17 @@ void DesignCanvas::deleteSelection() {
 void DesignCanvas::keyPressEvent(QKeyEvent* event) {
     const double step = event->modifiers() & Qt::ShiftModifier ? std::max(1.0, m_document.panel().number("grid")) : 1;
     switch (event->key()) {
-    case Qt::Key_Left: return nudge({-step, 0});
-    case Qt::Key_Right: return nudge({step, 0});
-    case Qt::Key_Up: return nudge({0, -step});
-    case Qt::Key_Down: return nudge({0, step});
+    case Qt::Key_Left:
+        return nudge({-step, 0});
+    case Qt::Key_Right:
+        return nudge({step, 0});
+    case Qt::Key_Up:
+        return nudge({0, -step});
+    case Qt::Key_Down:
+        return nudge({0, step});
     case Qt::Key_Delete:
-    case Qt::Key_Backspace: return deleteSelection();
+    case Qt::Key_Backspace:
+        return deleteSelection();
     case Qt::Key_Escape:
         if (!m_entered.isEmpty()) {
             m_selection.set({std::exchange(m_entered, {})});
@@ -673,8 +729,11 @@ void DesignCanvas::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Backtab: {
         const auto& elements = m_document.panel().elements();
         if (elements.empty()) return;
-        const int count = static_cast<int>(elements.size()), now = m_selection.isEmpty() ? -1 : m_document.panel().indexOf(m_selection.ids().front());
-        m_selection.set({elements[static_cast<size_t>((now + (event->key() == Qt::Key_Tab ? 1 : count - 1) + count) % count)].id()});
+        const int count = static_cast<int>(elements.size()),
+                  now = m_selection.isEmpty() ? -1 : m_document.panel().indexOf(m_selection.ids().front());
+        m_selection.set(
+            {elements[static_cast<size_t>((now + (event->key() == Qt::Key_Tab ? 1 : count - 1) + count) % count)]
+                 .id()});
         return;
     }
     case Qt::Key_Space:
@@ -682,7 +741,8 @@ void DesignCanvas::keyPressEvent(QKeyEvent* event) {
         m_space = true;
         viewport()->setCursor(Qt::OpenHandCursor);
         return;
-    default: QAbstractScrollArea::keyPressEvent(event);
+    default:
+        QAbstractScrollArea::keyPressEvent(event);
     }
 }
 
@@ -695,7 +755,8 @@ void DesignCanvas::keyReleaseEvent(QKeyEvent* event) {
 // ---- drag and drop
 
 void DesignCanvas::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasFormat(kElementMime) || !droppedVariables(event->mimeData()).isEmpty()) event->acceptProposedAction();
+    if (event->mimeData()->hasFormat(kElementMime) || !droppedVariables(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
 }
 
 /// Variables of the picker or the watch list, or words dragged out of the code that name variables.
@@ -750,7 +811,8 @@ void DesignCanvas::dropEvent(QDropEvent* event) {
 void DesignCanvas::insertElements(const Json& elements, QPointF at) {
     QRectF bounds;
     for (const Json& fields : elements)
-        if (fields.is_object()) bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
+        if (fields.is_object())
+            bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
     QPointF corner = at - QPointF(bounds.width() / 2, bounds.height() / 2);
     corner = QPointF(std::round(corner.x()), std::round(corner.y()));
     if (m_snaps) corner += snapMove(QRectF(corner, bounds.size()), snapField({})).offset;

@@ -70,13 +70,13 @@ private:
     enum class Mode { Idle, Press, Move, Resize, Band, Point, Pan };
     struct Drag {
         Mode mode = Mode::Idle;
-        QPointF from;              // panel coordinates
+        QPointF from; // panel coordinates
         QPoint fromViewport;
-        QRectF bounds;             // of what is moved or resized, at the start
-        int handle = -1;           // of the rectangle, or the index of a point
-        QPointF done;              // how far it was moved so far
+        QRectF bounds;   // of what is moved or resized, at the start
+        int handle = -1; // of the rectangle, or the index of a point
+        QPointF done;    // how far it was moved so far
         int gesture = 0;
-        ElementIds before;         // the selection when a band was begun
+        ElementIds before; // the selection when a band was begun
         ElementId pressed;
     };
     void updateScrollBars();

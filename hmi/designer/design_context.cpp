@@ -8,7 +8,8 @@
 namespace plc::hmi {
 
 DesignContext::DesignContext(PanelProject& project, QObject* parent)
-    : QObject(parent), m_project(project), m_language(project.texts.settings().languages.value(0, QStringLiteral("en"))) {}
+    : QObject(parent), m_project(project),
+      m_language(project.texts.settings().languages.value(0, QStringLiteral("en"))) {}
 
 void DesignContext::setChecked(driver::Checked checked) {
     m_checked = std::move(checked);
@@ -43,12 +44,15 @@ QString DesignContext::storeText(const QString& present, const QString& typed, c
     const TextTable before = m_project.texts.table();
     TextTable after = before;
     QString key;
-    if (isTextKey(present) && before.contains(keyOf(present))) key = keyOf(present); // the text of its key is changed
-    else key = before.keyOfText(m_language, typed);                                  // a text that is there is used again
+    if (isTextKey(present) && before.contains(keyOf(present)))
+        key = keyOf(present); // the text of its key is changed
+    else
+        key = before.keyOfText(m_language, typed); // a text that is there is used again
     if (key.isEmpty()) key = before.newKeyFor(panel, typed);
     if (before.text(key, m_language) == typed) return u'@' + key;
     after.setText(key, m_language, typed);
-    undo.push(new kit::ClosureCommand(tr("Text"), [this, after] { setTable(after); }, [this, before] { setTable(before); }));
+    undo.push(new kit::ClosureCommand(
+        tr("Text"), [this, after] { setTable(after); }, [this, before] { setTable(before); }));
     return u'@' + key;
 }
 
@@ -111,7 +115,8 @@ bool DesignContext::rewritePanels(const QString& title, const std::function<Edit
 }
 
 bool DesignContext::renameVariable(const QString& from, const QString& to) {
-    bool any = rewritePanels(tr("Rename %1").arg(from), [&](const Panel& panel) { return renamedVariable(panel, from, to); });
+    bool any =
+        rewritePanels(tr("Rename %1").arg(from), [&](const Panel& panel) { return renamedVariable(panel, from, to); });
     AlarmFile alarms = m_project.alarms;
     const std::string before = alarms.write();
     for (Properties& row : alarms.rows()) {
@@ -157,12 +162,17 @@ std::optional<QString> DesignContext::variableNamed(const QString& words) const 
 }
 
 QString DesignContext::checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const {
-    return m_checked.analysis && !expression.trimmed().isEmpty() ? hmi::checkBinding(m_checked, expression, wanted, isTarget) : QString();
+    return m_checked.analysis && !expression.trimmed().isEmpty()
+               ? hmi::checkBinding(m_checked, expression, wanted, isTarget)
+               : QString();
 }
 
 CheckInput DesignContext::checkInput() const {
     CheckInput input = m_project.checkInput();
-    if (m_checked.analysis) input.checkBinding = [this](const QString& expression, std::string_view wanted, bool isTarget) { return checkBinding(expression, wanted, isTarget); };
+    if (m_checked.analysis)
+        input.checkBinding = [this](const QString& expression, std::string_view wanted, bool isTarget) {
+            return checkBinding(expression, wanted, isTarget);
+        };
     return input;
 }
 
@@ -170,11 +180,13 @@ QStringList DesignContext::usersOf(const QString& key) const {
     QStringList out;
     const auto look = [&](const QString& owner, const Properties& properties, const QString& id) {
         forEachText(properties, [&](const Found& found) {
-            if (found.text == u'@' + key) out += owner + QStringLiteral(": ") + (id.isEmpty() ? QString() : id + u'.') + found.place();
+            if (found.text == u'@' + key)
+                out += owner + QStringLiteral(": ") + (id.isEmpty() ? QString() : id + u'.') + found.place();
         });
         forEachTextList(properties, [&](const Found& found) {
             const QString prefix = (isTextKey(found.text) ? keyOf(found.text) : found.text) + u'.';
-            if (key.startsWith(prefix) && !key.mid(prefix.size()).contains(u'.')) out += owner + QStringLiteral(": ") + id + u'.' + found.place();
+            if (key.startsWith(prefix) && !key.mid(prefix.size()).contains(u'.'))
+                out += owner + QStringLiteral(": ") + id + u'.' + found.place();
         });
     };
     for (const NamedPanel& panel : m_project.panels) {
@@ -196,7 +208,8 @@ Element madeFor(ElementKind kind, const char* property, const QString& path) {
 
 /// A table of an array of structures: a column per member that is a single value.
 Element tableFor(const QString& path, const expression::Expression& compiled, const types::Type& array) {
-    Element table = Element::make(ElementKind::ArrayTable, QString(), QRectF(QPointF(), descriptorOf(ElementKind::ArrayTable).size));
+    Element table = Element::make(ElementKind::ArrayTable, QString(),
+                                  QRectF(QPointF(), descriptorOf(ElementKind::ArrayTable).size));
     Json columns = Json::array();
     const types::TypeTable& types = compiled.types();
     for (const types::Field& field : types[array.element].fields) {
@@ -227,7 +240,8 @@ std::optional<Element> arrayElementFor(const QString& path, const DesignContext&
         Element grid = madeFor(ElementKind::CellGrid, "value", path);
         const int count = last - first + 1;
         const bool isTable = facts.arrayBounds.size() > 1;
-        const int columns = isTable ? facts.arrayBounds[1].second - facts.arrayBounds[1].first + 1 : std::min(count, count <= 10 ? count : 10);
+        const int columns = isTable ? facts.arrayBounds[1].second - facts.arrayBounds[1].first + 1
+                                    : std::min(count, count <= 10 ? count : 10);
         grid.set("columns", columns);
         grid.set("rows", isTable ? count : (count + columns - 1) / columns);
         grid.set("first", first);
@@ -252,7 +266,8 @@ std::vector<Element> elementsForVariable(const QString& path, const DesignContex
     case ValueKind::Integer:
     case ValueKind::Unsigned:
         if (!facts.enumValues.empty()) {
-            element = operates ? madeFor(ElementKind::ComboBox, "target", path) : madeFor(ElementKind::MultiState, "value", path);
+            element = operates ? madeFor(ElementKind::ComboBox, "target", path)
+                               : madeFor(ElementKind::MultiState, "value", path);
             break;
         }
         element = operates ? madeFor(ElementKind::NumericEntry, "target", path) : element;
@@ -275,11 +290,14 @@ std::vector<Element> elementsForVariable(const QString& path, const DesignContex
         break;
     case ValueKind::Date:
     case ValueKind::DateTime:
-    case ValueKind::TimeOfDay: element = madeFor(ElementKind::DateTime, "value", path); break;
+    case ValueKind::TimeOfDay:
+        element = madeFor(ElementKind::DateTime, "value", path);
+        break;
     case ValueKind::Array:
         if (auto array = arrayElementFor(path, context, facts)) element = std::move(*array);
         break;
-    case ValueKind::None: break;
+    case ValueKind::None:
+        break;
     }
     element.set("name", toUtf8(name));
     return {element};

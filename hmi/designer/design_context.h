@@ -1,5 +1,5 @@
-// What the parts of the designer share: the project's operator side, the checked program, completion, the language that is
-// shown. It also gives typed texts their keys. Owned by the application; main thread.
+// What the parts of the designer share: the project's operator side, the checked program, completion, the language that
+// is shown. It also gives typed texts their keys. Owned by the application; main thread.
 #pragma once
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/variable_picker.h"
@@ -36,8 +36,8 @@ public:
 
     // Texts
     QString shownText(const QString& reference) const;
-    /// What a typed text is stored as: the key it has, a new key, or (beginning with @) the key that was typed. Changes of the
-    /// table are pushed on `undo`, inside the macro that the caller has begun.
+    /// What a typed text is stored as: the key it has, a new key, or (beginning with @) the key that was typed. Changes
+    /// of the table are pushed on `undo`, inside the macro that the caller has begun.
     QString storeText(const QString& present, const QString& typed, const QString& panel, QUndoStack& undo);
     void setTable(TextTable table);
     void setAlarms(AlarmFile alarms);
@@ -81,7 +81,8 @@ private:
     QStringList m_changedPanels;               // closed panels that a rename has touched
 };
 
-/// The element that fits a variable; `operates`: one that writes it, else one that shows it. The rectangle begins at (0, 0).
+/// The element that fits a variable; `operates`: one that writes it, else one that shows it. The rectangle begins at
+/// (0, 0).
 std::vector<Element> elementsForVariable(const QString& path, const DesignContext& context, bool operates);
 
 } // namespace plc::hmi

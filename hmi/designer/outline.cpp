@@ -15,11 +15,14 @@ constexpr int kIdRole = Qt::UserRole;
 /// The name given by the engineer, else what it is.
 QString titleOf(const Element& element) {
     const QString name = element.text("name");
-    return name.isEmpty() ? QStringLiteral("%1  %2").arg(QCoreApplication::translate("Hmi", element.descriptor().title), element.id()) : name;
+    return name.isEmpty() ? QStringLiteral("%1  %2").arg(QCoreApplication::translate("Hmi", element.descriptor().title),
+                                                         element.id())
+                          : name;
 }
 } // namespace
 
-Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent) : QTreeWidget(parent), m_document(document), m_selection(selection) {
+Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent)
+    : QTreeWidget(parent), m_document(document), m_selection(selection) {
     setHeaderHidden(true);
     setColumnCount(2);
     header()->setStretchLastSection(false);
@@ -32,7 +35,8 @@ Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent)
         const bool names = std::any_of(touched.elements.begin(), touched.elements.end(), [this](const ElementId& id) {
             const QTreeWidgetItem* item = itemOf(id);
             const Element* element = m_document.panel().find(id);
-            return !item || !element || item->text(0) != titleOf(*element) || item->icon(1).isNull() == element->isSet("locked");
+            return !item || !element || item->text(0) != titleOf(*element) ||
+                   item->icon(1).isNull() == element->isSet("locked");
         });
         if (touched.structure || names) rebuild();
     });
@@ -46,7 +50,8 @@ Outline::Outline(PanelDocument& document, Selection& selection, QWidget* parent)
     connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int column) {
         if (column != 1) return;
         const ElementId id = item->data(0, kIdRole).toString();
-        m_document.perform(tr("Lock"), setLocked(m_document.panel(), {id}, !m_document.panel().find(id)->isSet("locked")));
+        m_document.perform(tr("Lock"),
+                           setLocked(m_document.panel(), {id}, !m_document.panel().find(id)->isSet("locked")));
     });
     rebuild();
 }
@@ -74,8 +79,10 @@ void Outline::rebuild() {
         QTreeWidgetItem* outer = element.parent() == element.id() ? nullptr : items.value(element.parent());
         for (QTreeWidgetItem* up = outer; up; up = up->parent()) // a circle of groups in a file made by hand
             if (up == items.value(element.id())) outer = nullptr;
-        if (outer) outer->insertChild(0, items.value(element.id()));
-        else insertTopLevelItem(0, items.value(element.id()));
+        if (outer)
+            outer->insertChild(0, items.value(element.id()));
+        else
+            insertTopLevelItem(0, items.value(element.id()));
     }
     expandAll();
     m_updating = false;
@@ -116,6 +123,5 @@ void Outline::dropEvent(QDropEvent* event) {
     }
     m_document.perform(tr("Reorder"), {list});
 }
-
 
 } // namespace plc::hmi

@@ -1,5 +1,5 @@
-// The elements of the panel as a tree, topmost first: what lies in groups and tabs below them, with lock marks; selection
-// both ways, and dragging changes order and group. Owned by its Qt parent; main thread.
+// The elements of the panel as a tree, topmost first: what lies in groups and tabs below them, with lock marks;
+// selection both ways, and dragging changes order and group. Owned by its Qt parent; main thread.
 #pragma once
 #include "hmi/designer/selection.h"
 #include "hmi/model/document.h"

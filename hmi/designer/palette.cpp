@@ -126,7 +126,8 @@ void Palette::setFilter(const QString& text) {
         QTreeWidgetItem* group = m_tree->topLevelItem(i);
         bool any = false;
         for (int j = 0; j < group->childCount(); ++j) {
-            const bool fits = group->child(j)->data(0, kWordsRole).toString().contains(text.trimmed(), Qt::CaseInsensitive);
+            const bool fits =
+                group->child(j)->data(0, kWordsRole).toString().contains(text.trimmed(), Qt::CaseInsensitive);
             group->child(j)->setHidden(!fits);
             any |= fits;
         }

@@ -36,8 +36,10 @@ Panel panelNamed(DesignContext& context, const QString& name) {
 } // namespace
 
 PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, QWidget* parent)
-    : QWidget(parent), m_context(context), m_name(panelName), m_document(panelNamed(context, panelName)), m_palette(new Palette), m_canvas(new DesignCanvas(m_document, m_selection, context)),
-      m_sheet(new PropertySheet(m_document, m_selection, context)), m_outline(new Outline(m_document, m_selection)), m_findingList(new QTreeWidget), m_pages(new QStackedWidget), m_where(new QLabel) {
+    : QWidget(parent), m_context(context), m_name(panelName), m_document(panelNamed(context, panelName)),
+      m_palette(new Palette), m_canvas(new DesignCanvas(m_document, m_selection, context)),
+      m_sheet(new PropertySheet(m_document, m_selection, context)), m_outline(new Outline(m_document, m_selection)),
+      m_findingList(new QTreeWidget), m_pages(new QStackedWidget), m_where(new QLabel) {
     m_sheet->setPanelName(panelName);
     m_context.openDocument(panelName, &m_document);
     makeActions();
@@ -68,14 +70,18 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     layout->addWidget(makeToolBar());
     layout->addWidget(splitter, 1);
 
-    connect(m_palette, &Palette::elementChosen, this, [this](const Json& fields) { m_canvas->insertElements(Json::array({fields}), m_canvas->visibleCenter()); });
+    connect(m_palette, &Palette::elementChosen, this,
+            [this](const Json& fields) { m_canvas->insertElements(Json::array({fields}), m_canvas->visibleCenter()); });
     connect(m_canvas, &DesignCanvas::contextMenuRequested, this, &PanelDesigner::showMenu);
-    connect(m_canvas, &DesignCanvas::pointerMoved, this, [this](QPointF at) { m_where->setText(QStringLiteral("%1, %2").arg(std::lround(at.x())).arg(std::lround(at.y()))); });
+    connect(m_canvas, &DesignCanvas::pointerMoved, this, [this](QPointF at) {
+        m_where->setText(QStringLiteral("%1, %2").arg(std::lround(at.x())).arg(std::lround(at.y())));
+    });
     connect(m_canvas, &DesignCanvas::editRequested, this, [this](const ElementId& id) {
         // A double click edits what the element is about: its text, else its binding.
         const Element* element = m_document.panel().find(id);
         for (const char* key : {"text", "target", "value", "title", "state"})
-            if (element && element->descriptor().property(key)) return m_sheet->grid().editProperty(QString::fromLatin1(key));
+            if (element && element->descriptor().property(key))
+                return m_sheet->grid().editProperty(QString::fromLatin1(key));
     });
     connect(m_findingList, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
         const ElementId id = item->data(0, Qt::UserRole).toString();
@@ -87,7 +93,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
         if (m_player) m_player->follow(m_document.panel(), touched);
         m_checkTimer.start();
     });
-    connect(&m_document.undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) { emit modifiedChanged(!clean); });
+    connect(&m_document.undoStack(), &QUndoStack::cleanChanged, this,
+            [this](bool clean) { emit modifiedChanged(!clean); });
     connect(&m_context, &DesignContext::textsChanged, this, [this] {
         if (m_player) m_player->projectChanged();
         m_checkTimer.start();
@@ -122,7 +129,10 @@ QWidget* PanelDesigner::makeSources() {
     m_variables = new kit::VariablePicker(m_context.variables()());
     m_variables->layout()->setContentsMargins(4, 4, 4, 4);
     tabs->addTab(m_variables, tr("Variables"));
-    connect(m_variables, &kit::VariablePicker::picked, this, [this](const QString& path) { m_canvas->insertVariables({path}, m_canvas->visibleCenter(), QApplication::keyboardModifiers() & Qt::ShiftModifier); });
+    connect(m_variables, &kit::VariablePicker::picked, this, [this](const QString& path) {
+        m_canvas->insertVariables({path}, m_canvas->visibleCenter(),
+                                  QApplication::keyboardModifiers() & Qt::ShiftModifier);
+    });
     const auto reload = [this] {
         if (!m_variables->isVisible()) return;
         (void)m_context.variables()();
@@ -133,7 +143,8 @@ QWidget* PanelDesigner::makeSources() {
     return tabs;
 }
 
-QAction* PanelDesigner::add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<void()>& run) {
+QAction* PanelDesigner::add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut,
+                            const std::function<void()>& run) {
     auto* action = new QAction(kit::icon(icon), title, this);
     action->setObjectName(name);
     if (!shortcut.isEmpty()) {
@@ -147,7 +158,8 @@ QAction* PanelDesigner::add(const QString& name, const QString& title, kit::Icon
     return action;
 }
 
-void PanelDesigner::addEdit(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<Edit()>& edit) {
+void PanelDesigner::addEdit(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut,
+                            const std::function<Edit()>& edit) {
     add(name, title, icon, shortcut, [this, title, edit] { m_document.perform(title, edit()); });
 }
 
@@ -166,41 +178,68 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("cut"), tr("Cut"), Icon::Cut, QKeySequence::Cut, [this] { cut(); });
     add(QStringLiteral("copy"), tr("Copy"), Icon::Copy, QKeySequence::Copy, [this] { copy(); });
     add(QStringLiteral("paste"), tr("Paste"), Icon::Paste, QKeySequence::Paste, [this] { paste(); });
-    add(QStringLiteral("duplicate"), tr("Duplicate"), Icon::Copy, QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate(); });
-    add(QStringLiteral("duplicate-array"), tr("Duplicate as array…"), Icon::Table, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { duplicateAsArray(); });
+    add(QStringLiteral("duplicate"), tr("Duplicate"), Icon::Copy, QKeySequence(Qt::CTRL | Qt::Key_D),
+        [this] { duplicate(); });
+    add(QStringLiteral("duplicate-array"), tr("Duplicate as array…"), Icon::Table,
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { duplicateAsArray(); });
     add(QStringLiteral("select-all"), tr("Select all"), Icon::Select, QKeySequence::SelectAll, [this] { selectAll(); });
     addEdit(QStringLiteral("delete"), tr("Delete"), Icon::Delete, {}, [=] { return removeElements(panel(), ids()); });
     const std::tuple<const char*, QString, Icon, Alignment> alignments[] = {
-        {"align-left", tr("Align left"), Icon::AlignLeft, Alignment::Left}, {"align-center", tr("Align centres"), Icon::AlignCenter, Alignment::CenterX},
-        {"align-right", tr("Align right"), Icon::AlignRight, Alignment::Right}, {"align-top", tr("Align top"), Icon::AlignTop, Alignment::Top},
-        {"align-middle", tr("Align middles"), Icon::AlignMiddle, Alignment::CenterY}, {"align-bottom", tr("Align bottom"), Icon::AlignBottom, Alignment::Bottom}};
-    for (const auto& [name, title, icon, alignment] : alignments) addEdit(QString::fromLatin1(name), title, icon, {}, [=, how = alignment] { return align(panel(), ids(), how); });
-    addEdit(QStringLiteral("distribute-x"), tr("Equal gaps across"), Icon::DistributeX, {}, [=] { return distribute(panel(), ids(), Direction::Horizontal); });
-    addEdit(QStringLiteral("distribute-y"), tr("Equal gaps down"), Icon::DistributeY, {}, [=] { return distribute(panel(), ids(), Direction::Vertical); });
-    addEdit(QStringLiteral("same-width"), tr("Same width"), Icon::ZoomX, {}, [=] { return makeSameSize(panel(), ids(), SameSize::Width); });
-    addEdit(QStringLiteral("same-height"), tr("Same height"), Icon::ZoomY, {}, [=] { return makeSameSize(panel(), ids(), SameSize::Height); });
-    addEdit(QStringLiteral("same-size"), tr("Same size"), Icon::Fit, {}, [=] { return makeSameSize(panel(), ids(), SameSize::Both); });
-    addEdit(QStringLiteral("front"), tr("Bring to front"), Icon::BringFront, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_BracketRight), [=] { return reorder(panel(), ids(), Order::Front); });
-    addEdit(QStringLiteral("forward"), tr("Bring forward"), Icon::Up, QKeySequence(Qt::CTRL | Qt::Key_BracketRight), [=] { return reorder(panel(), ids(), Order::Forward); });
-    addEdit(QStringLiteral("backward"), tr("Send backward"), Icon::Down, QKeySequence(Qt::CTRL | Qt::Key_BracketLeft), [=] { return reorder(panel(), ids(), Order::Backward); });
-    addEdit(QStringLiteral("back"), tr("Send to back"), Icon::SendBack, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_BracketLeft), [=] { return reorder(panel(), ids(), Order::Back); });
+        {"align-left", tr("Align left"), Icon::AlignLeft, Alignment::Left},
+        {"align-center", tr("Align centres"), Icon::AlignCenter, Alignment::CenterX},
+        {"align-right", tr("Align right"), Icon::AlignRight, Alignment::Right},
+        {"align-top", tr("Align top"), Icon::AlignTop, Alignment::Top},
+        {"align-middle", tr("Align middles"), Icon::AlignMiddle, Alignment::CenterY},
+        {"align-bottom", tr("Align bottom"), Icon::AlignBottom, Alignment::Bottom}};
+    for (const auto& [name, title, icon, alignment] : alignments)
+        addEdit(QString::fromLatin1(name), title, icon, {},
+                [=, how = alignment] { return align(panel(), ids(), how); });
+    addEdit(QStringLiteral("distribute-x"), tr("Equal gaps across"), Icon::DistributeX, {},
+            [=] { return distribute(panel(), ids(), Direction::Horizontal); });
+    addEdit(QStringLiteral("distribute-y"), tr("Equal gaps down"), Icon::DistributeY, {},
+            [=] { return distribute(panel(), ids(), Direction::Vertical); });
+    addEdit(QStringLiteral("same-width"), tr("Same width"), Icon::ZoomX, {},
+            [=] { return makeSameSize(panel(), ids(), SameSize::Width); });
+    addEdit(QStringLiteral("same-height"), tr("Same height"), Icon::ZoomY, {},
+            [=] { return makeSameSize(panel(), ids(), SameSize::Height); });
+    addEdit(QStringLiteral("same-size"), tr("Same size"), Icon::Fit, {},
+            [=] { return makeSameSize(panel(), ids(), SameSize::Both); });
+    addEdit(QStringLiteral("front"), tr("Bring to front"), Icon::BringFront,
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_BracketRight),
+            [=] { return reorder(panel(), ids(), Order::Front); });
+    addEdit(QStringLiteral("forward"), tr("Bring forward"), Icon::Up, QKeySequence(Qt::CTRL | Qt::Key_BracketRight),
+            [=] { return reorder(panel(), ids(), Order::Forward); });
+    addEdit(QStringLiteral("backward"), tr("Send backward"), Icon::Down, QKeySequence(Qt::CTRL | Qt::Key_BracketLeft),
+            [=] { return reorder(panel(), ids(), Order::Backward); });
+    addEdit(QStringLiteral("back"), tr("Send to back"), Icon::SendBack,
+            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_BracketLeft),
+            [=] { return reorder(panel(), ids(), Order::Back); });
     add(QStringLiteral("group"), tr("Group"), Icon::Group, QKeySequence(Qt::CTRL | Qt::Key_G), [this] { group(); });
-    add(QStringLiteral("ungroup"), tr("Ungroup"), Icon::Ungroup, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G), [this] { ungroup(); });
+    add(QStringLiteral("ungroup"), tr("Ungroup"), Icon::Ungroup, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
+        [this] { ungroup(); });
     addEdit(QStringLiteral("lock"), tr("Lock"), Icon::Lock, QKeySequence(Qt::CTRL | Qt::Key_L), [=] {
         bool all = true;
         for (const ElementId& id : ids()) all &= panel().find(id)->isSet("locked");
         return setLocked(panel(), ids(), !all);
     });
-    QAction* grid = add(QStringLiteral("grid"), tr("Show the grid"), Icon::Grid, QKeySequence(Qt::CTRL | Qt::Key_Apostrophe), [this] { m_canvas->setGridShown(m_actions[QStringLiteral("grid")]->isChecked()); });
-    QAction* snap = add(QStringLiteral("snap"), tr("Snap (Alt: not now)"), Icon::Magnet, {}, [this] { m_canvas->setSnapping(m_actions[QStringLiteral("snap")]->isChecked()); });
-    QAction* live = add(QStringLiteral("live"), tr("Live preview"), Icon::Live, QKeySequence(Qt::Key_F6), [this] { setLive(m_actions[QStringLiteral("live")]->isChecked()); });
+    QAction* grid =
+        add(QStringLiteral("grid"), tr("Show the grid"), Icon::Grid, QKeySequence(Qt::CTRL | Qt::Key_Apostrophe),
+            [this] { m_canvas->setGridShown(m_actions[QStringLiteral("grid")]->isChecked()); });
+    QAction* snap = add(QStringLiteral("snap"), tr("Snap (Alt: not now)"), Icon::Magnet, {},
+                        [this] { m_canvas->setSnapping(m_actions[QStringLiteral("snap")]->isChecked()); });
+    QAction* live = add(QStringLiteral("live"), tr("Live preview"), Icon::Live, QKeySequence(Qt::Key_F6),
+                        [this] { setLive(m_actions[QStringLiteral("live")]->isChecked()); });
     for (QAction* action : {grid, snap, live}) action->setCheckable(true);
     grid->setChecked(true);
     snap->setChecked(true);
-    add(QStringLiteral("zoom-in"), tr("Zoom in"), Icon::ZoomIn, QKeySequence::ZoomIn, [this] { m_canvas->setZoom(m_canvas->zoom() * 1.25); });
-    add(QStringLiteral("zoom-out"), tr("Zoom out"), Icon::ZoomOut, QKeySequence::ZoomOut, [this] { m_canvas->setZoom(m_canvas->zoom() / 1.25); });
-    add(QStringLiteral("zoom-1"), tr("Zoom 100 %"), Icon::Find, QKeySequence(Qt::CTRL | Qt::Key_0), [this] { m_canvas->setZoom(1); });
-    add(QStringLiteral("zoom-fit"), tr("Zoom to fit"), Icon::Fit, QKeySequence(Qt::CTRL | Qt::Key_9), [this] { m_canvas->zoomToFit(); });
+    add(QStringLiteral("zoom-in"), tr("Zoom in"), Icon::ZoomIn, QKeySequence::ZoomIn,
+        [this] { m_canvas->setZoom(m_canvas->zoom() * 1.25); });
+    add(QStringLiteral("zoom-out"), tr("Zoom out"), Icon::ZoomOut, QKeySequence::ZoomOut,
+        [this] { m_canvas->setZoom(m_canvas->zoom() / 1.25); });
+    add(QStringLiteral("zoom-1"), tr("Zoom 100 %"), Icon::Find, QKeySequence(Qt::CTRL | Qt::Key_0),
+        [this] { m_canvas->setZoom(1); });
+    add(QStringLiteral("zoom-fit"), tr("Zoom to fit"), Icon::Fit, QKeySequence(Qt::CTRL | Qt::Key_9),
+        [this] { m_canvas->zoomToFit(); });
 }
 
 QToolBar* PanelDesigner::makeToolBar() {
@@ -220,19 +259,28 @@ QToolBar* PanelDesigner::makeToolBar() {
     const auto fill = [this, languages] {
         const QSignalBlocker quiet(languages);
         languages->clear();
-        for (const QString& tag : m_context.project().texts.settings().languages + QStringList{kPseudoTag}) languages->addItem(QStringLiteral("%1 (%2)").arg(nativeName(tag), tag), tag);
+        for (const QString& tag : m_context.project().texts.settings().languages + QStringList{kPseudoTag})
+            languages->addItem(QStringLiteral("%1 (%2)").arg(nativeName(tag), tag), tag);
         languages->setCurrentIndex(languages->findData(m_context.language()));
     };
     fill();
-    connect(languages, &QComboBox::activated, this, [this, languages] { m_context.setLanguage(languages->currentData().toString()); });
+    connect(languages, &QComboBox::activated, this,
+            [this, languages] { m_context.setLanguage(languages->currentData().toString()); });
     connect(&m_context, &DesignContext::languageChanged, languages, fill);
     bar->addWidget(languages);
     auto* themes = new QComboBox;
     themes->setToolTip(tr("Theme of the panel"));
-    for (const auto& [name, title] : {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")}, std::pair{"contrast", tr("High contrast")}}) themes->addItem(title, QString::fromLatin1(name));
-    const auto showTheme = [this, themes] { themes->setCurrentIndex(themes->findData(m_document.panel().text("theme"))); };
+    for (const auto& [name, title] :
+         {std::pair{"light", tr("Light")}, std::pair{"dark", tr("Dark")}, std::pair{"contrast", tr("High contrast")}})
+        themes->addItem(title, QString::fromLatin1(name));
+    const auto showTheme = [this, themes] {
+        themes->setCurrentIndex(themes->findData(m_document.panel().text("theme")));
+    };
     showTheme();
-    connect(themes, &QComboBox::activated, this, [this, themes] { m_document.perform(tr("Theme"), hmi::setProperty(m_document.panel(), {}, "theme", toUtf8(themes->currentData().toString()))); });
+    connect(themes, &QComboBox::activated, this, [this, themes] {
+        m_document.perform(tr("Theme"),
+                           hmi::setProperty(m_document.panel(), {}, "theme", toUtf8(themes->currentData().toString())));
+    });
     connect(&m_document, &PanelDocument::changed, themes, showTheme);
     bar->addWidget(themes);
     bar->addSeparator();
@@ -241,7 +289,9 @@ QToolBar* PanelDesigner::makeToolBar() {
     spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(spacer);
     auto* zoom = new QLabel;
-    const auto showZoom = [this, zoom] { zoom->setText(QStringLiteral("%1 %").arg(std::lround(m_canvas->zoom() * 100))); };
+    const auto showZoom = [this, zoom] {
+        zoom->setText(QStringLiteral("%1 %").arg(std::lround(m_canvas->zoom() * 100)));
+    };
     connect(m_canvas, &DesignCanvas::zoomChanged, zoom, showZoom);
     showZoom();
     m_where->setMinimumWidth(80);
@@ -252,18 +302,25 @@ QToolBar* PanelDesigner::makeToolBar() {
 
 void PanelDesigner::updateActions() {
     const size_t count = m_selection.ids().size();
-    for (const char* name : {"cut", "copy", "duplicate", "duplicate-array", "delete", "align-left", "align-center", "align-right", "align-top", "align-middle", "align-bottom", "front", "forward", "backward",
+    for (const char* name : {"cut", "copy", "duplicate", "duplicate-array", "delete", "align-left", "align-center",
+                             "align-right", "align-top", "align-middle", "align-bottom", "front", "forward", "backward",
                              "back", "group", "ungroup", "lock"})
         m_actions.value(QString::fromLatin1(name))->setEnabled(count > 0);
-    for (const char* name : {"same-width", "same-height", "same-size"}) m_actions.value(QString::fromLatin1(name))->setEnabled(count > 1);
-    for (const char* name : {"distribute-x", "distribute-y"}) m_actions.value(QString::fromLatin1(name))->setEnabled(count > 2);
+    for (const char* name : {"same-width", "same-height", "same-size"})
+        m_actions.value(QString::fromLatin1(name))->setEnabled(count > 1);
+    for (const char* name : {"distribute-x", "distribute-y"})
+        m_actions.value(QString::fromLatin1(name))->setEnabled(count > 2);
 }
 
 void PanelDesigner::showMenu(QPoint at) {
     QMenu menu;
-    for (const char* name : {"cut", "copy", "paste", "duplicate", "duplicate-array", "delete", "", "group", "ungroup", "lock", "", "front", "forward", "backward", "back", "", "same-width", "same-height", "same-size"}) {
-        if (*name) menu.addAction(m_actions.value(QString::fromLatin1(name)));
-        else menu.addSeparator();
+    for (const char* name :
+         {"cut", "copy", "paste", "duplicate", "duplicate-array", "delete", "", "group", "ungroup", "lock", "", "front",
+          "forward", "backward", "back", "", "same-width", "same-height", "same-size"}) {
+        if (*name)
+            menu.addAction(m_actions.value(QString::fromLatin1(name)));
+        else
+            menu.addSeparator();
     }
     menu.exec(at);
 }
@@ -295,7 +352,8 @@ void PanelDesigner::paste() {
 
 void PanelDesigner::duplicate() {
     ElementIds added;
-    m_document.perform(tr("Duplicate"), pasted(m_document.panel(), copied(m_document.panel(), m_selection.ids()), std::nullopt, &added));
+    m_document.perform(tr("Duplicate"),
+                       pasted(m_document.panel(), copied(m_document.panel(), m_selection.ids()), std::nullopt, &added));
     m_selection.set(added);
 }
 
@@ -309,7 +367,8 @@ void PanelDesigner::duplicateAsArray() {
     if (dialog.exec() != QDialog::Accepted) return;
     m_arrayLayout = dialog.layoutChosen();
     ElementIds added;
-    m_document.perform(tr("Duplicate as array"), duplicatedAsArray(m_document.panel(), m_selection.ids(), m_arrayLayout, &added));
+    m_document.perform(tr("Duplicate as array"),
+                       duplicatedAsArray(m_document.panel(), m_selection.ids(), m_arrayLayout, &added));
     ElementIds all = m_selection.ids();
     all.insert(all.end(), added.begin(), added.end());
     m_selection.set(all);
@@ -365,7 +424,10 @@ void PanelDesigner::checkNow() {
 void PanelDesigner::showFindings() {
     m_findingList->clear();
     for (const Finding& finding : m_findings) {
-        auto* item = new QTreeWidgetItem(m_findingList, {finding.code() + QStringLiteral("  ") + finding.message, finding.element + (finding.property.isEmpty() ? QString() : u'.' + finding.property), finding.language});
+        auto* item = new QTreeWidgetItem(
+            m_findingList,
+            {finding.code() + QStringLiteral("  ") + finding.message,
+             finding.element + (finding.property.isEmpty() ? QString() : u'.' + finding.property), finding.language});
         item->setIcon(0, kit::icon(finding.isError ? kit::Icon::Error : kit::Icon::Warning));
         item->setData(0, Qt::UserRole, finding.element);
     }

@@ -65,8 +65,10 @@ signals:
 private:
     QWidget* makeSources();
     void makeActions();
-    QAction* add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<void()>& run);
-    void addEdit(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut, const std::function<Edit()>& edit);
+    QAction* add(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut,
+                 const std::function<void()>& run);
+    void addEdit(const QString& name, const QString& title, kit::Icon icon, const QKeySequence& shortcut,
+                 const std::function<Edit()>& edit);
     QToolBar* makeToolBar();
     void showMenu(QPoint at);
     void showFindings();

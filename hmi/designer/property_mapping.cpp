@@ -23,7 +23,8 @@ kit::PropertyDescriptor base(const PropertyDescriptor& property, const std::stri
     return row;
 }
 
-kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std::string& prefix, const QString& part, const QString& label) {
+kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std::string& prefix, const QString& part,
+                                  const QString& label) {
     kit::PropertyDescriptor row = base(property, prefix, part);
     row.kind = kit::PropertyKind::Number;
     row.decimals = 2;
@@ -33,7 +34,8 @@ kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std:
 }
 
 std::vector<kit::PropertyChoice> colorChoices() {
-    std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}}, {QStringLiteral("none"), Hmi::tr("none"), {}}};
+    std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}},
+                                         {QStringLiteral("none"), Hmi::tr("none"), {}}};
     for (const QString& role : PanelTheme::roles()) out.push_back({role, role, {}});
     out.push_back({QStringLiteral("?"), Hmi::tr("Other…"), {}});
     return out;
@@ -43,10 +45,12 @@ std::vector<kit::PropertyChoice> colorChoices() {
 
 QString toolTipOf(const PropertyDescriptor& property) {
     if (property.type == PropertyType::Expression || property.type == PropertyType::Target) {
-        const QString what = property.type == PropertyType::Target ? Hmi::tr("A variable that is written") : Hmi::tr("An ST expression");
+        const QString what =
+            property.type == PropertyType::Target ? Hmi::tr("A variable that is written") : Hmi::tr("An ST expression");
         return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, fromView(property.hint));
     }
-    if (property.type == PropertyType::Text) return Hmi::tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
+    if (property.type == PropertyType::Text)
+        return Hmi::tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
     return {};
 }
 
@@ -54,37 +58,57 @@ QString summaryOf(const PropertyDescriptor& property, const Json& value) {
     if (!value.is_structured() || value.empty()) return Hmi::tr("none");
     QStringList names;
     for (const auto& [key, item] : value.items()) {
-        if (property.type == PropertyType::Bindings) names += QString::fromStdString(key);
-        else if (item.is_object() && !item.empty() && item.begin().value().is_string()) names += toQString(item.begin().value());
+        if (property.type == PropertyType::Bindings)
+            names += QString::fromStdString(key);
+        else if (item.is_object() && !item.empty() && item.begin().value().is_string())
+            names += toQString(item.begin().value());
     }
     const QString list = names.join(QStringLiteral(", "));
     const QString count = QString::number(value.size());
     return list.isEmpty() ? count : QStringLiteral("%1: %2").arg(count, list.size() > 40 ? list.left(38) + u'…' : list);
 }
 
-std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context, const std::string& prefix) {
+std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context,
+                                              const std::string& prefix) {
     kit::PropertyDescriptor row = base(property, prefix);
     switch (property.type) {
     case PropertyType::Name:
     case PropertyType::Element:
-    case PropertyType::Points: return {};
+    case PropertyType::Points:
+        return {};
     case PropertyType::Rect:
-        return {numberRow(property, prefix, QStringLiteral(".x"), Hmi::tr("X")), numberRow(property, prefix, QStringLiteral(".y"), Hmi::tr("Y")),
-                numberRow(property, prefix, QStringLiteral(".w"), Hmi::tr("Width")), numberRow(property, prefix, QStringLiteral(".h"), Hmi::tr("Height"))};
+        return {numberRow(property, prefix, QStringLiteral(".x"), Hmi::tr("X")),
+                numberRow(property, prefix, QStringLiteral(".y"), Hmi::tr("Y")),
+                numberRow(property, prefix, QStringLiteral(".w"), Hmi::tr("Width")),
+                numberRow(property, prefix, QStringLiteral(".h"), Hmi::tr("Height"))};
     case PropertyType::Size: {
         kit::PropertyDescriptor preset = base(property, prefix, QStringLiteral(".preset"));
         preset.kind = kit::PropertyKind::Enumeration;
-        for (const auto& [w, h] : {std::pair{800, 480}, {1024, 600}, {1024, 768}, {1280, 800}, {1366, 768}, {1920, 1080}, {480, 800}, {600, 1024}, {800, 1280}, {1080, 1920}})
+        for (const auto& [w, h] : {std::pair{800, 480},
+                                   {1024, 600},
+                                   {1024, 768},
+                                   {1280, 800},
+                                   {1366, 768},
+                                   {1920, 1080},
+                                   {480, 800},
+                                   {600, 1024},
+                                   {800, 1280},
+                                   {1080, 1920}})
             preset.choices.push_back({QSize(w, h), QStringLiteral("%1 × %2").arg(w).arg(h), {}});
-        auto width = numberRow(property, prefix, QStringLiteral(".w"), Hmi::tr("Width")), height = numberRow(property, prefix, QStringLiteral(".h"), Hmi::tr("Height"));
+        auto width = numberRow(property, prefix, QStringLiteral(".w"), Hmi::tr("Width")),
+             height = numberRow(property, prefix, QStringLiteral(".h"), Hmi::tr("Height"));
         width.minimum = height.minimum = 16;
         width.maximum = height.maximum = 16384;
         return {preset, width, height};
     }
-    case PropertyType::Bool: row.kind = kit::PropertyKind::Bool; break;
+    case PropertyType::Bool:
+        row.kind = kit::PropertyKind::Bool;
+        break;
     case PropertyType::Integer:
     case PropertyType::Number:
-        row.kind = property.isOptional() ? kit::PropertyKind::Text : property.type == PropertyType::Integer ? kit::PropertyKind::Integer : kit::PropertyKind::Number;
+        row.kind = property.isOptional()                    ? kit::PropertyKind::Text
+                   : property.type == PropertyType::Integer ? kit::PropertyKind::Integer
+                                                            : kit::PropertyKind::Number;
         if (property.isOptional()) row.placeholder = Hmi::tr("none");
         if (const auto range = property.range()) {
             row.minimum = range->first;
@@ -94,18 +118,24 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
     case PropertyType::Choice:
     case PropertyType::Symbol:
         row.kind = kit::PropertyKind::Enumeration;
-        for (const std::string_view choice : property.choices()) row.choices.push_back({fromView(choice), fromView(choice), {}});
+        for (const std::string_view choice : property.choices())
+            row.choices.push_back({fromView(choice), fromView(choice), {}});
         break;
     case PropertyType::Color:
         row.kind = kit::PropertyKind::Enumeration;
         row.choices = colorChoices();
         break;
-    case PropertyType::String: row.kind = kit::PropertyKind::Text; break;
-    case PropertyType::Text: row.kind = kit::PropertyKind::Text; break;
+    case PropertyType::String:
+        row.kind = kit::PropertyKind::Text;
+        break;
+    case PropertyType::Text:
+        row.kind = kit::PropertyKind::Text;
+        break;
     case PropertyType::TextList:
         row.kind = kit::PropertyKind::Enumeration;
         row.choices.push_back({QString(), Hmi::tr("none"), {}});
-        for (const QString& list : context.project().texts.table().listPrefixes()) row.choices.push_back({list, list, {}});
+        for (const QString& list : context.project().texts.table().listPrefixes())
+            row.choices.push_back({list, list, {}});
         break;
     case PropertyType::File:
         row.kind = kit::PropertyKind::File;
@@ -117,35 +147,49 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
         for (const NamedPanel& panel : context.project().panels) row.choices.push_back({panel.name, panel.name, {}});
         break;
     case PropertyType::Expression:
-    case PropertyType::Target: row.kind = kit::PropertyKind::Expression; break;
+    case PropertyType::Target:
+        row.kind = kit::PropertyKind::Expression;
+        break;
     case PropertyType::Bindings:
-    case PropertyType::Records: row.kind = kit::PropertyKind::Action; break;
+    case PropertyType::Records:
+        row.kind = kit::PropertyKind::Action;
+        break;
     }
     row.defaultValue = gridValue(property, property.fallback, row.id, context);
     return {row};
 }
 
-QVariant gridValue(const PropertyDescriptor& property, const Json& value, const QString& id, const DesignContext& context) {
+QVariant gridValue(const PropertyDescriptor& property, const Json& value, const QString& id,
+                   const DesignContext& context) {
     const QString part = id.section(u'.', 1);
     switch (property.type) {
     case PropertyType::Rect: {
         if (!value.is_array() || value.size() != 4) return 0.0;
-        const size_t index = part == QStringLiteral("x") ? 0 : part == QStringLiteral("y") ? 1 : part == QStringLiteral("w") ? 2 : 3;
+        const size_t index = part == QStringLiteral("x")   ? 0
+                             : part == QStringLiteral("y") ? 1
+                             : part == QStringLiteral("w") ? 2
+                                                           : 3;
         return value[index].is_number() ? value[index].get<double>() : 0.0;
     }
     case PropertyType::Size: {
         if (!value.is_array() || value.size() != 2) return {};
         const QSize size(value[0].get<int>(), value[1].get<int>());
-        return part == QStringLiteral("w") ? QVariant(double(size.width())) : part == QStringLiteral("h") ? QVariant(double(size.height())) : QVariant(size);
+        return part == QStringLiteral("w")   ? QVariant(double(size.width()))
+               : part == QStringLiteral("h") ? QVariant(double(size.height()))
+                                             : QVariant(size);
     }
-    case PropertyType::Bool: return value.is_boolean() && value.get<bool>();
-    case PropertyType::Integer: return value.is_number() ? QVariant(static_cast<int>(value.get<double>())) : QVariant(0);
+    case PropertyType::Bool:
+        return value.is_boolean() && value.get<bool>();
+    case PropertyType::Integer:
+        return value.is_number() ? QVariant(static_cast<int>(value.get<double>())) : QVariant(0);
     case PropertyType::Number:
         if (!property.isOptional()) return value.is_number() ? value.get<double>() : 0.0;
         return value.is_number() ? QString::number(value.get<double>(), 'g', 9) : QString();
-    case PropertyType::Text: return context.shownText(toQString(value));
+    case PropertyType::Text:
+        return context.shownText(toQString(value));
     case PropertyType::Bindings:
-    case PropertyType::Records: return summaryOf(property, value);
+    case PropertyType::Records:
+        return summaryOf(property, value);
     case PropertyType::Name:
     case PropertyType::Element:
     case PropertyType::Points:
@@ -157,7 +201,8 @@ QVariant gridValue(const PropertyDescriptor& property, const Json& value, const 
     case PropertyType::File:
     case PropertyType::Panel:
     case PropertyType::Expression:
-    case PropertyType::Target: return toQString(value);
+    case PropertyType::Target:
+        return toQString(value);
     }
     return {};
 }
@@ -167,7 +212,10 @@ Json fromGrid(const PropertyDescriptor& property, const Json& present, const QSt
     switch (property.type) {
     case PropertyType::Rect: {
         Json rect = present.is_array() && present.size() == 4 ? present : Json::array({0, 0, 10, 10});
-        const size_t index = part == QStringLiteral("x") ? 0 : part == QStringLiteral("y") ? 1 : part == QStringLiteral("w") ? 2 : 3;
+        const size_t index = part == QStringLiteral("x")   ? 0
+                             : part == QStringLiteral("y") ? 1
+                             : part == QStringLiteral("w") ? 2
+                                                           : 3;
         rect[index] = index >= 2 ? std::max(1.0, edited.toDouble()) : edited.toDouble();
         return canonicalNumbers(rect);
     }
@@ -177,8 +225,10 @@ Json fromGrid(const PropertyDescriptor& property, const Json& present, const QSt
         size[part == QStringLiteral("w") ? 0 : 1] = static_cast<int>(edited.toDouble());
         return size;
     }
-    case PropertyType::Bool: return edited.toBool();
-    case PropertyType::Integer: return edited.toInt();
+    case PropertyType::Bool:
+        return edited.toBool();
+    case PropertyType::Integer:
+        return edited.toInt();
     case PropertyType::Number: {
         bool ok = false;
         const double number = edited.toDouble(&ok);
@@ -189,7 +239,8 @@ Json fromGrid(const PropertyDescriptor& property, const Json& present, const QSt
     case PropertyType::Records:
     case PropertyType::Name:
     case PropertyType::Element:
-    case PropertyType::Points: return present;
+    case PropertyType::Points:
+        return present;
     case PropertyType::Choice:
     case PropertyType::Symbol:
     case PropertyType::Color:
@@ -199,7 +250,8 @@ Json fromGrid(const PropertyDescriptor& property, const Json& present, const QSt
     case PropertyType::File:
     case PropertyType::Panel:
     case PropertyType::Expression:
-    case PropertyType::Target: return toUtf8(edited.toString());
+    case PropertyType::Target:
+        return toUtf8(edited.toString());
     }
     return present;
 }

@@ -7,9 +7,11 @@
 namespace plc::hmi {
 
 /// The grid's rows for a property: rectangles and sizes have several, names none.
-std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context, const std::string& prefix = {});
+std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property, const DesignContext& context,
+                                              const std::string& prefix = {});
 /// The value as the grid shows it; `id` is that of a grid row ("rect.x").
-QVariant gridValue(const PropertyDescriptor& property, const Json& value, const QString& id, const DesignContext& context);
+QVariant gridValue(const PropertyDescriptor& property, const Json& value, const QString& id,
+                   const DesignContext& context);
 /// The property's new value after a row was edited. Texts come back as typed: the caller gives them their key.
 Json fromGrid(const PropertyDescriptor& property, const Json& present, const QString& id, const QVariant& edited);
 /// "rect.x" → "rect".

@@ -12,7 +12,8 @@
 namespace plc::hmi {
 
 PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, DesignContext& context, QWidget* parent)
-    : QWidget(parent), m_document(document), m_selection(selection), m_context(context), m_title(new QLabel), m_filter(new QLineEdit), m_grid(new kit::PropertyGrid) {
+    : QWidget(parent), m_document(document), m_selection(selection), m_context(context), m_title(new QLabel),
+      m_filter(new QLineEdit), m_grid(new kit::PropertyGrid) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
@@ -26,10 +27,13 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
     layout->addWidget(m_grid, 1);
     m_grid->setBaseFolder(context.project().folder);
     m_grid->setPicker(context.picker());
-    m_grid->setCompletionSource([this](const QString& text, int cursor) { return m_context.completions() ? m_context.completions()(text, cursor) : std::vector<kit::Completion>(); });
+    m_grid->setCompletionSource([this](const QString& text, int cursor) {
+        return m_context.completions() ? m_context.completions()(text, cursor) : std::vector<kit::Completion>();
+    });
     m_grid->setCheck([this](const QString& id, const QString& text) {
         const PropertyDescriptor* property = descriptor().property(propertyOf(id));
-        return property ? m_context.checkBinding(text, property->hint, property->type == PropertyType::Target) : QString();
+        return property ? m_context.checkBinding(text, property->hint, property->type == PropertyType::Target)
+                        : QString();
     });
     connect(m_filter, &QLineEdit::textChanged, m_grid, &kit::PropertyGrid::setFilter);
     connect(m_grid, &kit::PropertyGrid::previewed, this, [this](const QString& id, const QVariant& value) {
@@ -42,7 +46,8 @@ PropertySheet::PropertySheet(PanelDocument& document, Selection& selection, Desi
         const PropertyDescriptor* property = descriptor().property(propertyOf(id));
         if (!property) return;
         EditList list;
-        for (const ElementId& one : targets()) list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key, property->fallback));
+        for (const ElementId& one : targets())
+            list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key, property->fallback));
         m_document.perform(tr("Reset"), {list});
     });
     connect(m_grid, &kit::PropertyGrid::actionRequested, this, &PropertySheet::editRecords);
@@ -85,11 +90,15 @@ std::vector<const PropertyDescriptor*> PropertySheet::shared() const {
 void PropertySheet::rebuild() {
     const ElementIds ids = targets();
     QString shape;
-    for (const ElementId& id : ids) shape += id.isEmpty() ? QStringLiteral("panel") : m_document.panel().find(id)->text("kind") + u' ';
+    for (const ElementId& id : ids)
+        shape += id.isEmpty() ? QStringLiteral("panel") : m_document.panel().find(id)->text("kind") + u' ';
     const QString name = QCoreApplication::translate("Hmi", descriptor().title);
-    if (ids.size() > 1) m_title->setText(tr("%n elements", nullptr, static_cast<int>(ids.size())));
-    else if (ids.empty() || ids.front().isEmpty()) m_title->setText(name);
-    else m_title->setText(QStringLiteral("%1  –  %2").arg(name, m_document.panel().find(ids.front())->caption()));
+    if (ids.size() > 1)
+        m_title->setText(tr("%n elements", nullptr, static_cast<int>(ids.size())));
+    else if (ids.empty() || ids.front().isEmpty())
+        m_title->setText(name);
+    else
+        m_title->setText(QStringLiteral("%1  –  %2").arg(name, m_document.panel().find(ids.front())->caption()));
     m_gestureId.clear();
     if (shape != m_shape) {
         m_shape = shape;
@@ -98,21 +107,30 @@ void PropertySheet::rebuild() {
         std::vector<const PropertyDescriptor*> properties = shared();
         const auto rank = [](PropertyGroup group) {
             switch (group) {
-            case PropertyGroup::Text: return 0;
-            case PropertyGroup::Value: return 1;
-            case PropertyGroup::Behaviour: return 2;
-            case PropertyGroup::Look: return 3;
-            case PropertyGroup::Geometry: return 4;
-            case PropertyGroup::Condition: return 5;
-            case PropertyGroup::Motion: return 6;
+            case PropertyGroup::Text:
+                return 0;
+            case PropertyGroup::Value:
+                return 1;
+            case PropertyGroup::Behaviour:
+                return 2;
+            case PropertyGroup::Look:
+                return 3;
+            case PropertyGroup::Geometry:
+                return 4;
+            case PropertyGroup::Condition:
+                return 5;
+            case PropertyGroup::Motion:
+                return 6;
             }
             return 7;
         };
-        std::stable_sort(properties.begin(), properties.end(), [&](const PropertyDescriptor* a, const PropertyDescriptor* b) {
-            const bool aCommon = descriptorOf(ElementKind::Unknown).property(a->key), bCommon = descriptorOf(ElementKind::Unknown).property(b->key);
-            if (rank(a->group) != rank(b->group)) return rank(a->group) < rank(b->group);
-            return aCommon < bCommon;
-        });
+        std::stable_sort(properties.begin(), properties.end(),
+                         [&](const PropertyDescriptor* a, const PropertyDescriptor* b) {
+                             const bool aCommon = descriptorOf(ElementKind::Unknown).property(a->key),
+                                        bCommon = descriptorOf(ElementKind::Unknown).property(b->key);
+                             if (rank(a->group) != rank(b->group)) return rank(a->group) < rank(b->group);
+                             return aCommon < bCommon;
+                         });
         for (const PropertyDescriptor* property : properties)
             for (kit::PropertyDescriptor& row : gridRows(*property, m_context)) rows.push_back(std::move(row));
         m_grid->setDescriptors(std::move(rows));
@@ -132,9 +150,12 @@ void PropertySheet::refresh() {
         for (const kit::PropertyDescriptor& row : gridRows(*property, m_context)) {
             const QVariant first = gridValue(*property, valueOf(ids.front(), *property), row.id, m_context);
             bool isSame = true;
-            for (const ElementId& id : ids) isSame &= gridValue(*property, valueOf(id, *property), row.id, m_context) == first;
-            if (isSame) m_grid->setValue(row.id, first);
-            else m_grid->setVarious(row.id);
+            for (const ElementId& id : ids)
+                isSame &= gridValue(*property, valueOf(id, *property), row.id, m_context) == first;
+            if (isSame)
+                m_grid->setValue(row.id, first);
+            else
+                m_grid->setVarious(row.id);
         }
 }
 
@@ -146,7 +167,9 @@ void PropertySheet::apply(const QString& id, const QVariant& value, int gesture)
         const Json now = fromGrid(*property, valueOf(one, *property), id, value);
         if (property->type == PropertyType::Rect && !one.isEmpty()) {
             const Json& r = now;
-            list.edits.push_back(resizeTo(m_document.panel(), one, QRectF(r[0].get<double>(), r[1].get<double>(), r[2].get<double>(), r[3].get<double>())));
+            list.edits.push_back(
+                resizeTo(m_document.panel(), one,
+                         QRectF(r[0].get<double>(), r[1].get<double>(), r[2].get<double>(), r[3].get<double>())));
         } else {
             list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key, now));
         }
@@ -159,16 +182,20 @@ void PropertySheet::commit(const QString& id, const QVariant& value) {
     if (!property) return;
     if (property->type == PropertyType::Color && value.toString() == QStringLiteral("?")) {
         const QColor chosen = QColorDialog::getColor(QColor(toQString(valueOf(targets().front(), *property))), this);
-        if (chosen.isValid()) apply(id, chosen.name(), 0);
-        else refresh();
+        if (chosen.isValid())
+            apply(id, chosen.name(), 0);
+        else
+            refresh();
         return;
     }
     if (property->type == PropertyType::Text) {
         // The key in the table and the property that names it are one step.
         kit::MacroScope macro(m_document.undoStack(), QCoreApplication::translate("Hmi", property->title));
         for (const ElementId& one : targets()) {
-            const QString stored = m_context.storeText(toQString(valueOf(one, *property)), value.toString(), m_panelName, m_document.undoStack());
-            m_document.perform(QCoreApplication::translate("Hmi", property->title), hmi::setProperty(m_document.panel(), one, property->key, toUtf8(stored)));
+            const QString stored = m_context.storeText(toQString(valueOf(one, *property)), value.toString(),
+                                                       m_panelName, m_document.undoStack());
+            m_document.perform(QCoreApplication::translate("Hmi", property->title),
+                               hmi::setProperty(m_document.panel(), one, property->key, toUtf8(stored)));
         }
         return;
     }
@@ -196,7 +223,8 @@ void PropertySheet::editRecords(const QString& id) {
                     *found = toUtf8(m_context.storeText({}, toQString(*found), m_panelName, m_document.undoStack()));
             }
     EditList list;
-    for (const ElementId& one : ids) list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key, value));
+    for (const ElementId& one : ids)
+        list.edits.push_back(hmi::setProperty(m_document.panel(), one, property->key, value));
     m_document.perform(QCoreApplication::translate("Hmi", property->title), {list});
 }
 

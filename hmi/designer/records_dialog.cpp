@@ -12,12 +12,15 @@
 
 namespace plc::hmi {
 
-RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& value, const DesignContext& context, StoreText storeText, QWidget* parent)
-    : QDialog(parent), m_property(property), m_context(context), m_storeText(std::move(storeText)), m_list(new QListWidget), m_grid(new kit::PropertyGrid) {
+RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& value, const DesignContext& context,
+                             StoreText storeText, QWidget* parent)
+    : QDialog(parent), m_property(property), m_context(context), m_storeText(std::move(storeText)),
+      m_list(new QListWidget), m_grid(new kit::PropertyGrid) {
     setWindowTitle(QCoreApplication::translate("Hmi", property.title));
     resize(760, 460);
     if (property.type == PropertyType::Bindings && value.is_object()) {
-        for (const auto& [name, expression] : value.items()) m_rows.push_back(Json{{"name", name}, {"expression", expression}});
+        for (const auto& [name, expression] : value.items())
+            m_rows.push_back(Json{{"name", name}, {"expression", expression}});
     } else if (value.is_array()) {
         for (const Json& row : value) m_rows.push_back(row.is_object() ? row : Json::object());
     }
@@ -46,7 +49,8 @@ RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& val
     m_grid->setPicker(context.picker());
     m_grid->setCheck([this](const QString& id, const QString& text) {
         for (const PropertyDescriptor& field : fields())
-            if (propertyOf(id) == field.key) return m_context.checkBinding(text, field.hint, field.type == PropertyType::Target);
+            if (propertyOf(id) == field.key)
+                return m_context.checkBinding(text, field.hint, field.type == PropertyType::Target);
         return QString();
     });
     std::vector<kit::PropertyDescriptor> rows;
@@ -68,9 +72,12 @@ RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& val
                 value = chosen.name();
             }
             Json now = fromGrid(field, present, id, value);
-            if (field.type == PropertyType::Text && m_storeText) now = toUtf8(m_storeText(toQString(present), value.toString()));
-            if (now == field.fallback) record.erase(key);
-            else record[key] = now;
+            if (field.type == PropertyType::Text && m_storeText)
+                now = toUtf8(m_storeText(toQString(present), value.toString()));
+            if (now == field.fallback)
+                record.erase(key);
+            else
+                record[key] = now;
         }
         showRow();
         refreshTitles();
@@ -83,8 +90,9 @@ RecordsDialog::RecordsDialog(const PropertyDescriptor& property, const Json& val
 
 std::vector<PropertyDescriptor> RecordsDialog::fields() const {
     if (m_property.type == PropertyType::Records) return recordFields(m_property.hint);
-    return {{"name", PropertyType::String, "", PropertyGroup::Value, QT_TRANSLATE_NOOP("Hmi", "Name"), ""},
-            {"expression", PropertyType::Expression, "", PropertyGroup::Value, QT_TRANSLATE_NOOP("Hmi", "Value"), "any"}};
+    return {
+        {"name", PropertyType::String, "", PropertyGroup::Value, QT_TRANSLATE_NOOP("Hmi", "Name"), ""},
+        {"expression", PropertyType::Expression, "", PropertyGroup::Value, QT_TRANSLATE_NOOP("Hmi", "Value"), "any"}};
 }
 
 QString RecordsDialog::titleOfRow(size_t row) const {

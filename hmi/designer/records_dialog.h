@@ -1,5 +1,5 @@
-// Edits a list of records (conditions, states, columns, …) or named values: the rows on the left, the fields of the chosen
-// row on the right. It changes nothing itself; `value()` is taken when it was accepted. Owned by its Qt parent.
+// Edits a list of records (conditions, states, columns, …) or named values: the rows on the left, the fields of the
+// chosen row on the right. It changes nothing itself; `value()` is taken when it was accepted. Owned by its Qt parent.
 #pragma once
 #include "hmi/designer/property_mapping.h"
 
@@ -14,7 +14,8 @@ class RecordsDialog final : public QDialog {
 public:
     /// `storeText` gives a typed text its key (see DesignContext::storeText).
     using StoreText = std::function<QString(const QString& present, const QString& typed)>;
-    RecordsDialog(const PropertyDescriptor& property, const Json& value, const DesignContext& context, StoreText storeText, QWidget* parent);
+    RecordsDialog(const PropertyDescriptor& property, const Json& value, const DesignContext& context,
+                  StoreText storeText, QWidget* parent);
 
     Json value() const;
     int rowCount() const { return static_cast<int>(m_rows.size()); }

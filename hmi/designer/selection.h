@@ -21,8 +21,10 @@ public:
     void toggle(const ElementId& id) {
         ElementIds ids = m_ids;
         const auto found = std::find(ids.begin(), ids.end(), id);
-        if (found == ids.end()) ids.push_back(id);
-        else ids.erase(found);
+        if (found == ids.end())
+            ids.push_back(id);
+        else
+            ids.erase(found);
         set(std::move(ids));
     }
     void clear() { set({}); }

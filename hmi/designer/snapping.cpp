@@ -14,10 +14,13 @@ struct Span {
 };
 
 Span spanOf(const QRectF& rect, bool flat) {
-    return flat ? Span{rect.left(), rect.right(), rect.top(), rect.bottom()} : Span{rect.top(), rect.bottom(), rect.left(), rect.right()};
+    return flat ? Span{rect.left(), rect.right(), rect.top(), rect.bottom()}
+                : Span{rect.top(), rect.bottom(), rect.left(), rect.right()};
 }
 
-QLineF lineAt(double at, double from, double to, bool flat) { return flat ? QLineF(at, from, at, to) : QLineF(from, at, to, at); }
+QLineF lineAt(double at, double from, double to, bool flat) {
+    return flat ? QLineF(at, from, at, to) : QLineF(from, at, to, at);
+}
 
 struct Best {
     double distance = 1e9, offset = 0;
@@ -35,10 +38,12 @@ struct Best {
     double distance_() const { return distance; }
 };
 
-void offerLines(Best& best, const Span& moving, const std::vector<double>& edges, const Span& other, bool flat, double reach) {
+void offerLines(Best& best, const Span& moving, const std::vector<double>& edges, const Span& other, bool flat,
+                double reach) {
     for (const double target : {other.begin, other.center(), other.end})
         for (const double edge : edges) {
-            const double from = std::min(moving.acrossBegin, other.acrossBegin), to = std::max(moving.acrossEnd, other.acrossEnd);
+            const double from = std::min(moving.acrossBegin, other.acrossBegin),
+                         to = std::max(moving.acrossEnd, other.acrossEnd);
             best.offer(target - edge, reach, {{lineAt(target, from - 6, to + 6, flat), false}});
         }
 }
@@ -50,7 +55,9 @@ void offerGaps(Best& best, const Span& moving, const std::vector<Span>& others, 
         if (other.acrossEnd > moving.acrossBegin && other.acrossBegin < moving.acrossEnd) row.push_back(other);
     std::sort(row.begin(), row.end(), [](const Span& a, const Span& b) { return a.begin < b.begin; });
     const double length = moving.end - moving.begin, middle = (moving.acrossBegin + moving.acrossEnd) / 2;
-    const auto gapLine = [&](double from, double to) { return Guide{flat ? QLineF(from, middle, to, middle) : QLineF(middle, from, middle, to), true}; };
+    const auto gapLine = [&](double from, double to) {
+        return Guide{flat ? QLineF(from, middle, to, middle) : QLineF(middle, from, middle, to), true};
+    };
     for (size_t i = 0; i + 1 < row.size(); ++i) {
         const Span &a = row[i], &b = row[i + 1];
         const double gap = b.begin - a.end;
@@ -60,7 +67,8 @@ void offerGaps(Best& best, const Span& moving, const std::vector<Span>& others, 
             best.offer(begin - moving.begin, reach, {gapLine(a.end, begin), gapLine(begin + length, b.begin)});
         }
         best.offer(b.end + gap - moving.begin, reach, {gapLine(a.end, b.begin), gapLine(b.end, b.end + gap)});
-        best.offer(a.begin - gap - length - moving.begin, reach, {gapLine(a.begin - gap, a.begin), gapLine(a.end, b.begin)});
+        best.offer(a.begin - gap - length - moving.begin, reach,
+                   {gapLine(a.begin - gap, a.begin), gapLine(a.end, b.begin)});
     }
 }
 
@@ -94,7 +102,8 @@ Snapped snapResize(const QRectF& rect, DraggedEdges edges, const SnapField& fiel
         const Span moving = spanOf(rect, flat);
         const double edge = begin ? moving.begin : moving.end;
         Best best;
-        for (const QRectF& other : field.others) offerLines(best, moving, {edge}, spanOf(other, flat), flat, field.reach);
+        for (const QRectF& other : field.others)
+            offerLines(best, moving, {edge}, spanOf(other, flat), flat, field.reach);
         offerLines(best, moving, {edge}, spanOf(field.panel, flat), flat, field.reach);
         // As wide or high as another one.
         for (const QRectF& other : field.others) {

@@ -11,8 +11,8 @@ namespace plc::hmi {
 struct SnapField {
     std::vector<QRectF> others;
     QRectF panel;
-    double grid = 8;       // 0: no grid
-    double reach = 6;      // in panel units: how near is near
+    double grid = 8;  // 0: no grid
+    double reach = 6; // in panel units: how near is near
 };
 
 struct Guide {

@@ -19,14 +19,16 @@
 
 namespace plc::hmi {
 
-TextModel::TextModel(DesignContext& context, QUndoStack& undo, QObject* parent) : QAbstractTableModel(parent), m_context(context), m_undo(undo) {
+TextModel::TextModel(DesignContext& context, QUndoStack& undo, QObject* parent)
+    : QAbstractTableModel(parent), m_context(context), m_undo(undo) {
     const auto measure = [this] {
         m_rows = static_cast<int>(table().rows().size());
         m_columns = FirstLanguage + static_cast<int>(table().tags().size());
     };
     measure();
     connect(&context, &DesignContext::textsChanged, this, [this, measure] {
-        const bool isSameShape = m_rows == static_cast<int>(table().rows().size()) && m_columns == FirstLanguage + static_cast<int>(table().tags().size());
+        const bool isSameShape = m_rows == static_cast<int>(table().rows().size()) &&
+                                 m_columns == FirstLanguage + static_cast<int>(table().tags().size());
         if (isSameShape) {
             if (m_rows > 0) emit dataChanged(index(0, 0), index(m_rows - 1, m_columns - 1));
             return;
@@ -54,9 +56,12 @@ QVariant TextModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= static_cast<int>(table().rows().size())) return {};
     const TextTable::Row& row = table().rows()[static_cast<size_t>(index.row())];
     const bool isLanguage = index.column() >= FirstLanguage;
-    const QString text = index.column() == Key ? row.key : index.column() == Comment ? row.comment : row.texts.value(index.column() - FirstLanguage);
+    const QString text = index.column() == Key       ? row.key
+                         : index.column() == Comment ? row.comment
+                                                     : row.texts.value(index.column() - FirstLanguage);
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text;
-    if (!isLanguage) return role == Qt::ForegroundRole && index.column() == Comment ? QVariant(kit::colors().muted) : QVariant();
+    if (!isLanguage)
+        return role == Qt::ForegroundRole && index.column() == Comment ? QVariant(kit::colors().muted) : QVariant();
     const QString tag = table().tags().value(index.column() - FirstLanguage);
     if (role == Qt::BackgroundRole && text.isEmpty() && m_context.project().texts.settings().languages.contains(tag)) {
         QColor missing = kit::colors().warning;
@@ -81,14 +86,17 @@ QVariant TextModel::headerData(int section, Qt::Orientation orientation, int rol
     return QStringLiteral("%1 (%2)").arg(nativeName(tag), tag);
 }
 
-Qt::ItemFlags TextModel::flags(const QModelIndex& index) const { return QAbstractTableModel::flags(index) | Qt::ItemIsEditable; }
+Qt::ItemFlags TextModel::flags(const QModelIndex& index) const {
+    return QAbstractTableModel::flags(index) | Qt::ItemIsEditable;
+}
 
 void TextModel::edit(const QString& title, const std::function<void(TextTable&)>& change) {
     const TextTable before = table();
     TextTable after = before;
     change(after);
     if (after.write() == before.write()) return;
-    m_undo.push(new kit::ClosureCommand(title, [this, after] { m_context.setTable(after); }, [this, before] { m_context.setTable(before); }));
+    m_undo.push(new kit::ClosureCommand(
+        title, [this, after] { m_context.setTable(after); }, [this, before] { m_context.setTable(before); }));
 }
 
 bool TextModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -110,7 +118,9 @@ bool TextModel::setData(const QModelIndex& index, const QVariant& value, int rol
         if (isUsed) m_context.setAlarms(std::move(alarms));
         return true;
     }
-    case Comment: edit(tr("Comment"), [&](TextTable& table) { table.setComment(key, text); }); return true;
+    case Comment:
+        edit(tr("Comment"), [&](TextTable& table) { table.setComment(key, text); });
+        return true;
     default: {
         const QString tag = table().tags().value(index.column() - FirstLanguage);
         edit(tr("Text"), [&](TextTable& table) { table.setText(key, tag, text); });
@@ -133,7 +143,10 @@ protected:
         if (onlyIncomplete && !m_model.isIncomplete(row)) return false;
         if (words.isEmpty()) return true;
         for (int column = 0; column < m_model.columnCount(); ++column)
-            if (m_model.data(m_model.index(row, column), Qt::DisplayRole).toString().contains(words, Qt::CaseInsensitive)) return true;
+            if (m_model.data(m_model.index(row, column), Qt::DisplayRole)
+                    .toString()
+                    .contains(words, Qt::CaseInsensitive))
+                return true;
         return false;
     }
 
@@ -144,7 +157,8 @@ private:
 } // namespace
 
 TextEditor::TextEditor(DesignContext& context, QWidget* parent)
-    : QWidget(parent), m_context(context), m_model(new TextModel(context, m_undo, this)), m_proxy(new TextFilter(*m_model, this)), m_view(new QTableView), m_search(new QLineEdit),
+    : QWidget(parent), m_context(context), m_model(new TextModel(context, m_undo, this)),
+      m_proxy(new TextFilter(*m_model, this)), m_view(new QTableView), m_search(new QLineEdit),
       m_incomplete(new QCheckBox(tr("Only incomplete"))), m_users(new QLabel) {
     m_proxy->setSourceModel(m_model);
     m_view->setModel(m_proxy);
@@ -154,7 +168,8 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     m_view->setAlternatingRowColors(true);
     m_view->horizontalHeader()->setDefaultSectionSize(200);
     m_view->verticalHeader()->setDefaultSectionSize(26);
-    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                            QAbstractItemView::AnyKeyPressed);
     m_search->setPlaceholderText(tr("Search texts"));
     m_search->setClearButtonEnabled(true);
     m_users->setWordWrap(true);
@@ -170,7 +185,8 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     });
     bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected keys"), this, &TextEditor::removeSelected);
     bar->addAction(kit::icon(kit::Icon::Language), tr("Add a language"), this, [this] {
-        const QString tag = QInputDialog::getText(this, tr("Add a language"), tr("Language tag, for example de or zh-CN"));
+        const QString tag =
+            QInputDialog::getText(this, tr("Add a language"), tr("Language tag, for example de or zh-CN"));
         if (!tag.isEmpty()) addLanguage(tag);
     });
     bar->addSeparator();
@@ -179,7 +195,8 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
         if (!path.isEmpty()) importCsv(path);
     });
     bar->addAction(kit::icon(kit::Icon::Export), tr("Export CSV"), this, [this] {
-        const QString path = QFileDialog::getSaveFileName(this, tr("Export CSV"), QStringLiteral("texts.csv"), tr("Text tables (*.csv)"));
+        const QString path = QFileDialog::getSaveFileName(this, tr("Export CSV"), QStringLiteral("texts.csv"),
+                                                          tr("Text tables (*.csv)"));
         if (!path.isEmpty()) exportCsv(path);
     });
     bar->addSeparator();
@@ -211,13 +228,16 @@ QStringList TextEditor::shownKeys() const {
 }
 
 void TextEditor::addKey(const QString& key) {
-    m_model->edit(tr("Add key"), [&](TextTable& table) { table.setText(key, table.tags().value(0, m_context.language()), QString()); });
+    m_model->edit(tr("Add key"), [&](TextTable& table) {
+        table.setText(key, table.tags().value(0, m_context.language()), QString());
+    });
     revealKey(key);
 }
 
 void TextEditor::removeSelected() {
     QStringList keys;
-    for (const QModelIndex& index : m_view->selectionModel()->selectedIndexes()) keys += index.siblingAtColumn(TextModel::Key).data().toString();
+    for (const QModelIndex& index : m_view->selectionModel()->selectedIndexes())
+        keys += index.siblingAtColumn(TextModel::Key).data().toString();
     m_model->edit(tr("Remove keys"), [&](TextTable& table) {
         for (const QString& key : keys) table.removeKey(key);
     });
@@ -238,7 +258,8 @@ void TextEditor::importCsv(const QString& path) {
     m_model->edit(tr("Import CSV"), [&](TextTable& table) {
         for (const TextTable::Row& row : parsed->rows()) {
             for (qsizetype i = 0; i < parsed->tags().size(); ++i)
-                if (!row.texts[i].isEmpty() || !table.contains(row.key)) table.setText(row.key, parsed->tags()[i], row.texts[i]);
+                if (!row.texts[i].isEmpty() || !table.contains(row.key))
+                    table.setText(row.key, parsed->tags()[i], row.texts[i]);
             if (!row.comment.isEmpty()) table.setComment(row.key, row.comment);
         }
     });
@@ -246,7 +267,8 @@ void TextEditor::importCsv(const QString& path) {
 
 void TextEditor::exportCsv(const QString& path) const {
     if (const auto written = projects::writeFileAtomically(path.toStdString(), m_model->table().write()); !written)
-        QMessageBox::warning(const_cast<TextEditor*>(this), tr("Export CSV"), QString::fromStdString(written.error().text()));
+        QMessageBox::warning(const_cast<TextEditor*>(this), tr("Export CSV"),
+                             QString::fromStdString(written.error().text()));
 }
 
 void TextEditor::revealKey(const QString& key) {
@@ -266,7 +288,8 @@ void TextEditor::showUsers() {
     }
     const QString key = index.siblingAtColumn(TextModel::Key).data().toString();
     const QStringList users = m_context.usersOf(key);
-    m_users->setText(users.isEmpty() ? tr("%1 is not used.").arg(key) : tr("%1 is used by %2").arg(key, users.join(QStringLiteral(", "))));
+    m_users->setText(users.isEmpty() ? tr("%1 is not used.").arg(key)
+                                     : tr("%1 is used by %2").arg(key, users.join(QStringLiteral(", "))));
 }
 
 } // namespace plc::hmi

@@ -19,7 +19,8 @@ std::vector<std::string_view> PropertyDescriptor::choices() const {
 std::optional<std::pair<double, double>> PropertyDescriptor::range() const {
     const size_t dots = hint.find("..");
     if (dots == std::string_view::npos || (type != PropertyType::Number && type != PropertyType::Integer)) return {};
-    return std::pair{std::atof(std::string(hint.substr(0, dots)).c_str()), std::atof(std::string(hint.substr(dots + 2)).c_str())};
+    return std::pair{std::atof(std::string(hint.substr(0, dots)).c_str()),
+                     std::atof(std::string(hint.substr(dots + 2)).c_str())};
 }
 
 const PropertyDescriptor* ElementDescriptor::property(std::string_view name) const {
@@ -38,10 +39,24 @@ namespace {
 
 struct Tables {
     std::vector<ElementDescriptor> elements;
-    ElementDescriptor unknown{ElementKind::Unknown, "", ElementCategory::Basics, QT_TRANSLATE_NOOP("Hmi", "Unknown element"), {100, 60}, "", {}};
-    ElementDescriptor panel{ElementKind::Unknown, "panel", ElementCategory::Basics, QT_TRANSLATE_NOOP("Hmi", "Panel"), {1024, 600}, "", {}};
-    ElementDescriptor alarm{ElementKind::Unknown, "alarm", ElementCategory::Alarms, QT_TRANSLATE_NOOP("Hmi", "Alarm"), {0, 0}, "", {}};
-    ElementDescriptor alarmClass{ElementKind::Unknown, "class", ElementCategory::Alarms, QT_TRANSLATE_NOOP("Hmi", "Alarm class"), {0, 0}, "", {}};
+    ElementDescriptor unknown{ElementKind::Unknown,
+                              "",
+                              ElementCategory::Basics,
+                              QT_TRANSLATE_NOOP("Hmi", "Unknown element"),
+                              {100, 60},
+                              "",
+                              {}};
+    ElementDescriptor panel{
+        ElementKind::Unknown, "panel", ElementCategory::Basics, QT_TRANSLATE_NOOP("Hmi", "Panel"), {1024, 600}, "", {}};
+    ElementDescriptor alarm{
+        ElementKind::Unknown, "alarm", ElementCategory::Alarms, QT_TRANSLATE_NOOP("Hmi", "Alarm"), {0, 0}, "", {}};
+    ElementDescriptor alarmClass{ElementKind::Unknown,
+                                 "class",
+                                 ElementCategory::Alarms,
+                                 QT_TRANSLATE_NOOP("Hmi", "Alarm class"),
+                                 {0, 0},
+                                 "",
+                                 {}};
     std::map<std::string_view, std::vector<PropertyDescriptor>> records;
 };
 
@@ -121,27 +136,42 @@ const std::vector<PropertyDescriptor>& recordFields(std::string_view record) {
 
 QString titleOf(ElementCategory category) {
     switch (category) {
-    case ElementCategory::Shapes: return QCoreApplication::translate("Hmi", "Shapes");
-    case ElementCategory::Basics: return QCoreApplication::translate("Hmi", "Text and pictures");
-    case ElementCategory::Symbols: return QCoreApplication::translate("Hmi", "Symbols");
-    case ElementCategory::Controls: return QCoreApplication::translate("Hmi", "Operation");
-    case ElementCategory::Displays: return QCoreApplication::translate("Hmi", "Display");
-    case ElementCategory::Charts: return QCoreApplication::translate("Hmi", "Arrays and charts");
-    case ElementCategory::Alarms: return QCoreApplication::translate("Hmi", "Alarms");
-    case ElementCategory::Containers: return QCoreApplication::translate("Hmi", "Containers");
+    case ElementCategory::Shapes:
+        return QCoreApplication::translate("Hmi", "Shapes");
+    case ElementCategory::Basics:
+        return QCoreApplication::translate("Hmi", "Text and pictures");
+    case ElementCategory::Symbols:
+        return QCoreApplication::translate("Hmi", "Symbols");
+    case ElementCategory::Controls:
+        return QCoreApplication::translate("Hmi", "Operation");
+    case ElementCategory::Displays:
+        return QCoreApplication::translate("Hmi", "Display");
+    case ElementCategory::Charts:
+        return QCoreApplication::translate("Hmi", "Arrays and charts");
+    case ElementCategory::Alarms:
+        return QCoreApplication::translate("Hmi", "Alarms");
+    case ElementCategory::Containers:
+        return QCoreApplication::translate("Hmi", "Containers");
     }
     return {};
 }
 
 QString titleOf(PropertyGroup group) {
     switch (group) {
-    case PropertyGroup::Geometry: return QCoreApplication::translate("Hmi", "Geometry");
-    case PropertyGroup::Look: return QCoreApplication::translate("Hmi", "Look");
-    case PropertyGroup::Text: return QCoreApplication::translate("Hmi", "Text");
-    case PropertyGroup::Value: return QCoreApplication::translate("Hmi", "Value");
-    case PropertyGroup::Behaviour: return QCoreApplication::translate("Hmi", "Behaviour");
-    case PropertyGroup::Condition: return QCoreApplication::translate("Hmi", "Condition");
-    case PropertyGroup::Motion: return QCoreApplication::translate("Hmi", "Motion");
+    case PropertyGroup::Geometry:
+        return QCoreApplication::translate("Hmi", "Geometry");
+    case PropertyGroup::Look:
+        return QCoreApplication::translate("Hmi", "Look");
+    case PropertyGroup::Text:
+        return QCoreApplication::translate("Hmi", "Text");
+    case PropertyGroup::Value:
+        return QCoreApplication::translate("Hmi", "Value");
+    case PropertyGroup::Behaviour:
+        return QCoreApplication::translate("Hmi", "Behaviour");
+    case PropertyGroup::Condition:
+        return QCoreApplication::translate("Hmi", "Condition");
+    case PropertyGroup::Motion:
+        return QCoreApplication::translate("Hmi", "Motion");
     }
     return {};
 }

@@ -18,20 +18,20 @@ enum class ElementKind {
 enum class ElementCategory { Shapes, Basics, Symbols, Controls, Displays, Charts, Alarms, Containers };
 
 enum class PropertyType {
-    Name,       // an id; not edited as a property
-    Element,    // the id of another element
-    Rect,       // [x, y, width, height]
-    Size,       // [width, height]
-    Points,     // [[x, y], …] as fractions of the rectangle
+    Name,    // an id; not edited as a property
+    Element, // the id of another element
+    Rect,    // [x, y, width, height]
+    Size,    // [width, height]
+    Points,  // [[x, y], …] as fractions of the rectangle
     Bool,
     Integer,
     Number,
     Choice,
     Symbol,
-    Color,      // "#rrggbb" or the name of a role of the theme
+    Color, // "#rrggbb" or the name of a role of the theme
     String,
-    Text,       // shown to people: "@key" of the text table, else the text itself
-    TextList,   // the part before ".0", ".1"… of keys
+    Text,     // shown to people: "@key" of the text table, else the text itself
+    TextList, // the part before ".0", ".1"… of keys
     File,
     Panel,
     Expression, // ST, read

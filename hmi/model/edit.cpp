@@ -29,7 +29,8 @@ Edit applyOne(Panel& panel, const SetField& edit, Touched& touched) {
     }
     const bool had = properties->has(edit.key);
     const size_t place = had ? properties->place(edit.key) : edit.place.value_or(properties->place(edit.key));
-    SetField inverse{edit.element, edit.key, had ? std::optional<Json>(properties->fields().at(edit.key)) : std::nullopt, place};
+    SetField inverse{edit.element, edit.key,
+                     had ? std::optional<Json>(properties->fields().at(edit.key)) : std::nullopt, place};
     if (!edit.element.isEmpty() && (edit.key == "parent" || edit.key == "page")) touched.structure = true;
     if (edit.key == "kind" && !edit.element.isEmpty()) {
         // Another kind has another descriptor, so the element is made anew from its fields.
@@ -137,10 +138,12 @@ Edit resizeTo(const Panel& panel, const ElementId& element, const QRectF& rect) 
     const Element* outer = panel.find(element);
     if (!outer) return {};
     const QRectF from = outer->rect();
-    const double sx = from.width() > 0 ? rect.width() / from.width() : 1, sy = from.height() > 0 ? rect.height() / from.height() : 1;
+    const double sx = from.width() > 0 ? rect.width() / from.width() : 1,
+                 sy = from.height() > 0 ? rect.height() / from.height() : 1;
     for (const ElementId& id : panel.withDescendants(element)) {
         const QRectF old = panel.find(id)->rect();
-        const QRectF scaled(rect.x() + (old.x() - from.x()) * sx, rect.y() + (old.y() - from.y()) * sy, old.width() * sx, old.height() * sy);
+        const QRectF scaled(rect.x() + (old.x() - from.x()) * sx, rect.y() + (old.y() - from.y()) * sy,
+                            old.width() * sx, old.height() * sy);
         const bool keeps = outer->kind() == ElementKind::Tab && id != element; // a tab's pages keep their size
         const QRectF moved = keeps ? old.translated(rect.topLeft() - from.topLeft()) : scaled;
         list.edits.push_back(setProperty(panel, id, "rect", rectToJson(id == element ? rect : moved)));

@@ -14,7 +14,8 @@ std::string toUtf8(const QString& text) { return text.toStdString(); }
 Json canonicalNumbers(const Json& value) {
     if (value.is_number_float()) {
         const double number = value.get<double>();
-        if (std::isfinite(number) && std::abs(number) < 9e15 && std::floor(number) == number) return static_cast<int64_t>(number);
+        if (std::isfinite(number) && std::abs(number) < 9e15 && std::floor(number) == number)
+            return static_cast<int64_t>(number);
         return value;
     }
     if (!value.is_structured()) return value;

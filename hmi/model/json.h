@@ -15,7 +15,8 @@ std::string toUtf8(const QString& text);
 Json canonicalNumbers(const Json& value);
 /// On one line, with a blank after ':' and ','.
 std::string writeCompact(const Json& value);
-/// `{` one field per line at `indent + 2` `}`; fields are written compact, but for those that `nested` returns text for.
+/// `{` one field per line at `indent + 2` `}`; fields are written compact, but for those that `nested` returns text
+/// for.
 std::string writeObject(const Json& object, int indent);
 std::string writeList(const std::vector<Json>& objects, int indent);
 

@@ -122,8 +122,10 @@ Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, s
     size_t last = 0;
     for (const auto& [key, value] : fields.items()) {
         const std::optional<size_t> rank = descriptor.rank(key);
-        if (rank) last = *rank + 1;
-        else if (key == alsoKnown) last = descriptor.properties.size() + 1;
+        if (rank)
+            last = *rank + 1;
+        else if (key == alsoKnown)
+            last = descriptor.properties.size() + 1;
         entries.push_back({last, key, canonicalNumbers(value)});
     }
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank < b.rank; });
@@ -134,14 +136,17 @@ Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, s
 
 namespace {
 
-Error errorAt(const QString& place, const QString& message) { return Error{message.toStdString(), place.toStdString()}; }
+Error errorAt(const QString& place, const QString& message) {
+    return Error{message.toStdString(), place.toStdString()};
+}
 
 } // namespace
 
 Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
     const std::string_view text = utf8.starts_with("\xEF\xBB\xBF") ? std::string_view(utf8).substr(3) : utf8;
     JsonText<Json> json = readJson<Json>(text);
-    if (!json.isGood()) return errorAt(place + u':' + QString::number(json.line), QStringLiteral("The panel is not valid JSON."));
+    if (!json.isGood())
+        return errorAt(place + u':' + QString::number(json.line), QStringLiteral("The panel is not valid JSON."));
     Json& root = json.value;
     if (!root.is_object()) return errorAt(place, QStringLiteral("A panel is a JSON object."));
     if (root.contains("version") && root["version"].is_number() && root["version"].get<double>() > 1)
@@ -157,9 +162,12 @@ Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
             return errorAt(place, QStringLiteral("The kind of element %1 is not a text.").arg(number));
         const Element raw{item};
         Element element{inCanonicalOrder(item, raw.descriptor())};
-        if (element.id().isEmpty()) element.setField("id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
+        if (element.id().isEmpty())
+            element.setField(
+                "id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
         if (ids.contains(element.id()))
-            return errorAt(place, QStringLiteral("Two elements have the id \"%1\"; give one of them another.").arg(element.id()));
+            return errorAt(
+                place, QStringLiteral("Two elements have the id \"%1\"; give one of them another.").arg(element.id()));
         ids += element.id();
         panel.m_elements.push_back(std::move(element));
     }
@@ -227,7 +235,8 @@ std::vector<ElementId> Panel::withDescendants(const ElementId& id) const {
 
 ElementId Panel::freeId(std::string_view stem) const {
     for (int number = 1;; ++number) {
-        const ElementId id = QString::fromUtf8(stem.data(), static_cast<qsizetype>(stem.size())) + QString::number(number);
+        const ElementId id =
+            QString::fromUtf8(stem.data(), static_cast<qsizetype>(stem.size())) + QString::number(number);
         if (!find(id)) return id;
     }
 }

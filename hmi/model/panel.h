@@ -16,7 +16,8 @@ using ElementId = QString;
 class Properties {
 public:
     Properties() : m_descriptor(&panelDescriptor()) {}
-    Properties(const ElementDescriptor& descriptor, Json fields) : m_fields(std::move(fields)), m_descriptor(&descriptor) {}
+    Properties(const ElementDescriptor& descriptor, Json fields)
+        : m_fields(std::move(fields)), m_descriptor(&descriptor) {}
 
     const Json& fields() const { return m_fields; }
     const ElementDescriptor& descriptor() const { return *m_descriptor; }

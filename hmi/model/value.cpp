@@ -67,34 +67,46 @@ bool Value::isNumber() const {
 
 bool Value::toBool() const {
     switch (m_kind) {
-    case ValueKind::None: return false;
-    case ValueKind::Real: return m_real != 0;
-    case ValueKind::Text: return !m_text.isEmpty();
-    case ValueKind::Array: return !m_items.empty();
+    case ValueKind::None:
+        return false;
+    case ValueKind::Real:
+        return m_real != 0;
+    case ValueKind::Text:
+        return !m_text.isEmpty();
+    case ValueKind::Array:
+        return !m_items.empty();
     case ValueKind::Bool:
     case ValueKind::Integer:
     case ValueKind::Unsigned:
     case ValueKind::Time:
     case ValueKind::Date:
     case ValueKind::DateTime:
-    case ValueKind::TimeOfDay: return m_integer != 0;
+    case ValueKind::TimeOfDay:
+        return m_integer != 0;
     }
     return false;
 }
 
 double Value::toNumber() const {
     switch (m_kind) {
-    case ValueKind::None: return 0;
-    case ValueKind::Real: return m_real;
-    case ValueKind::Text: return m_text.toDouble();
-    case ValueKind::Array: return 0;
-    case ValueKind::Unsigned: return static_cast<double>(static_cast<quint64>(m_integer));
-    case ValueKind::Time: return static_cast<double>(m_integer) * 1e-9;
+    case ValueKind::None:
+        return 0;
+    case ValueKind::Real:
+        return m_real;
+    case ValueKind::Text:
+        return m_text.toDouble();
+    case ValueKind::Array:
+        return 0;
+    case ValueKind::Unsigned:
+        return static_cast<double>(static_cast<quint64>(m_integer));
+    case ValueKind::Time:
+        return static_cast<double>(m_integer) * 1e-9;
     case ValueKind::Bool:
     case ValueKind::Integer:
     case ValueKind::Date:
     case ValueKind::DateTime:
-    case ValueKind::TimeOfDay: return static_cast<double>(m_integer);
+    case ValueKind::TimeOfDay:
+        return static_cast<double>(m_integer);
     }
     return 0;
 }
@@ -132,10 +144,14 @@ QString quoted(const QString& text) {
     QString out = QStringLiteral("'");
     for (const QChar c : text) {
         if (c == u'\'' || c == u'$') out += u'$';
-        if (c == u'\n') out += QStringLiteral("$L");
-        else if (c == u'\r') out += QStringLiteral("$R");
-        else if (c == u'\t') out += QStringLiteral("$T");
-        else out += c;
+        if (c == u'\n')
+            out += QStringLiteral("$L");
+        else if (c == u'\r')
+            out += QStringLiteral("$R");
+        else if (c == u'\t')
+            out += QStringLiteral("$T");
+        else
+            out += c;
     }
     return out + u'\'';
 }
@@ -153,20 +169,29 @@ QString Value::toLiteral() const {
         return time.toString(time.msec() ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("HH:mm:ss"));
     };
     switch (m_kind) {
-    case ValueKind::None: return {};
-    case ValueKind::Bool: return m_integer ? QStringLiteral("TRUE") : QStringLiteral("FALSE");
-    case ValueKind::Integer: return QString::number(m_integer);
-    case ValueKind::Unsigned: return QString::number(static_cast<quint64>(m_integer));
+    case ValueKind::None:
+        return {};
+    case ValueKind::Bool:
+        return m_integer ? QStringLiteral("TRUE") : QStringLiteral("FALSE");
+    case ValueKind::Integer:
+        return QString::number(m_integer);
+    case ValueKind::Unsigned:
+        return QString::number(static_cast<quint64>(m_integer));
     case ValueKind::Real: {
         QString text = QString::number(m_real, 'g', QLocale::FloatingPointShortest);
         if (!text.contains(u'.') && !text.contains(u'e') && std::isfinite(m_real)) text += QStringLiteral(".0");
         return text;
     }
-    case ValueKind::Text: return quoted(m_text);
-    case ValueKind::Time: return timeLiteral(m_integer);
-    case ValueKind::Date: return QStringLiteral("D#") + date(m_integer);
-    case ValueKind::DateTime: return QStringLiteral("DT#") + date(m_integer) + u'-' + clock(m_integer);
-    case ValueKind::TimeOfDay: return QStringLiteral("TOD#") + clock(m_integer);
+    case ValueKind::Text:
+        return quoted(m_text);
+    case ValueKind::Time:
+        return timeLiteral(m_integer);
+    case ValueKind::Date:
+        return QStringLiteral("D#") + date(m_integer);
+    case ValueKind::DateTime:
+        return QStringLiteral("DT#") + date(m_integer) + u'-' + clock(m_integer);
+    case ValueKind::TimeOfDay:
+        return QStringLiteral("TOD#") + clock(m_integer);
     case ValueKind::Array: {
         QStringList items;
         for (const Value& item : m_items) items += item.toLiteral();

@@ -11,7 +11,8 @@ QString Found::place() const {
 
 namespace {
 
-void forEachOf(const Properties& properties, const std::function<bool(PropertyType)>& wanted, const std::function<void(const Found&)>& visit) {
+void forEachOf(const Properties& properties, const std::function<bool(PropertyType)>& wanted,
+               const std::function<void(const Found&)>& visit) {
     const auto give = [&](const PropertyDescriptor& property, const Found& place, const Json& value) {
         const QString text = toQString(value);
         if (text.isEmpty()) return;
@@ -36,7 +37,8 @@ void forEachOf(const Properties& properties, const std::function<bool(PropertyTy
                 if (!wanted(field.type)) continue;
                 const auto found = value[row].find(std::string(field.key));
                 if (found != value[row].end())
-                    give(field, {field.type, place.property, static_cast<int>(row), std::string(field.key), {}, {}}, *found);
+                    give(field, {field.type, place.property, static_cast<int>(row), std::string(field.key), {}, {}},
+                         *found);
             }
         }
     }
@@ -53,19 +55,24 @@ void forEachBinding(const Properties& properties, const std::function<void(const
 }
 
 void forEachText(const Properties& properties, const std::function<void(const Found&)>& visit) {
-    forEachOf(properties, [](PropertyType type) { return type == PropertyType::Text; }, visit);
+    forEachOf(
+        properties, [](PropertyType type) { return type == PropertyType::Text; }, visit);
 }
 
 void forEachTextList(const Properties& properties, const std::function<void(const Found&)>& visit) {
-    forEachOf(properties, [](PropertyType type) { return type == PropertyType::TextList; }, visit);
+    forEachOf(
+        properties, [](PropertyType type) { return type == PropertyType::TextList; }, visit);
 }
 
 namespace {
 
 void replaceAt(Json& value, const Found& found, const QString& text) {
-    if (found.row >= 0) value[static_cast<size_t>(found.row)][found.field] = toUtf8(text);
-    else if (!found.field.empty()) value[found.field] = toUtf8(text);
-    else value = toUtf8(text);
+    if (found.row >= 0)
+        value[static_cast<size_t>(found.row)][found.field] = toUtf8(text);
+    else if (!found.field.empty())
+        value[found.field] = toUtf8(text);
+    else
+        value = toUtf8(text);
 }
 
 void rewriteOne(const Panel& panel, const ElementId& id, const Properties& properties,
@@ -74,10 +81,13 @@ void rewriteOne(const Panel& panel, const ElementId& id, const Properties& prope
     const auto visit = [&](const Found& found) {
         const std::optional<QString> text = replace(id, found);
         if (!text || *text == found.text) return;
-        if (changed.empty() || changed.back().first != found.property) changed.emplace_back(found.property, properties.at(found.property));
+        if (changed.empty() || changed.back().first != found.property)
+            changed.emplace_back(found.property, properties.at(found.property));
         replaceAt(changed.back().second, found, *text);
     };
-    const auto all = [](PropertyType type) { return isBinding(type) || type == PropertyType::Text || type == PropertyType::TextList; };
+    const auto all = [](PropertyType type) {
+        return isBinding(type) || type == PropertyType::Text || type == PropertyType::TextList;
+    };
     forEachOf(properties, all, visit);
     for (auto& [key, value] : changed) out.edits.push_back(setProperty(panel, id, key, value));
 }

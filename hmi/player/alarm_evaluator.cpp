@@ -7,7 +7,8 @@
 namespace plc::hmi {
 
 AlarmSource AlarmSource::of(const session::Session& session) {
-    return {&session.history(), [&session] { return session.program(); }, [&session](const std::string& text) { return session.expression(text); },
+    return {&session.history(), [&session] { return session.program(); },
+            [&session](const std::string& text) { return session.expression(text); },
             [&session](const std::string& text) { return session.recompile(text); }};
 }
 
@@ -48,7 +49,8 @@ AlarmRecord AlarmEvaluator::recordOf(const AlarmEvent& event) const {
         if (!image.empty() && program) {
             const expression::Expression compiled = m_source.recompile(text.toStdString())(*program);
             if (compiled.isValid())
-                if (const expression::Outcome outcome = compiled.evaluate(image); outcome.hasValue()) value = toPanel(compiled.types(), outcome.value);
+                if (const expression::Outcome outcome = compiled.evaluate(image); outcome.hasValue())
+                    value = toPanel(compiled.types(), outcome.value);
         }
         record.values.emplace_back(name, std::move(value));
     }
@@ -65,7 +67,8 @@ void AlarmEvaluator::append(std::span<const AlarmEvent> events, const QString& u
 
 bool AlarmEvaluator::followBranch(std::vector<AlarmFindings>& findings, history::Position& end) {
     const std::vector<history::Branch> branches = m_source.history->branches();
-    // The next branch that begins at or behind what was evaluated: first the end of the old one, then its parent's state.
+    // The next branch that begins at or behind what was evaluated: first the end of the old one, then its parent's
+    // state.
     for (size_t i = std::max<size_t>(m_branch, 1); i < branches.size(); ++i) {
         const history::Branch& branch = branches[i];
         if (branch.first > m_next) {
@@ -106,7 +109,8 @@ void AlarmEvaluator::processRange(history::Position from, history::Position to, 
     bool hasStamps = false;
     const auto read = [&](const expression::Expression& expression, const QString& text, std::vector<Condition>& into) {
         if (!expression.isValid()) return;
-        for (const history::Sample& sample : history.samples(expression, m_source.recompile(text.toStdString()), from, to)) {
+        for (const history::Sample& sample :
+             history.samples(expression, m_source.recompile(text.toStdString()), from, to)) {
             if (sample.at.position < from || sample.at.position >= to) continue;
             const size_t i = static_cast<size_t>(sample.at.position - from);
             instants[i] = {sample.at.position, sample.at.scan, sample.at.time};
@@ -145,14 +149,16 @@ void AlarmEvaluator::acknowledge(size_t alarm, const QString& user, std::vector<
     if (!out.records.empty()) findings.push_back(std::move(out));
 }
 
-void AlarmEvaluator::acknowledgeAll(const QStringList& classes, const QString& user, std::vector<AlarmFindings>& findings) {
+void AlarmEvaluator::acknowledgeAll(const QStringList& classes, const QString& user,
+                                    std::vector<AlarmFindings>& findings) {
     for (size_t i = 0; i < m_definitions.size(); ++i)
         if (classes.isEmpty() || classes.contains(m_definitions[i].className)) acknowledge(i, user, findings);
 }
 
 // ---- the thread
 
-AlarmWatch::AlarmWatch(const session::Session& session, AlarmBook& book, QObject* parent) : QObject(parent), m_session(session), m_book(book) {
+AlarmWatch::AlarmWatch(const session::Session& session, AlarmBook& book, QObject* parent)
+    : QObject(parent), m_session(session), m_book(book) {
     m_thread = std::thread([this, definitions = book.definitions()]() mutable { run(std::move(definitions)); });
 }
 
@@ -175,19 +181,23 @@ void AlarmWatch::run(std::vector<AlarmDefinition> definitions) {
         std::vector<AlarmFindings> findings;
         bool more = evaluator.process(findings);
         for (const Command& command : commands) {
-            if (command.all) evaluator.acknowledgeAll(command.classes, command.user, findings);
-            else evaluator.acknowledge(command.alarm, command.user, findings);
+            if (command.all)
+                evaluator.acknowledgeAll(command.classes, command.user, findings);
+            else
+                evaluator.acknowledge(command.alarm, command.user, findings);
         }
         lock.lock();
         if (!findings.empty()) {
             std::move(findings.begin(), findings.end(), std::back_inserter(m_findings));
-            if (!std::exchange(m_posted, true)) QMetaObject::invokeMethod(this, &AlarmWatch::deliver, Qt::QueuedConnection);
+            if (!std::exchange(m_posted, true))
+                QMetaObject::invokeMethod(this, &AlarmWatch::deliver, Qt::QueuedConnection);
         }
         if (!more && commands.empty()) {
             m_answered = asked;
             m_caughtUp.notify_all();
         }
-        if (!more && m_commands.empty() && m_answered == m_asked && !m_stop) m_wake.wait_for(lock, std::chrono::milliseconds(30));
+        if (!more && m_commands.empty() && m_answered == m_asked && !m_stop)
+            m_wake.wait_for(lock, std::chrono::milliseconds(30));
     }
     m_answered = m_asked;
     m_caughtUp.notify_all();

@@ -1,5 +1,6 @@
 // Evaluates alarm conditions for every recorded scan, behind the scan thread, so that an alarm of one scan is not lost.
-// AlarmEvaluator works in the calling thread; AlarmWatch gives it a thread of its own and hands what it finds to the book.
+// AlarmEvaluator works in the calling thread; AlarmWatch gives it a thread of its own and hands what it finds to the
+// book.
 #pragma once
 #include "hmi/alarms/alarm_book.h"
 #include "projects/session/session.h"
@@ -29,7 +30,8 @@ struct AlarmSource {
 
 class AlarmEvaluator {
 public:
-    AlarmEvaluator(const session::Session& session, std::vector<AlarmDefinition> definitions) : AlarmEvaluator(AlarmSource::of(session), std::move(definitions)) {}
+    AlarmEvaluator(const session::Session& session, std::vector<AlarmDefinition> definitions)
+        : AlarmEvaluator(AlarmSource::of(session), std::move(definitions)) {}
     AlarmEvaluator(AlarmSource source, std::vector<AlarmDefinition> definitions);
 
     /// Evaluates recorded scans up to the newest one, at most `limit` of them; true while some are left.

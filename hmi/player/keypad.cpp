@@ -26,13 +26,17 @@ Overlay::Overlay(const OverlayLook& look, QWidget* parent) : QWidget(parent), m_
     setFont(font);
     m_box->setObjectName(QStringLiteral("box"));
     m_box->setAttribute(Qt::WA_StyledBackground);
-    setStyleSheet(QStringLiteral("#box { background: %1; border: 2px solid %2; border-radius: 8px; }"
-                                 "QLabel { color: %3; } QLabel#hint { color: %4; }"
-                                 "QLineEdit { background: %5; color: %3; border: 1px solid %2; border-radius: 4px; padding: 6px; font-size: 24px; }"
-                                 "QPushButton { background: %6; color: %3; border: 1px solid %2; border-radius: 5px; min-height: 44px; min-width: 44px; padding: 0 8px; }"
-                                 "QPushButton:pressed { background: %4; } QPushButton#main { background: %7; color: %8; }"
-                                 "QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; border: none; }")
-                      .arg(name("surface"), name("line"), name("text"), name("muted"), name("inset"), name("button"), name("accent"), PanelTheme::inkOn(theme.color("accent")).name()));
+    setStyleSheet(
+        QStringLiteral("#box { background: %1; border: 2px solid %2; border-radius: 8px; }"
+                       "QLabel { color: %3; } QLabel#hint { color: %4; }"
+                       "QLineEdit { background: %5; color: %3; border: 1px solid %2; border-radius: 4px; padding: 6px; "
+                       "font-size: 24px; }"
+                       "QPushButton { background: %6; color: %3; border: 1px solid %2; border-radius: 5px; min-height: "
+                       "44px; min-width: 44px; padding: 0 8px; }"
+                       "QPushButton:pressed { background: %4; } QPushButton#main { background: %7; color: %8; }"
+                       "QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; border: none; }")
+            .arg(name("surface"), name("line"), name("text"), name("muted"), name("inset"), name("button"),
+                 name("accent"), PanelTheme::inkOn(theme.color("accent")).name()));
 }
 
 QPushButton* Overlay::key(const QString& text, bool isMain) const {
@@ -82,15 +86,18 @@ namespace {
 QString moreLetters(const QString& tag) {
     const struct {
         const char *language, *letters;
-    } rows[] = {{"de", "äöüß"}, {"da", "æøå"}, {"nb", "æøå"}, {"sv", "åäö"}, {"fi", "åäö"}, {"fr", "éèêàâçùûîô"}, {"es", "ñáéíóúü"}, {"pt", "ãõáéíóúâêç"}, {"it", "àèéìòù"}, {"nl", "éëïóö"}};
+    } rows[] = {{"de", "äöüß"},       {"da", "æøå"},     {"nb", "æøå"},        {"sv", "åäö"},    {"fi", "åäö"},
+                {"fr", "éèêàâçùûîô"}, {"es", "ñáéíóúü"}, {"pt", "ãõáéíóúâêç"}, {"it", "àèéìòù"}, {"nl", "éëïóö"}};
     for (const auto& row : rows)
-        if (tag.section(u'-', 0, 0).compare(QLatin1String(row.language), Qt::CaseInsensitive) == 0) return QString::fromUtf8(row.letters);
+        if (tag.section(u'-', 0, 0).compare(QLatin1String(row.language), Qt::CaseInsensitive) == 0)
+            return QString::fromUtf8(row.letters);
     return {};
 }
 
 } // namespace
 
-Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* parent) : Overlay(look, parent), m_request(request) {
+Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* parent)
+    : Overlay(look, parent), m_request(request) {
     auto* layout = new QVBoxLayout(box());
     layout->setContentsMargins(14, 12, 14, 14);
     layout->setSpacing(8);
@@ -101,8 +108,11 @@ Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* pa
     m_edit->setAlignment(request.kind == EntryKind::Text ? Qt::AlignLeading : Qt::AlignCenter);
     if (request.isHidden) m_edit->setEchoMode(QLineEdit::Password);
     if (!request.present.isNone() && request.kind != EntryKind::Masked) {
-        if (request.present.kind() == ValueKind::Text) m_edit->setText(request.present.text());
-        else m_edit->setText(localeOf(look.tag).toString(request.present.toNumber() * request.factor + request.offset, 'g', 9));
+        if (request.present.kind() == ValueKind::Text)
+            m_edit->setText(request.present.text());
+        else
+            m_edit->setText(
+                localeOf(look.tag).toString(request.present.toNumber() * request.factor + request.offset, 'g', 9));
     }
     m_edit->selectAll();
     layout->addWidget(m_edit);
@@ -117,18 +127,25 @@ Keypad::Keypad(const EntryRequest& request, const OverlayLook& look, QWidget* pa
     auto* grid = new QGridLayout(keys);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(6);
-    const bool digitsOnly = request.kind == EntryKind::Number || (request.kind == EntryKind::Masked && !request.mask.contains(u'A') && !request.mask.contains(u'*'));
-    if (digitsOnly) addNumberKeys(grid);
-    else addLetterKeys(grid);
+    const bool digitsOnly =
+        request.kind == EntryKind::Number ||
+        (request.kind == EntryKind::Masked && !request.mask.contains(u'A') && !request.mask.contains(u'*'));
+    if (digitsOnly)
+        addNumberKeys(grid);
+    else
+        addLetterKeys(grid);
     layout->addWidget(keys);
     place();
 }
 
 QString Keypad::limitsText() const {
     const QLocale locale = localeOf(m_look.tag);
-    const auto text = [&](double value) { return locale.toString(value, 'g', 9) + (m_request.unit.isEmpty() ? QString() : QChar(0x00A0) + m_request.unit); };
+    const auto text = [&](double value) {
+        return locale.toString(value, 'g', 9) + (m_request.unit.isEmpty() ? QString() : QChar(0x00A0) + m_request.unit);
+    };
     if (m_request.kind != EntryKind::Number) return {};
-    if (m_request.minimum && m_request.maximum) return words(SystemText::Between).arg(text(*m_request.minimum), text(*m_request.maximum));
+    if (m_request.minimum && m_request.maximum)
+        return words(SystemText::Between).arg(text(*m_request.minimum), text(*m_request.maximum));
     if (m_request.minimum) return words(SystemText::AtLeast).arg(text(*m_request.minimum));
     if (m_request.maximum) return words(SystemText::AtMost).arg(text(*m_request.maximum));
     return m_request.unit;
@@ -190,7 +207,9 @@ void Keypad::addLetterKeys(QGridLayout* grid) {
     auto* shift = key(QStringLiteral("⇧"));
     connect(shift, &QPushButton::clicked, this, [this] {
         m_shift = !m_shift;
-        for (QPushButton* letter : m_letters) if (letter->text() != QStringLiteral("ß")) letter->setText(m_shift ? letter->text().toUpper() : letter->text().toLower());
+        for (QPushButton* letter : m_letters)
+            if (letter->text() != QStringLiteral("ß"))
+                letter->setText(m_shift ? letter->text().toUpper() : letter->text().toLower());
     });
     auto* space = key(QStringLiteral("␣"));
     connect(space, &QPushButton::clicked, this, [this] { type(QStringLiteral(" ")); });
@@ -215,12 +234,15 @@ void Keypad::complain(const QString& text) {
 void Keypad::type(const QString& text) {
     QString now = m_edit->text();
     const bool replaces = std::exchange(m_untouched, false);
-    if (text == QStringLiteral("⌫")) now = replaces ? QString() : now.chopped(std::min<qsizetype>(1, now.size()));
+    if (text == QStringLiteral("⌫"))
+        now = replaces ? QString() : now.chopped(std::min<qsizetype>(1, now.size()));
     else if (text == QStringLiteral("C")) {
         // On the letters' keyboard C is a letter.
         now = m_letters.empty() ? QString() : (replaces ? text : now + text);
-    } else if (text == QStringLiteral("±")) now = now.startsWith(u'-') ? now.mid(1) : u'-' + now;
-    else now = replaces ? text : now + text;
+    } else if (text == QStringLiteral("±"))
+        now = now.startsWith(u'-') ? now.mid(1) : u'-' + now;
+    else
+        now = replaces ? text : now + text;
     if (m_request.maxLength > 0) now = now.left(m_request.maxLength);
     if (m_request.kind == EntryKind::Masked && !m_request.mask.isEmpty()) now = now.left(m_request.mask.size());
     m_edit->setText(now);
@@ -233,10 +255,14 @@ std::optional<double> Keypad::number() const {
     const QString point = localeOf(m_look.tag).decimalPoint();
     QString plain;
     for (const QChar c : m_edit->text().trimmed()) {
-        if (c.isDigit()) plain += QChar(u'0' + c.digitValue());
-        else if (c == point) plain += u'.';
-        else if (!c.isPrint() || c.isSpace()) continue; // marks of direction
-        else plain += c;
+        if (c.isDigit())
+            plain += QChar(u'0' + c.digitValue());
+        else if (c == point)
+            plain += u'.';
+        else if (!c.isPrint() || c.isSpace())
+            continue; // marks of direction
+        else
+            plain += c;
     }
     bool ok = false;
     const double value = QLocale::c().toDouble(plain, &ok);
@@ -248,12 +274,15 @@ void Keypad::accept() {
     if (m_request.kind == EntryKind::Number) {
         const std::optional<double> value = number();
         if (!value) return complain(words(SystemText::NotANumber));
-        if ((m_request.minimum && *value < *m_request.minimum - 1e-9) || (m_request.maximum && *value > *m_request.maximum + 1e-9)) return complain(limitsText());
+        if ((m_request.minimum && *value < *m_request.minimum - 1e-9) ||
+            (m_request.maximum && *value > *m_request.maximum + 1e-9))
+            return complain(limitsText());
         const double raw = (*value - m_request.offset) / m_request.factor;
         const bool whole = m_request.valueKind == ValueKind::Integer || m_request.valueKind == ValueKind::Unsigned;
-        emit accepted(m_request, m_request.valueKind == ValueKind::Time ? Value::ofInstant(ValueKind::Time, Value::ofReal(raw * 1e9).toInteger())
-                                 : whole                                ? Value::ofInteger(Value::ofReal(raw).toInteger())
-                                                                        : Value::ofReal(raw));
+        emit accepted(m_request, m_request.valueKind == ValueKind::Time
+                                     ? Value::ofInstant(ValueKind::Time, Value::ofReal(raw * 1e9).toInteger())
+                                 : whole ? Value::ofInteger(Value::ofReal(raw).toInteger())
+                                         : Value::ofReal(raw));
         close();
         return;
     }
@@ -261,7 +290,9 @@ void Keypad::accept() {
     if (m_request.kind == EntryKind::Masked) {
         for (qsizetype i = 0; i < m_request.mask.size(); ++i) {
             const QChar want = m_request.mask[i], have = i < text.size() ? text[i] : QChar();
-            if ((want == u'#' && !have.isDigit()) || (want == u'A' && !have.isLetter()) || (want == u'*' && have.isNull())) return complain(m_request.mask);
+            if ((want == u'#' && !have.isDigit()) || (want == u'A' && !have.isLetter()) ||
+                (want == u'*' && have.isNull()))
+                return complain(m_request.mask);
         }
         const bool isText = m_request.valueKind == ValueKind::Text;
         emit accepted(m_request, isText ? Value::ofText(text) : Value::ofInteger(text.toLongLong()));
@@ -274,15 +305,22 @@ void Keypad::accept() {
 void Keypad::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
     case Qt::Key_Return:
-    case Qt::Key_Enter: return accept();
-    case Qt::Key_Backspace: return type(QStringLiteral("⌫"));
-    case Qt::Key_Escape: return Overlay::keyPressEvent(event);
-    default: break;
+    case Qt::Key_Enter:
+        return accept();
+    case Qt::Key_Backspace:
+        return type(QStringLiteral("⌫"));
+    case Qt::Key_Escape:
+        return Overlay::keyPressEvent(event);
+    default:
+        break;
     }
     const QString text = event->text();
     if (text.isEmpty() || !text[0].isPrint()) return Overlay::keyPressEvent(event);
     if (m_request.kind == EntryKind::Number && text == QStringLiteral("-")) return type(QStringLiteral("±"));
-    if (m_request.kind == EntryKind::Number && !text[0].isDigit() && text != QString(localeOf(m_look.tag).decimalPoint()) && text != QStringLiteral(".") && text != QStringLiteral("e")) return;
+    if (m_request.kind == EntryKind::Number && !text[0].isDigit() &&
+        text != QString(localeOf(m_look.tag).decimalPoint()) && text != QStringLiteral(".") &&
+        text != QStringLiteral("e"))
+        return;
     type(text);
 }
 

@@ -11,7 +11,8 @@
 
 namespace plc::hmi {
 
-QImage renderPanel(const PanelProject& project, session::Session* session, const QString& name, const QString& language, double scale, const QString& theme) {
+QImage renderPanel(const PanelProject& project, session::Session* session, const QString& name, const QString& language,
+                   double scale, const QString& theme) {
     const NamedPanel* named = project.find(name);
     if (!named) return {};
     Panel panel = named->panel;
@@ -24,7 +25,8 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
         alarms.setClockAtZero(values->clock() - values->status().time.count());
         AlarmEvaluator evaluator(*session, alarms.definitions());
         std::vector<AlarmFindings> findings;
-        while (evaluator.process(findings)) {}
+        while (evaluator.process(findings)) {
+        }
         for (const AlarmFindings& one : findings) {
             if (one.rewindTo) alarms.rewind(*one.rewindTo);
             alarms.take(one.records);
@@ -41,14 +43,18 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     return scene.picture(scale);
 }
 
-Result<std::vector<QString>> renderPanels(const PanelProject& project, session::Session* session, const PictureOptions& options) {
-    if (!QDir().mkpath(options.folder)) return Error{"The folder for the pictures can not be made", options.folder.toStdString()};
+Result<std::vector<QString>> renderPanels(const PanelProject& project, session::Session* session,
+                                          const PictureOptions& options) {
+    if (!QDir().mkpath(options.folder))
+        return Error{"The folder for the pictures can not be made", options.folder.toStdString()};
     std::vector<QString> out;
     for (const NamedPanel& panel : project.panels) {
         if (!options.panels.isEmpty() && !options.panels.contains(panel.name)) continue;
-        for (const QString& language : options.languages.isEmpty() ? project.texts.settings().languages : options.languages) {
+        for (const QString& language :
+             options.languages.isEmpty() ? project.texts.settings().languages : options.languages) {
             const QString path = QDir(options.folder).filePath(QStringLiteral("%1.%2.png").arg(panel.name, language));
-            if (!renderPanel(project, session, panel.name, language, options.scale, options.theme).save(path)) return Error{"The picture can not be written", path.toStdString()};
+            if (!renderPanel(project, session, panel.name, language, options.scale, options.theme).save(path))
+                return Error{"The picture can not be written", path.toStdString()};
             out.push_back(path);
         }
     }
@@ -76,7 +82,8 @@ QString nearMatch(const driver::Checked& checked, const QString& expression) {
     static const QRegularExpression word(QStringLiteral("[\\p{L}_][\\p{L}\\p{N}_]*"));
     for (auto it = word.globalMatch(expression); it.hasNext();) {
         const std::string name = it.next().captured().toStdString();
-        const bool isKnown = std::any_of(names.begin(), names.end(), [&](const std::string& one) { return equalsIgnoringCase(one, name); });
+        const bool isKnown = std::any_of(names.begin(), names.end(),
+                                         [&](const std::string& one) { return equalsIgnoringCase(one, name); });
         if (isKnown) continue;
         if (const std::optional<std::string> near = nearestName(name, names)) return QString::fromStdString(*near);
     }
@@ -89,38 +96,65 @@ class HmiCheck {
 
 } // namespace
 
-QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget) {
+QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted,
+                     bool isTarget) {
     const auto compiled = driver::compileExpression(checked, expression.toStdString());
     if (!compiled) {
         const QString message = QString::fromStdString(compiled.error().message), near = nearMatch(checked, expression);
-        return near.isEmpty() || message.contains(near) ? message : message + QStringLiteral("; ") + HmiCheck::tr("did you mean %1?").arg(near);
+        return near.isEmpty() || message.contains(near)
+                   ? message
+                   : message + QStringLiteral("; ") + HmiCheck::tr("did you mean %1?").arg(near);
     }
     const types::TypeTable& types = compiled->types();
     const types::TypeId type = compiled->type();
     const QString name = QString::fromStdString(types[type].name);
-    if (isTarget && !compiled->place()) return HmiCheck::tr("%1 is not a variable, so it can not be written.").arg(expression);
+    if (isTarget && !compiled->place())
+        return HmiCheck::tr("%1 is not a variable, so it can not be written.").arg(expression);
     const types::Family family = types.family(type);
     const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
-    const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
+    const bool isNumber = types::isInteger(family) || family == types::Family::Real ||
+                          family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
     if (wanted == "bool" && !isBool) return HmiCheck::tr("%1 is %2; a BOOL is needed here.").arg(expression, name);
-    if (wanted == "number" && !isNumber && !isBool) return HmiCheck::tr("%1 is %2; a number is needed here.").arg(expression, name);
-    if (wanted == "text" && !types.isText(type)) return HmiCheck::tr("%1 is %2; a STRING is needed here.").arg(expression, name);
+    if (wanted == "number" && !isNumber && !isBool)
+        return HmiCheck::tr("%1 is %2; a number is needed here.").arg(expression, name);
+    if (wanted == "text" && !types.isText(type))
+        return HmiCheck::tr("%1 is %2; a STRING is needed here.").arg(expression, name);
     if (wanted == "array" && !isArray) return HmiCheck::tr("%1 is %2; an array is needed here.").arg(expression, name);
-    if (wanted == "any" && isArray) return HmiCheck::tr("%1 is %2; a single value is needed here.").arg(expression, name);
+    if (wanted == "any" && isArray)
+        return HmiCheck::tr("%1 is %2; a single value is needed here.").arg(expression, name);
     return {};
 }
 
-std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked, const QStringList& languages) {
+std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked,
+                                 const QStringList& languages) {
     CheckInput input = project.checkInput();
     input.languages = languages;
     if (checked.analysis)
-        input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) { return checkBinding(checked, expression, wanted, isTarget); };
+        input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) {
+            return checkBinding(checked, expression, wanted, isTarget);
+        };
     std::vector<Finding> out;
-    for (const Error& problem : project.problems) out.push_back({FindingKind::UnknownKind, true, QString::fromStdString(problem.place), 0, {}, {}, {}, QString::fromStdString(problem.message)});
+    for (const Error& problem : project.problems)
+        out.push_back({FindingKind::UnknownKind,
+                       true,
+                       QString::fromStdString(problem.place),
+                       0,
+                       {},
+                       {},
+                       {},
+                       QString::fromStdString(problem.message)});
     for (Finding& finding : checkPanels(input)) out.push_back(std::move(finding));
     if (const QString variable = project.texts.settings().variable; !variable.isEmpty() && input.checkBinding) {
         const QString complaint = checkBinding(checked, variable, "any", true);
-        if (!complaint.isEmpty()) out.push_back({FindingKind::WrongBinding, true, QStringLiteral("project.json"), 0, {}, QStringLiteral("languageVariable"), {}, complaint});
+        if (!complaint.isEmpty())
+            out.push_back({FindingKind::WrongBinding,
+                           true,
+                           QStringLiteral("project.json"),
+                           0,
+                           {},
+                           QStringLiteral("languageVariable"),
+                           {},
+                           complaint});
     }
     return out;
 }
@@ -130,15 +164,19 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
     if (!panel.isEmpty()) player.showPanel(panel);
     if (project.hasAlarms && !player.keepAlarmsInProject()) {
         // A project that can not be written: beside what else the program keeps of a project that is not part of it.
-        const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/alarms");
+        const QString folder =
+            QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/alarms");
         QDir().mkpath(folder);
-        const QByteArray name = QCryptographicHash::hash(project.folder.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
+        const QByteArray name =
+            QCryptographicHash::hash(project.folder.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
         (void)player.keepAlarmsIn(folder + u'/' + QString::fromLatin1(name) + QStringLiteral(".sqlite"));
     }
     player.setWindowTitle(project.texts.text(player.scene().panel().text("title"), player.language()));
     session.startThread(session::RunMode{session::Pace::Real, 1.0});
-    if (fullScreen) player.showFullScreen();
-    else player.show();
+    if (fullScreen)
+        player.showFullScreen();
+    else
+        player.show();
     return QApplication::exec();
 }
 

@@ -1,5 +1,5 @@
-// What the command line does with panels: pictures in every language at a moment of a run, the check, and playing without
-// the studio. Functions for the application's `panel` command; main thread, a QApplication must exist.
+// What the command line does with panels: pictures in every language at a moment of a run, the check, and playing
+// without the studio. Functions for the application's `panel` command; main thread, a QApplication must exist.
 #pragma once
 #include "hmi/player/panel_project.h"
 #include "projects/session/session.h"
@@ -7,23 +7,27 @@
 namespace plc::hmi {
 
 struct PictureOptions {
-    QString folder;             // where the PNG files go
-    QStringList languages;      // empty: all of the project
-    QStringList panels;         // empty: all
+    QString folder;        // where the PNG files go
+    QStringList languages; // empty: all of the project
+    QStringList panels;    // empty: all
     double scale = 1;
-    QString theme;              // another theme than the panel's own; empty: its own
+    QString theme; // another theme than the panel's own; empty: its own
 };
 
 /// One PNG per panel and language, as the session stands now: "main.de.png". Returns the paths.
-Result<std::vector<QString>> renderPanels(const PanelProject& project, session::Session* session, const PictureOptions& options);
+Result<std::vector<QString>> renderPanels(const PanelProject& project, session::Session* session,
+                                          const PictureOptions& options);
 /// The image that renderPanels writes.
-QImage renderPanel(const PanelProject& project, session::Session* session, const QString& panel, const QString& language, double scale = 1, const QString& theme = {});
+QImage renderPanel(const PanelProject& project, session::Session* session, const QString& panel,
+                   const QString& language, double scale = 1, const QString& theme = {});
 
-/// Writes panels, texts and alarms in the canonical order, for files made by hand; files that are canonical stay untouched.
+/// Writes panels, texts and alarms in the canonical order, for files made by hand; files that are canonical stay
+/// untouched.
 Result<void> formatPanels(const PanelProject& project);
 
 /// All findings, those of the front end included: unknown paths, wrong types.
-std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked, const QStringList& languages = {});
+std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked,
+                                 const QStringList& languages = {});
 /// The answer of the front end to one binding; used by the designer while typing, too.
 QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget);
 

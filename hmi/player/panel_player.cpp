@@ -8,7 +8,8 @@
 namespace plc::hmi {
 
 PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session, QWidget* parent)
-    : QWidget(parent), m_project(project), m_session(nullptr), m_view(new PanelView(this)), m_status(new PlayerStatus(this)) {
+    : QWidget(parent), m_project(project), m_session(nullptr), m_view(new PanelView(this)),
+      m_status(new PlayerStatus(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_alarms.setFile(project.alarms);
     if (project.hasAlarms) (void)m_alarms.openStore(QStringLiteral(":memory:"));
@@ -38,28 +39,38 @@ void PanelPlayer::connectScene() {
         auto* question = new Question(confirm, look(), this);
         connect(question, &Question::confirmed, this, [this](const WriteRequest& write) {
             post(write);
-            if (write.kind == WriteKind::Press) post(WriteRequest{write.element, write.target, WriteKind::Release, write.released, write.released});
+            if (write.kind == WriteKind::Press)
+                post(WriteRequest{write.element, write.target, WriteKind::Release, write.released, write.released});
         });
     });
     connect(&scene(), &PanelScene::entryRequested, this, [this, look](const EntryRequest& entry) {
         auto* keypad = new Keypad(entry, look(), this);
-        connect(keypad, &Keypad::accepted, this, [this](const EntryRequest& request, const Value& value) { post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}}); });
+        connect(keypad, &Keypad::accepted, this, [this](const EntryRequest& request, const Value& value) {
+            post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
+        });
     });
     connect(&scene(), &PanelScene::choiceRequested, this, [this, look](const ChoiceRequest& choice) {
         auto* list = new ChoiceList(choice, look(), this);
         connect(list, &ChoiceList::chosen, this, [this](const ChoiceRequest& request, int index) {
             const Value& value = request.values[static_cast<size_t>(index)];
-            if (request.isLanguage) requestLanguage(value.text());
-            else post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
+            if (request.isLanguage)
+                requestLanguage(value.text());
+            else
+                post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
         });
     });
     connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
         if (m_recording) return refuse(systemText(m_project.texts, SystemText::InThePast, language()));
         if (!m_watch) return;
-        if (acknowledge.all) m_watch->acknowledgeAll(acknowledge.classes);
-        else m_watch->acknowledge(acknowledge.alarm);
+        if (acknowledge.all)
+            m_watch->acknowledgeAll(acknowledge.classes);
+        else
+            m_watch->acknowledge(acknowledge.alarm);
     });
-    connect(&scene(), &PanelScene::panelRequested, this, [this](const QString& name) { QMetaObject::invokeMethod(this, [this, name] { showPanel(name); }, Qt::QueuedConnection); });
+    connect(&scene(), &PanelScene::panelRequested, this, [this](const QString& name) {
+        QMetaObject::invokeMethod(
+            this, [this, name] { showPanel(name); }, Qt::QueuedConnection);
+    });
     connect(&scene(), &PanelScene::languageRequested, this, &PanelPlayer::requestLanguage);
 }
 
@@ -77,7 +88,8 @@ void PanelPlayer::setSession(session::Session* session) {
     m_alarms.clear();
     if (session) {
         m_values = std::make_unique<PlcValues>(*session);
-        if (!m_project.texts.settings().variable.isEmpty()) m_languageBinding = m_values->bind(m_project.texts.settings().variable);
+        if (!m_project.texts.settings().variable.isEmpty())
+            m_languageBinding = m_values->bind(m_project.texts.settings().variable);
         m_alarms.setClockAtZero(m_values->clock() - m_values->status().time.count());
         if (!m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*session, m_alarms);
         scene().setValues(m_values.get());
@@ -115,7 +127,8 @@ void PanelPlayer::projectChanged() {
         if (m_session && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_session, m_alarms);
     }
     if (m_recording) setRecording(m_recording);
-    if (!m_project.texts.settings().languages.contains(language())) setLanguage(m_project.texts.settings().languages.value(0));
+    if (!m_project.texts.settings().languages.contains(language()))
+        setLanguage(m_project.texts.settings().languages.value(0));
 }
 
 void PanelPlayer::setLanguage(const QString& tag) {
@@ -134,7 +147,8 @@ void PanelPlayer::requestLanguage(const QString& tag) {
     const Value value = m_project.texts.settings().valueOf(tag, kind);
     if (value.isNone()) return;
     m_languageAsked = tag;
-    if (!post(WriteRequest{{}, m_project.texts.settings().variable, WriteKind::Write, value, {}}).isEmpty()) m_languageAsked.clear();
+    if (!post(WriteRequest{{}, m_project.texts.settings().variable, WriteKind::Write, value, {}}).isEmpty())
+        m_languageAsked.clear();
 }
 
 void PanelPlayer::followLanguageVariable() {
@@ -142,9 +156,12 @@ void PanelPlayer::followLanguageVariable() {
     const Value& now = m_values->value(m_languageBinding);
     const QString tag = m_project.texts.settings().tagOf(now);
     if (!m_languageAsked.isEmpty()) {
-        if (tag == m_languageAsked) m_languageAsked.clear(), m_languageValue = now;
-        else if (now == m_languageValue) return; // the write is still on its way
-        else m_languageAsked.clear();            // the program decided otherwise
+        if (tag == m_languageAsked)
+            m_languageAsked.clear(), m_languageValue = now;
+        else if (now == m_languageValue)
+            return; // the write is still on its way
+        else
+            m_languageAsked.clear(); // the program decided otherwise
     }
     if (now == m_languageValue) return;
     m_languageValue = now;
@@ -170,7 +187,8 @@ void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
     m_languageAsked.clear();
     if (!m_values) {
         m_values = std::make_unique<PlcValues>(m_session);
-        if (!m_project.texts.settings().variable.isEmpty()) m_languageBinding = m_values->bind(m_project.texts.settings().variable);
+        if (!m_project.texts.settings().variable.isEmpty())
+            m_languageBinding = m_values->bind(m_project.texts.settings().variable);
         scene().setValues(m_values.get());
     }
     m_values->setRecording(m_recording);
@@ -178,11 +196,15 @@ void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
         m_recordedAlarms.clear();
         m_recordedAlarms.setFile(m_project.alarms);
         const history::Statistics there = m_recording->history->statistics();
-        if (const auto newest = there.end > there.first ? m_recording->history->stamp(there.end - 1) : std::nullopt) m_recordedAlarms.setClockAtZero(m_values->clock() - newest->time.count());
+        if (const auto newest = there.end > there.first ? m_recording->history->stamp(there.end - 1) : std::nullopt)
+            m_recordedAlarms.setClockAtZero(m_values->clock() - newest->time.count());
         if (m_recording->program && !m_recordedAlarms.definitions().empty()) {
-            const AlarmSource source{m_recording->history, [program = m_recording->program] { return program; },
-                                     [compile = m_recording->compile, program = m_recording->program](const std::string& text) { return compile(text, *program); },
-                                     [recording = *m_recording](const std::string& text) { return recording.recompile(text); }};
+            const AlarmSource source{
+                m_recording->history, [program = m_recording->program] { return program; },
+                [compile = m_recording->compile, program = m_recording->program](const std::string& text) {
+                    return compile(text, *program);
+                },
+                [recording = *m_recording](const std::string& text) { return recording.recompile(text); }};
             m_recordedEvaluator = std::make_unique<AlarmEvaluator>(source, m_recordedAlarms.definitions());
         }
     } else if (!m_session) {
@@ -224,15 +246,19 @@ QString PanelPlayer::post(const WriteRequest& write) {
     }
     if (m_values->position()) return no(say(SystemText::InThePast));
     const controller::State state = m_session->status().state;
-    if (state == controller::State::Stopped || state == controller::State::Fault) return no(say(SystemText::NotRunning));
+    if (state == controller::State::Stopped || state == controller::State::Fault)
+        return no(say(SystemText::NotRunning));
     const auto target = m_session->expression(path);
     if (!target) return no(QString::fromStdString(target.error().message));
     const std::optional<image::Place> place = target->place();
     if (!place) return no(say(SystemText::NotWritable));
     for (const controller::Forced& forced : m_session->forces())
-        if (forced.place.offset == place->offset && forced.place.bit == place->bit) return no(say(SystemText::IsForced));
+        if (forced.place.offset == place->offset && forced.place.bit == place->bit)
+            return no(say(SystemText::IsForced));
     const Result<types::Value> value = toPlc(target->types(), target->type(), write.value);
-    if (!value) return no(whyNot(factsOf(target->types(), target->type(), true), write.value, QString::fromStdString(value.error().message)));
+    if (!value)
+        return no(whyNot(factsOf(target->types(), target->type(), true), write.value,
+                         QString::fromStdString(value.error().message)));
     if (write.kind == WriteKind::Write) {
         m_session->write(path, *value);
         return {};
@@ -244,14 +270,18 @@ QString PanelPlayer::post(const WriteRequest& write) {
     return {};
 }
 
-/// Why a value is refused, in the operator's language; `reason` is the technical one for what the panel has no words for.
+/// Why a value is refused, in the operator's language; `reason` is the technical one for what the panel has no words
+/// for.
 QString PanelPlayer::whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const {
     const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
-    if (facts.kind == ValueKind::Text && value.kind() == ValueKind::Text) return value.text().size() > facts.textCapacity ? say(SystemText::TooLong).arg(facts.textCapacity) : say(SystemText::BadCharacter);
+    if (facts.kind == ValueKind::Text && value.kind() == ValueKind::Text)
+        return value.text().size() > facts.textCapacity ? say(SystemText::TooLong).arg(facts.textCapacity)
+                                                        : say(SystemText::BadCharacter);
     if (!facts.minimum || !facts.maximum) return say(SystemText::OutsideLimits) + u' ' + reason;
     const QLocale locale = localeOf(language());
     const auto number = [&](double limit) { return formatValue(Value::ofReal(limit), QStringLiteral("%.0f"), locale); };
-    return say(SystemText::OutsideLimits) + u' ' + say(SystemText::Between).arg(number(*facts.minimum), number(*facts.maximum));
+    return say(SystemText::OutsideLimits) + u' ' +
+           say(SystemText::Between).arg(number(*facts.minimum), number(*facts.maximum));
 }
 
 void PanelPlayer::refuse(const QString& reason) {
@@ -266,21 +296,26 @@ void PanelPlayer::updateStatus() {
     QString text;
     auto weight = PlayerStatus::Weight::Notice;
     switch (m_values ? m_values->freshness() : Freshness::Disconnected) {
-    case Freshness::Live: break;
-    case Freshness::Paused: text = say(SystemText::Paused); break;
+    case Freshness::Live:
+        break;
+    case Freshness::Paused:
+        text = say(SystemText::Paused);
+        break;
     case Freshness::Stopped:
         text = say(SystemText::Stopped);
         weight = PlayerStatus::Weight::Bad;
         break;
     case Freshness::Fault:
         text = say(SystemText::Fault);
-        if (const auto& fault = m_values->status().fault) text += QStringLiteral(": ") + QString::fromStdString(fault->message);
+        if (const auto& fault = m_values->status().fault)
+            text += QStringLiteral(": ") + QString::fromStdString(fault->message);
         weight = PlayerStatus::Weight::Bad;
         break;
     case Freshness::Past: {
         text = say(SystemText::Past);
         const qint64 clock = m_values->clock();
-        text += QStringLiteral("  –  ") + formatDate(clock, localeOf(language())) + u' ' + formatTime(clock, localeOf(language()), true);
+        text += QStringLiteral("  –  ") + formatDate(clock, localeOf(language())) + u' ' +
+                formatTime(clock, localeOf(language()), true);
         break;
     }
     case Freshness::Disconnected:
@@ -311,8 +346,10 @@ void PanelPlayer::frame() {
 Overlay* PanelPlayer::overlay() const { return findChild<Overlay*>(); }
 
 void PanelPlayer::setFullScreen(bool full) {
-    if (full) window()->showFullScreen();
-    else window()->showNormal();
+    if (full)
+        window()->showFullScreen();
+    else
+        window()->showNormal();
 }
 
 void PanelPlayer::placeView() {

@@ -1,5 +1,5 @@
-// Plays panels on a controller: values from the newest snapshot, writes posted to the scan, keypad, language, alarms, and
-// what the controller's state means for what is seen. A widget for a dock or full screen, also used for pictures.
+// Plays panels on a controller: values from the newest snapshot, writes posted to the scan, keypad, language, alarms,
+// and what the controller's state means for what is seen. A widget for a dock or full screen, also used for pictures.
 // The project and the session must outlive it; main thread.
 #pragma once
 #include "hmi/player/alarm_evaluator.h"

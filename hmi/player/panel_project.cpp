@@ -29,7 +29,9 @@ CheckInput PanelProject::checkInput() const {
     return input;
 }
 
-QString PanelProject::panelPath(const QString& name) const { return QDir(folder).filePath(QStringLiteral("hmi/%1.panel.json").arg(name)); }
+QString PanelProject::panelPath(const QString& name) const {
+    return QDir(folder).filePath(QStringLiteral("hmi/%1.panel.json").arg(name));
+}
 QString PanelProject::textsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/texts.csv")); }
 QString PanelProject::alarmsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/alarms.json")); }
 
@@ -37,13 +39,15 @@ PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
     LanguageSettings settings;
-    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) settings = LanguageSettings::fromJson(*hmi);
+    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end())
+        settings = LanguageSettings::fromJson(*hmi);
     out.startPanel = QString::fromStdString(project.startPanel);
     const QDir folder(out.folder + QStringLiteral("/hmi"));
     TextTable table;
     if (QFileInfo::exists(out.textsPath())) {
         const auto bytes = projects::readFile(out.textsPath().toStdString());
-        if (!bytes) out.problems.push_back(bytes.error());
+        if (!bytes)
+            out.problems.push_back(bytes.error());
         else if (auto parsed = TextTable::parse(*bytes, QStringLiteral("hmi/texts.csv"))) {
             table = std::move(*parsed);
             out.hasTexts = true;
@@ -55,7 +59,8 @@ PanelProject loadPanelProject(const projects::Project& project) {
     out.texts = TextCatalog(std::move(table), std::move(settings));
     if (QFileInfo::exists(out.alarmsPath())) {
         const auto bytes = projects::readFile(out.alarmsPath().toStdString());
-        if (!bytes) out.problems.push_back(bytes.error());
+        if (!bytes)
+            out.problems.push_back(bytes.error());
         else if (auto parsed = AlarmFile::parse(*bytes, QStringLiteral("hmi/alarms.json"))) {
             out.alarms = std::move(*parsed);
             out.hasAlarms = true;
@@ -70,8 +75,10 @@ PanelProject loadPanelProject(const projects::Project& project) {
             continue;
         }
         auto panel = Panel::parse(*bytes, QStringLiteral("hmi/") + file);
-        if (panel) out.panels.push_back({file.chopped(11), std::move(*panel)});
-        else out.problems.push_back(panel.error());
+        if (panel)
+            out.panels.push_back({file.chopped(11), std::move(*panel)});
+        else
+            out.problems.push_back(panel.error());
     }
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
     if (!out.find(out.startPanel) && !out.panels.empty()) out.startPanel = out.panels.front().name;

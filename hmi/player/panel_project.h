@@ -1,5 +1,5 @@
-// The operator side of a project as it stands on disk: panels, texts, alarms, languages. Loaded by the player, the designer
-// and the command line. A value, main thread.
+// The operator side of a project as it stands on disk: panels, texts, alarms, languages. Loaded by the player, the
+// designer and the command line. A value, main thread.
 #pragma once
 #include "hmi/alarms/alarm_file.h"
 #include "hmi/texts/catalog.h"
@@ -15,7 +15,7 @@ struct PanelProject {
     TextCatalog texts;
     AlarmFile alarms;
     bool hasTexts = false, hasAlarms = false;
-    std::vector<Error> problems;    // files that could not be read; the rest is there
+    std::vector<Error> problems; // files that could not be read; the rest is there
 
     const NamedPanel* find(const QString& name) const;
     NamedPanel* find(const QString& name);

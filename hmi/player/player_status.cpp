@@ -57,7 +57,11 @@ void PlayerStatus::paintEvent(QPaintEvent*) {
         QColor veil = m_look.theme->color("background");
         veil.setAlphaF(m_weight == Weight::Notice ? 0.0f : 0.45f);
         painter.fillRect(rect().adjusted(0, stateRect().height(), 0, 0), veil);
-        strip(stateRect(), m_look.theme->color(m_weight == Weight::Bad ? "alarm" : m_weight == Weight::Notice ? "warning" : "faint"), m_state, 0);
+        strip(stateRect(),
+              m_look.theme->color(m_weight == Weight::Bad      ? "alarm"
+                                  : m_weight == Weight::Notice ? "warning"
+                                                               : "faint"),
+              m_state, 0);
     }
     if (!m_refusal.isEmpty()) strip(refusalRect(), m_look.theme->color("warning"), m_refusal, 8);
 }

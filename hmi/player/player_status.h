@@ -10,7 +10,8 @@ class PlayerStatus final : public QWidget {
     Q_OBJECT
 public:
     explicit PlayerStatus(QWidget* parent);
-    /// Quiet: nothing is wrong, nothing runs yet. Notice: values are real, not of now. Bad: those of a controller that does not run.
+    /// Quiet: nothing is wrong, nothing runs yet. Notice: values are real, not of now. Bad: those of a controller that
+    /// does not run.
     enum class Weight { Quiet, Notice, Bad };
     /// An empty text hides the strip.
     void setState(const OverlayLook& look, const QString& text, Weight weight);

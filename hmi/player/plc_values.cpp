@@ -11,9 +11,14 @@ history::Recompile PanelRecording::recompile(const std::string& text) const {
     };
 }
 
-PlcValues::PlcValues(session::Session* session) : m_session(session), m_program(session ? session->program() : nullptr) { refresh(); }
+PlcValues::PlcValues(session::Session* session)
+    : m_session(session), m_program(session ? session->program() : nullptr) {
+    refresh();
+}
 
-history::Recompile PlcValues::recompile(const QString& text) const { return m_recording ? m_recording->recompile(text.toStdString()) : m_session->recompile(text.toStdString()); }
+history::Recompile PlcValues::recompile(const QString& text) const {
+    return m_recording ? m_recording->recompile(text.toStdString()) : m_session->recompile(text.toStdString());
+}
 
 /// For images of `m_program`: the running one, or the version that the past ran under.
 void PlcValues::compile(Binding& binding) {
@@ -37,7 +42,8 @@ void PlcValues::compile(Binding& binding) {
             return failed(QString::fromStdString(compiled.error().message));
         }
         binding.facts = factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
-        binding.compiled = m_program && m_program != m_session->program() ? m_session->recompile(text)(*m_program) : std::move(*compiled);
+        binding.compiled = m_program && m_program != m_session->program() ? m_session->recompile(text)(*m_program)
+                                                                          : std::move(*compiled);
         binding.problem.clear();
         return;
     }
@@ -59,7 +65,8 @@ BindingId PlcValues::bind(const QString& expression) {
     Binding& added = m_bindings.back();
     if (added.compiled.isValid() && !m_image.empty()) {
         const expression::Outcome outcome = added.compiled.evaluate(m_image);
-        added.value = outcome.hasValue() ? toPanel(added.compiled.types(), outcome.value) : Value::none(QString::fromStdString(outcome.reason));
+        added.value = outcome.hasValue() ? toPanel(added.compiled.types(), outcome.value)
+                                         : Value::none(QString::fromStdString(outcome.reason));
     }
     ++m_revision;
     return {index};
@@ -118,7 +125,8 @@ bool PlcValues::refresh() {
     }
     runUnder(m_session->program());
     // A scan that has not ended since the last frame has nothing new, but at a breakpoint values change within a scan.
-    if (m_status.scans == m_scan && m_status.state != controller::State::Halted && !m_image.empty() && !changed) return false;
+    if (m_status.scans == m_scan && m_status.state != controller::State::Halted && !m_image.empty() && !changed)
+        return false;
     m_scan = m_status.scans;
     m_image = m_session->snapshot();
     evaluate();
@@ -129,7 +137,8 @@ void PlcValues::evaluate() {
     bool changed = false;
     for (Binding& binding : m_bindings) {
         if (!binding.compiled.isValid()) {
-            if (binding.problem.isEmpty() && !binding.value.isNone()) binding.value = Value::none(QStringLiteral("not in this program")), changed = true;
+            if (binding.problem.isEmpty() && !binding.value.isNone())
+                binding.value = Value::none(QStringLiteral("not in this program")), changed = true;
             continue;
         }
         if (m_image.empty()) {
@@ -142,12 +151,14 @@ void PlcValues::evaluate() {
             const uint32_t size = binding.compiled.types()[place->type].size;
             if (size > 0 && place->offset + size <= m_image.size()) {
                 const std::byte* bytes = m_image.data() + place->offset;
-                if (binding.lastBytes.size() == size && std::memcmp(binding.lastBytes.data(), bytes, size) == 0) continue;
+                if (binding.lastBytes.size() == size && std::memcmp(binding.lastBytes.data(), bytes, size) == 0)
+                    continue;
                 binding.lastBytes.assign(bytes, bytes + size);
             }
         }
         const expression::Outcome outcome = binding.compiled.evaluate(m_image);
-        Value now = outcome.hasValue() ? toPanel(binding.compiled.types(), outcome.value) : Value::none(QString::fromStdString(outcome.reason));
+        Value now = outcome.hasValue() ? toPanel(binding.compiled.types(), outcome.value)
+                                       : Value::none(QString::fromStdString(outcome.reason));
         if (now == binding.value) continue;
         binding.value = std::move(now);
         changed = true;
@@ -160,11 +171,14 @@ const Value& PlcValues::value(BindingId binding) const {
     return binding.isValid() ? m_bindings[static_cast<size_t>(binding.index)].value : none;
 }
 
-ValueFacts PlcValues::facts(BindingId binding) const { return binding.isValid() ? m_bindings[static_cast<size_t>(binding.index)].facts : ValueFacts(); }
+ValueFacts PlcValues::facts(BindingId binding) const {
+    return binding.isValid() ? m_bindings[static_cast<size_t>(binding.index)].facts : ValueFacts();
+}
 
 namespace {
 
-/// The first position of the range that was recorded at or after that PLC time (times rise within a range); its end when none was.
+/// The first position of the range that was recorded at or after that PLC time (times rise within a range); its end
+/// when none was.
 history::Position firstSince(const history::History& history, history::PositionRange range, history::Nanoseconds time) {
     while (range.begin < range.end) {
         const history::Position middle = range.begin + (range.end - range.begin) / 2;
@@ -203,8 +217,10 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
     }
     std::vector<history::Bucket> series;
     for (const history::PositionRange& range : ranges) {
-        const auto share = static_cast<size_t>(static_cast<double>(buckets) * static_cast<double>(range.end - range.begin) / static_cast<double>(count));
-        const auto part = history.series(binding.compiled, recompile(binding.text), range.begin, range.end, std::max<size_t>(1, share));
+        const auto share = static_cast<size_t>(
+            static_cast<double>(buckets) * static_cast<double>(range.end - range.begin) / static_cast<double>(count));
+        const auto part = history.series(binding.compiled, recompile(binding.text), range.begin, range.end,
+                                         std::max<size_t>(1, share));
         series.insert(series.end(), part.begin(), part.end());
     }
     const auto secondsOf = [&](history::Position position) {
@@ -212,7 +228,8 @@ std::vector<CurvePiece> PlcValues::curve(BindingId id, double seconds, int bucke
         return stamp ? static_cast<double>((stamp->time - now->time).count()) * 1e-9 : 0.0;
     };
     for (const history::Bucket& bucket : series) {
-        CurvePiece piece{secondsOf(bucket.begin), 0, bucket.first, bucket.minimum, bucket.maximum, bucket.last, bucket.count > 0};
+        CurvePiece piece{secondsOf(bucket.begin), 0,           bucket.first,    bucket.minimum,
+                         bucket.maximum,          bucket.last, bucket.count > 0};
         piece.to = piece.from;
         if (!out.empty()) out.back().to = piece.from;
         out.push_back(piece);
@@ -225,11 +242,15 @@ Freshness PlcValues::freshness() const {
     if (isPast()) return Freshness::Past;
     if (!m_session) return Freshness::Disconnected;
     switch (m_status.state) {
-    case controller::State::Stopped: return Freshness::Stopped;
-    case controller::State::Running: return Freshness::Live;
+    case controller::State::Stopped:
+        return Freshness::Stopped;
+    case controller::State::Running:
+        return Freshness::Live;
     case controller::State::Paused:
-    case controller::State::Halted: return Freshness::Paused;
-    case controller::State::Fault: return Freshness::Fault;
+    case controller::State::Halted:
+        return Freshness::Paused;
+    case controller::State::Fault:
+        return Freshness::Fault;
     }
     return Freshness::Disconnected;
 }

@@ -1,5 +1,6 @@
-// The values of a running (or recorded) controller for panels: expressions over the newest snapshot, or over the recorded
-// image that the time slider has chosen, or over a recording from a file. Owned by the player; main thread. The session must outlive it.
+// The values of a running (or recorded) controller for panels: expressions over the newest snapshot, or over the
+// recorded image that the time slider has chosen, or over a recording from a file. Owned by the player; main thread.
+// The session must outlive it.
 #pragma once
 #include "hmi/player/plc_convert.h"
 #include "hmi/view/value_source.h"
@@ -13,7 +14,8 @@ namespace plc::hmi {
 struct PanelRecording {
     const history::History* history = nullptr;
     std::shared_ptr<const image::CompiledProgram> program; // of the newest scan
-    std::function<Result<expression::Expression>(const std::string& text, const image::CompiledProgram& program)> compile;
+    std::function<Result<expression::Expression>(const std::string& text, const image::CompiledProgram& program)>
+        compile;
     std::shared_ptr<const void> owner; // keeps the history alive
 
     history::Recompile recompile(const std::string& text) const;
@@ -54,7 +56,9 @@ private:
     };
     void compile(Binding& binding);
     void evaluate();
-    const history::History* history() const { return m_recording ? m_recording->history : m_session ? &m_session->history() : nullptr; }
+    const history::History* history() const {
+        return m_recording ? m_recording->history : m_session ? &m_session->history() : nullptr;
+    }
     /// The scan that is shown when it is not the present one.
     std::optional<history::Position> shownPosition() const;
     history::Recompile recompile(const QString& text) const;

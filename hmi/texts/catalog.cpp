@@ -37,7 +37,8 @@ QString TextCatalog::listText(const QString& prefix, qint64 index, const QString
     return m_table.contains(key) ? text(u'@' + key, tag) : QString();
 }
 
-QString TextCatalog::fill(const QString& reference, const QString& tag, const std::function<Value(const QString&)>& valueOf) const {
+QString TextCatalog::fill(const QString& reference, const QString& tag,
+                          const std::function<Value(const QString&)>& valueOf) const {
     const QString raw = text(reference, tag);
     if (!raw.contains(u'{') && !raw.contains(u'}')) return raw;
     return TextTemplate::parse(raw).fill(valueOf, localeOf(tag));

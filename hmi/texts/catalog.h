@@ -13,7 +13,8 @@ QString keyOf(const QString& text);
 class TextCatalog {
 public:
     TextCatalog() = default;
-    TextCatalog(TextTable table, LanguageSettings settings) : m_table(std::move(table)), m_settings(std::move(settings)) {}
+    TextCatalog(TextTable table, LanguageSettings settings)
+        : m_table(std::move(table)), m_settings(std::move(settings)) {}
 
     const TextTable& table() const { return m_table; }
     const LanguageSettings& settings() const { return m_settings; }
@@ -24,7 +25,8 @@ public:
     QString text(const QString& reference, const QString& tag) const;
     /// Text `index` of the list, or an empty one.
     QString listText(const QString& prefix, qint64 index, const QString& tag) const;
-    QString fill(const QString& reference, const QString& tag, const std::function<Value(const QString&)>& valueOf) const;
+    QString fill(const QString& reference, const QString& tag,
+                 const std::function<Value(const QString&)>& valueOf) const;
 
 private:
     std::optional<QString> find(const QString& key, const QString& tag) const;

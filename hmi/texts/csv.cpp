@@ -44,7 +44,8 @@ Result<CsvTable> parseCsv(const std::string& bytes, const QString& place) {
     int number = 1;
     for (size_t from = 0; from < text.size(); ++number) {
         const size_t end = std::min(text.find('\n', from), text.size());
-        if (!isUtf8(text.substr(from, end - from))) return fail(number, "This line is not valid UTF-8; save the file as UTF-8.");
+        if (!isUtf8(text.substr(from, end - from)))
+            return fail(number, "This line is not valid UTF-8; save the file as UTF-8.");
         from = end + 1;
     }
     CsvTable table;
@@ -54,7 +55,8 @@ Result<CsvTable> parseCsv(const std::string& bytes, const QString& place) {
     bool quoted = false, wasQuoted = false, any = false;
     int line = 1, rowLine = 1, quoteLine = 1;
     const auto endField = [&] {
-        QStringDecoder decoder(QStringDecoder::Utf8, QStringConverter::Flag::ConvertInitialBom); // fromUtf8 would take a mark off each field
+        QStringDecoder decoder(QStringDecoder::Utf8,
+                               QStringConverter::Flag::ConvertInitialBom); // fromUtf8 would take a mark off each field
         row += QString(decoder.decode(QByteArrayView(field.data(), static_cast<qsizetype>(field.size()))));
         field.clear();
         wasQuoted = false;
@@ -72,9 +74,12 @@ Result<CsvTable> parseCsv(const std::string& bytes, const QString& place) {
         const char c = text[i];
         if (quoted) {
             if (c == '\n') ++line;
-            if (c != '"') field += c;
-            else if (i + 1 < text.size() && text[i + 1] == '"') field += text[++i];
-            else quoted = false;
+            if (c != '"')
+                field += c;
+            else if (i + 1 < text.size() && text[i + 1] == '"')
+                field += text[++i];
+            else
+                quoted = false;
             continue;
         }
         if (!any) rowLine = line;
@@ -106,8 +111,8 @@ std::string writeCsv(const std::vector<QStringList>& rows) {
         for (const QString& field : row) {
             if (!first) out += ',';
             first = false;
-            const bool needsQuotes = field.contains(u',') || field.contains(u'"') || field.contains(u'\n') || field.contains(u'\r') ||
-                                     (row.size() == 1 && field.isEmpty());
+            const bool needsQuotes = field.contains(u',') || field.contains(u'"') || field.contains(u'\n') ||
+                                     field.contains(u'\r') || (row.size() == 1 && field.isEmpty());
             QString text = field;
             if (needsQuotes) text = u'"' + text.replace(u'"', QStringLiteral("\"\"")) + u'"';
             out += text.toStdString();

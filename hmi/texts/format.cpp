@@ -8,7 +8,8 @@
 namespace plc::hmi {
 
 std::optional<NumberFormat> NumberFormat::parse(const QString& format) {
-    static const QRegularExpression pattern(QStringLiteral("%([-+0' ]*)(\\d*)(?:\\.(\\d+))?([diuxXbfeEgGs])(?:(\\d+)\\.(\\d+))?"));
+    static const QRegularExpression pattern(
+        QStringLiteral("%([-+0' ]*)(\\d*)(?:\\.(\\d+))?([diuxXbfeEgGs])(?:(\\d+)\\.(\\d+))?"));
     const QRegularExpressionMatch match = pattern.match(format);
     if (!match.hasMatch()) return {};
     NumberFormat out;
@@ -50,7 +51,8 @@ QString numberText(const Value& value, const NumberFormat& format, QLocale local
     } else if (format.conversion == 'b') {
         digits = QString::number(static_cast<quint64>(value.toInteger()), 2);
     } else if (whole) {
-        digits = value.kind() == ValueKind::Unsigned ? locale.toString(static_cast<quint64>(value.toInteger())) : locale.toString(value.toInteger());
+        digits = value.kind() == ValueKind::Unsigned ? locale.toString(static_cast<quint64>(value.toInteger()))
+                                                     : locale.toString(value.toInteger());
     } else {
         const double number = value.toNumber();
         if (std::isnan(number)) return QStringLiteral("NaN");
@@ -58,14 +60,16 @@ QString numberText(const Value& value, const NumberFormat& format, QLocale local
         const int precision = format.precision >= 0 ? format.precision : 6;
         digits = locale.toString(number, format.conversion, precision);
         // -0.04 shown with one digit is 0.0, not -0.0.
-        if (digits == locale.negativeSign() + locale.toString(0.0, format.conversion, precision)) digits = locale.toString(0.0, format.conversion, precision);
+        if (digits == locale.negativeSign() + locale.toString(0.0, format.conversion, precision))
+            digits = locale.toString(0.0, format.conversion, precision);
     }
     if (format.sign && value.toNumber() >= 0) digits.prepend(u'+');
     return pad(digits, format);
 }
 
 QDateTime dateTimeOf(qint64 nanoseconds) {
-    return QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(std::floor(static_cast<double>(nanoseconds) / 1e6)), Qt::UTC);
+    return QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(std::floor(static_cast<double>(nanoseconds) / 1e6)),
+                                          Qt::UTC);
 }
 
 } // namespace
@@ -98,26 +102,36 @@ QString formatDuration(qint64 nanoseconds, const QLocale& locale) {
     const double seconds = static_cast<double>(nanoseconds) * 1e-9;
     const QString sign = seconds < 0 ? QStringLiteral("-") : QString();
     const double size = std::abs(seconds);
-    if (size < 1 && nanoseconds % 1000000 == 0) return sign + locale.toString(size * 1000, 'f', 0) + QStringLiteral(" ms");
+    if (size < 1 && nanoseconds % 1000000 == 0)
+        return sign + locale.toString(size * 1000, 'f', 0) + QStringLiteral(" ms");
     if (size < 60) return sign + locale.toString(size, 'f', nanoseconds % 1000000000 ? 2 : 0) + QStringLiteral(" s");
     const qint64 whole = static_cast<qint64>(size);
-    const QString inMinute = QString::number(whole % 60).rightJustified(2, u'0'), minutes = QString::number(whole / 60 % 60);
+    const QString inMinute = QString::number(whole % 60).rightJustified(2, u'0'),
+                  minutes = QString::number(whole / 60 % 60);
     if (whole < 3600) return sign + minutes + QStringLiteral(" min ") + inMinute + QStringLiteral(" s");
-    return sign + QString::number(whole / 3600) + QStringLiteral(" h ") + minutes.rightJustified(2, u'0') + QStringLiteral(" min ") + inMinute + QStringLiteral(" s");
+    return sign + QString::number(whole / 3600) + QStringLiteral(" h ") + minutes.rightJustified(2, u'0') +
+           QStringLiteral(" min ") + inMinute + QStringLiteral(" s");
 }
 
 QString formatValue(const Value& value, const QString& format, const QLocale& locale) {
     const std::optional<NumberFormat> parsed = NumberFormat::parse(format);
     switch (value.kind()) {
-    case ValueKind::None: return QStringLiteral("– –");
-    case ValueKind::Text: return parsed ? parsed->before + pad(value.text(), {{}, {}, 's', parsed->width}) + parsed->after : value.text();
-    case ValueKind::Bool: return parsed && parsed->conversion == 'd' ? QString::number(value.toInteger()) : value.toLiteral();
+    case ValueKind::None:
+        return QStringLiteral("– –");
+    case ValueKind::Text:
+        return parsed ? parsed->before + pad(value.text(), {{}, {}, 's', parsed->width}) + parsed->after : value.text();
+    case ValueKind::Bool:
+        return parsed && parsed->conversion == 'd' ? QString::number(value.toInteger()) : value.toLiteral();
     case ValueKind::Time:
-        if (parsed && parsed->conversion != 's') return parsed->before + numberText(value, *parsed, locale) + parsed->after;
+        if (parsed && parsed->conversion != 's')
+            return parsed->before + numberText(value, *parsed, locale) + parsed->after;
         return formatDuration(value.toInteger(), locale);
-    case ValueKind::Date: return formatDate(value.toInteger(), locale);
-    case ValueKind::DateTime: return formatDate(value.toInteger(), locale) + u' ' + formatTime(value.toInteger(), locale, true);
-    case ValueKind::TimeOfDay: return formatTime(value.toInteger(), locale, true);
+    case ValueKind::Date:
+        return formatDate(value.toInteger(), locale);
+    case ValueKind::DateTime:
+        return formatDate(value.toInteger(), locale) + u' ' + formatTime(value.toInteger(), locale, true);
+    case ValueKind::TimeOfDay:
+        return formatTime(value.toInteger(), locale, true);
     case ValueKind::Array: {
         QStringList items;
         for (const Value& item : value.items()) items += formatValue(item, format, locale);
@@ -125,7 +139,8 @@ QString formatValue(const Value& value, const QString& format, const QLocale& lo
     }
     case ValueKind::Integer:
     case ValueKind::Unsigned:
-    case ValueKind::Real: break;
+    case ValueKind::Real:
+        break;
     }
     if (parsed && parsed->conversion != 's') return parsed->before + numberText(value, *parsed, locale) + parsed->after;
     NumberFormat plain;
@@ -154,8 +169,10 @@ TextTemplate TextTemplate::parse(const QString& text) {
             break;
         }
         const QString inside = text.mid(i + 1, close - i - 1);
-        Part part{{}, inside.section(u':', 0, 0).trimmed(), inside.contains(u':') ? inside.section(u':', 1) : QString()};
-        if (!part.format.isEmpty() && !NumberFormat::parse(part.format)) out.error = QStringLiteral("The format %1 is not known.").arg(part.format);
+        Part part{
+            {}, inside.section(u':', 0, 0).trimmed(), inside.contains(u':') ? inside.section(u':', 1) : QString()};
+        if (!part.format.isEmpty() && !NumberFormat::parse(part.format))
+            out.error = QStringLiteral("The format %1 is not known.").arg(part.format);
         if (!literal.isEmpty()) out.parts.push_back({literal, {}, {}});
         literal.clear();
         out.parts.push_back(part);
@@ -175,7 +192,8 @@ QStringList TextTemplate::names() const {
 
 QString TextTemplate::fill(const std::function<Value(const QString&)>& valueOf, const QLocale& locale) const {
     QString out;
-    for (const Part& part : parts) out += part.name.isEmpty() ? part.text : formatValue(valueOf(part.name), part.format, locale);
+    for (const Part& part : parts)
+        out += part.name.isEmpty() ? part.text : formatValue(valueOf(part.name), part.format, locale);
     return out;
 }
 

@@ -28,8 +28,8 @@ QString formatDuration(qint64 nanoseconds, const QLocale& locale);
 /// A text cut at its placeholders; "{{" and "}}" stand for braces.
 struct TextTemplate {
     struct Part {
-        QString text;   // literal text
-        QString name;   // or the placeholder's name
+        QString text; // literal text
+        QString name; // or the placeholder's name
         QString format;
     };
     std::vector<Part> parts;

@@ -18,10 +18,21 @@ struct UnitPair {
 };
 
 constexpr UnitPair kUnits[] = {
-    {"°C", "°F", 1.8, 32},          {"K", "°C", 1, -273.15},      {"bar", "psi", 14.503773773, 0}, {"kPa", "psi", 0.14503773773, 0},
-    {"m", "ft", 3.280839895, 0},    {"mm", "in", 0.03937007874, 0}, {"cm", "in", 0.3937007874, 0}, {"km/h", "mph", 0.6213711922, 0},
-    {"m/s", "ft/s", 3.280839895, 0}, {"kg", "lb", 2.2046226218, 0}, {"l", "gal", 0.26417205236, 0}, {"m³", "ft³", 35.314666721, 0},
-    {"l/min", "gpm", 0.26417205236, 0}, {"kW", "hp", 1.3410220896, 0}, {"Nm", "lbf·ft", 0.7375621493, 0},
+    {"°C", "°F", 1.8, 32},
+    {"K", "°C", 1, -273.15},
+    {"bar", "psi", 14.503773773, 0},
+    {"kPa", "psi", 0.14503773773, 0},
+    {"m", "ft", 3.280839895, 0},
+    {"mm", "in", 0.03937007874, 0},
+    {"cm", "in", 0.3937007874, 0},
+    {"km/h", "mph", 0.6213711922, 0},
+    {"m/s", "ft/s", 3.280839895, 0},
+    {"kg", "lb", 2.2046226218, 0},
+    {"l", "gal", 0.26417205236, 0},
+    {"m³", "ft³", 35.314666721, 0},
+    {"l/min", "gpm", 0.26417205236, 0},
+    {"kW", "hp", 1.3410220896, 0},
+    {"Nm", "lbf·ft", 0.7375621493, 0},
 };
 
 } // namespace
@@ -52,7 +63,8 @@ QStringList LanguageSettings::chain(const QString& tag) const {
             if (other.compare(one, Qt::CaseInsensitive) == 0) return;
         out += one;
     };
-    for (QString one = tag; !one.isEmpty(); one = one.contains(u'-') ? one.left(one.lastIndexOf(u'-')) : QString()) add(one);
+    for (QString one = tag; !one.isEmpty(); one = one.contains(u'-') ? one.left(one.lastIndexOf(u'-')) : QString())
+        add(one);
     const QString base = tag.section(u'-', 0, 0);
     for (const QString& other : languages)
         if (other.section(u'-', 0, 0).compare(base, Qt::CaseInsensitive) == 0) add(other);
@@ -82,15 +94,32 @@ QStringList LanguageSettings::fontFamilies(const QString& tag) const {
     const QLocale locale = localeOf(tag);
     const auto add = [&](const char* family) { out += QString::fromLatin1(family); };
     switch (locale.script()) {
-    case QLocale::ArabicScript: add("Noto Sans Arabic"); break;
-    case QLocale::HebrewScript: add("Noto Sans Hebrew"); break;
-    case QLocale::ThaiScript: add("Noto Sans Thai"); break;
-    case QLocale::DevanagariScript: add("Noto Sans Devanagari"); break;
-    case QLocale::SimplifiedHanScript: add("Noto Sans CJK SC"); break;
-    case QLocale::TraditionalHanScript: add("Noto Sans CJK TC"); break;
-    case QLocale::JapaneseScript: add("Noto Sans CJK JP"); break;
-    case QLocale::KoreanScript: add("Noto Sans CJK KR"); break;
-    default: break;
+    case QLocale::ArabicScript:
+        add("Noto Sans Arabic");
+        break;
+    case QLocale::HebrewScript:
+        add("Noto Sans Hebrew");
+        break;
+    case QLocale::ThaiScript:
+        add("Noto Sans Thai");
+        break;
+    case QLocale::DevanagariScript:
+        add("Noto Sans Devanagari");
+        break;
+    case QLocale::SimplifiedHanScript:
+        add("Noto Sans CJK SC");
+        break;
+    case QLocale::TraditionalHanScript:
+        add("Noto Sans CJK TC");
+        break;
+    case QLocale::JapaneseScript:
+        add("Noto Sans CJK JP");
+        break;
+    case QLocale::KoreanScript:
+        add("Noto Sans CJK KR");
+        break;
+    default:
+        break;
     }
     // A language selector shows the names of all languages, so the other scripts follow.
     for (const char* family : {"Noto Sans Arabic", "Noto Sans CJK SC", "Noto Sans Hebrew", "Noto Sans Symbols2"})

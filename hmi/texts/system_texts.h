@@ -1,20 +1,43 @@
 // The few texts that the panel itself shows (keypad, state of the controller, refusals), in the operator's language.
-// A project overrides any of them by a key `hmi.<name>` in its text table; a language without own words here takes those of
-// the next one in its fallback chain, at last English. Pure function.
+// A project overrides any of them by a key `hmi.<name>` in its text table; a language without own words here takes
+// those of the next one in its fallback chain, at last English. Pure function.
 #pragma once
 #include "hmi/texts/catalog.h"
 
 namespace plc::hmi {
 
 enum class SystemText {
-    Ok, Cancel, Yes, No, Clear, Close,
-    Time, Alarm, NoAlarms, AcknowledgeAll, All,
-    Unacknowledged, Acknowledged, Returned, Gone, // states of alarms
-    Stopped, Paused, Fault, Past, NoController,
-    Between,        // "between %1 and %2"
-    AtLeast, AtMost,
-    TooLong,        // "at most %1 characters"
-    BadCharacter, NotANumber, OutsideLimits, IsForced, NotRunning, InThePast, NotWritable,
+    Ok,
+    Cancel,
+    Yes,
+    No,
+    Clear,
+    Close,
+    Time,
+    Alarm,
+    NoAlarms,
+    AcknowledgeAll,
+    All,
+    Unacknowledged,
+    Acknowledged,
+    Returned,
+    Gone, // states of alarms
+    Stopped,
+    Paused,
+    Fault,
+    Past,
+    NoController,
+    Between, // "between %1 and %2"
+    AtLeast,
+    AtMost,
+    TooLong, // "at most %1 characters"
+    BadCharacter,
+    NotANumber,
+    OutsideLimits,
+    IsForced,
+    NotRunning,
+    InThePast,
+    NotWritable,
 };
 
 QString systemText(const TextCatalog& texts, SystemText text, const QString& tag);

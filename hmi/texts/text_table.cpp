@@ -26,11 +26,15 @@ Result<TextTable> TextTable::parse(const std::string& bytes, const QString& plac
         const QStringList& cells = csv->rows[i];
         const int line = csv->lines[i];
         if (cells.size() > header.size())
-            return fail(line, QStringLiteral("This line has %1 fields, the header has %2.").arg(cells.size()).arg(header.size()));
+            return fail(
+                line,
+                QStringLiteral("This line has %1 fields, the header has %2.").arg(cells.size()).arg(header.size()));
         Row row{cells.value(0).trimmed(), cells.value(1), {}, line};
         if (row.key.isEmpty()) return fail(line, QStringLiteral("This line has no key."));
         if (const int other = table.m_index.value(row.key, -1); other >= 0)
-            return fail(line, QStringLiteral("The key %1 stands already on line %2.").arg(row.key).arg(table.m_rows[static_cast<size_t>(other)].line));
+            return fail(line, QStringLiteral("The key %1 stands already on line %2.")
+                                  .arg(row.key)
+                                  .arg(table.m_rows[static_cast<size_t>(other)].line));
         for (qsizetype column = 2; column < header.size(); ++column) row.texts += cells.value(column);
         table.m_index[row.key] = static_cast<int>(table.m_rows.size());
         table.m_rows.push_back(std::move(row));
@@ -108,7 +112,9 @@ QStringList TextTable::listPrefixes() const {
 
 QString TextTable::newKeyFor(const QString& panel, const QString& text) const {
     static const QRegularExpression other(QStringLiteral("[^\\p{L}\\p{N}]+"));
-    QString words = text.toLower().replace(QRegularExpression(QStringLiteral("\\{[^}]*\\}")), QString()).replace(other, QStringLiteral("_"));
+    QString words = text.toLower()
+                        .replace(QRegularExpression(QStringLiteral("\\{[^}]*\\}")), QString())
+                        .replace(other, QStringLiteral("_"));
     words = words.left(32);
     while (words.startsWith(u'_')) words.remove(0, 1);
     while (words.endsWith(u'_')) words.chop(1);

@@ -28,7 +28,8 @@ std::vector<AlarmEntry> sampleEntries(const AlarmBook* book, const QStringList& 
     };
     if (book)
         for (const AlarmDefinition& alarm : book->definitions()) {
-            if (out.size() == std::size(kStates) || (!classes.isEmpty() && !classes.contains(alarm.className))) continue;
+            if (out.size() == std::size(kStates) || (!classes.isEmpty() && !classes.contains(alarm.className)))
+                continue;
             AlarmEntry entry;
             entry.text = alarm.text;
             entry.className = alarm.className;
@@ -36,7 +37,8 @@ std::vector<AlarmEntry> sampleEntries(const AlarmBook* book, const QStringList& 
             add(entry);
         }
     if (!out.empty()) return out;
-    for (const auto& [text, priority] : {std::pair{"Motor 1: overload", 1}, std::pair{"Tank level high", 2}, std::pair{"Door open", 3}}) {
+    for (const auto& [text, priority] :
+         {std::pair{"Motor 1: overload", 1}, std::pair{"Tank level high", 2}, std::pair{"Door open", 3}}) {
         AlarmEntry entry;
         entry.text = QString::fromLatin1(text);
         entry.priority = priority;
@@ -63,10 +65,14 @@ void drawPriority(QPainter& painter, const QRectF& area, int priority, const QCo
     painter.setPen(QPen(color, 2));
     painter.setBrush(filled ? QBrush(color) : QBrush(Qt::NoBrush));
     const QRectF r = area.adjusted(2, 2, -2, -2);
-    if (priority == 1) painter.drawRect(r);
-    else if (priority == 2) painter.drawPolygon(QPolygonF{QPointF(r.center().x(), r.top()), r.bottomRight(), r.bottomLeft()});
-    else if (priority == 3) painter.drawEllipse(r);
-    else painter.drawRect(r.adjusted(0, r.height() * 0.3, 0, -r.height() * 0.3));
+    if (priority == 1)
+        painter.drawRect(r);
+    else if (priority == 2)
+        painter.drawPolygon(QPolygonF{QPointF(r.center().x(), r.top()), r.bottomRight(), r.bottomLeft()});
+    else if (priority == 3)
+        painter.drawEllipse(r);
+    else
+        painter.drawRect(r.adjusted(0, r.height() * 0.3, 0, -r.height() * 0.3));
 }
 
 } // namespace
@@ -80,14 +86,24 @@ QStringList AlarmListView::classes() const { return splitClasses(text("classes")
 
 std::vector<AlarmEntry> AlarmListView::entries() const {
     const AlarmBook* book = scene().alarms();
-    if (isDesigning() && (!book || book->present({}, AlarmOrder::Priority).empty())) return sampleEntries(book, classes());
+    if (isDesigning() && (!book || book->present({}, AlarmOrder::Priority).empty()))
+        return sampleEntries(book, classes());
     if (!book) return {};
     std::vector<AlarmEntry> all;
-    if (isHistory()) all = book->history(classes(), 500);
-    else all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), order()) : book->present(classes(), order());
-    if (isHistory() && order() == AlarmOrder::Priority) std::stable_sort(all.begin(), all.end(), [](const AlarmEntry& a, const AlarmEntry& b) { return a.priority < b.priority; });
-    if (m_filter == 1) std::erase_if(all, [](const AlarmEntry& entry) { return entry.state != AlarmState::Unacknowledged && entry.state != AlarmState::Returned; });
-    if (const AlarmClass* only = filteredClass()) std::erase_if(all, [&](const AlarmEntry& entry) { return entry.className != only->name; });
+    if (isHistory())
+        all = book->history(classes(), 500);
+    else
+        all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), order())
+                                      : book->present(classes(), order());
+    if (isHistory() && order() == AlarmOrder::Priority)
+        std::stable_sort(all.begin(), all.end(),
+                         [](const AlarmEntry& a, const AlarmEntry& b) { return a.priority < b.priority; });
+    if (m_filter == 1)
+        std::erase_if(all, [](const AlarmEntry& entry) {
+            return entry.state != AlarmState::Unacknowledged && entry.state != AlarmState::Returned;
+        });
+    if (const AlarmClass* only = filteredClass())
+        std::erase_if(all, [&](const AlarmEntry& entry) { return entry.className != only->name; });
     return all;
 }
 
@@ -109,7 +125,8 @@ std::vector<const AlarmClass*> AlarmListView::shownClasses() const {
 
 const AlarmClass* AlarmListView::filteredClass() const {
     const std::vector<const AlarmClass*> all = shownClasses();
-    return m_filter >= 2 && static_cast<size_t>(m_filter) < all.size() + 2 ? all[static_cast<size_t>(m_filter) - 2] : nullptr;
+    return m_filter >= 2 && static_cast<size_t>(m_filter) < all.size() + 2 ? all[static_cast<size_t>(m_filter) - 2]
+                                                                           : nullptr;
 }
 
 QString AlarmListView::classTitle(const AlarmClass& one) const {
@@ -125,10 +142,17 @@ QString AlarmListView::filterText() const {
 QString AlarmListView::stateText(const AlarmEntry& entry) const {
     SystemText which = SystemText::Gone;
     switch (entry.state) {
-    case AlarmState::Unacknowledged: which = SystemText::Unacknowledged; break;
-    case AlarmState::Acknowledged: which = SystemText::Acknowledged; break;
-    case AlarmState::Returned: which = SystemText::Returned; break;
-    case AlarmState::Normal: break;
+    case AlarmState::Unacknowledged:
+        which = SystemText::Unacknowledged;
+        break;
+    case AlarmState::Acknowledged:
+        which = SystemText::Acknowledged;
+        break;
+    case AlarmState::Returned:
+        which = SystemText::Returned;
+        break;
+    case AlarmState::Normal:
+        break;
     }
     const QString state = systemText(scene().texts(), which, tag());
     const AlarmClass* own = classOf(scene().alarms(), entry.className);
@@ -137,15 +161,21 @@ QString AlarmListView::stateText(const AlarmEntry& entry) const {
 
 // ---- places; keys and rows are high enough for a finger
 
-double AlarmListView::rowHeight() const { return hasKeys() ? std::max(46.0, num("fontSize") * 3) : std::max(30.0, num("fontSize") * 2.2); }
+double AlarmListView::rowHeight() const {
+    return hasKeys() ? std::max(46.0, num("fontSize") * 3) : std::max(30.0, num("fontSize") * 2.2);
+}
 
-double AlarmListView::headHeight() const { return hasKeys() ? std::max(50.0, num("fontSize") * 2.6) : num("fontSize") * 2; }
+double AlarmListView::headHeight() const {
+    return hasKeys() ? std::max(50.0, num("fontSize") * 2.6) : num("fontSize") * 2;
+}
 
 double AlarmListView::timeWidth() const { return num("fontSize") * 10.5; }
 
 double AlarmListView::markWidth() const { return std::max(30.0, num("fontSize") * 2.2); }
 
-QRectF AlarmListView::mirrored(const QRectF& area) const { return isRightToLeft(tag()) ? QRectF(width() - area.right(), area.top(), area.width(), area.height()) : area; }
+QRectF AlarmListView::mirrored(const QRectF& area) const {
+    return isRightToLeft(tag()) ? QRectF(width() - area.right(), area.top(), area.width(), area.height()) : area;
+}
 
 QRectF AlarmListView::acknowledgeAllArea() const {
     if (!hasKeys() || isHistory()) return {};
@@ -155,7 +185,8 @@ QRectF AlarmListView::acknowledgeAllArea() const {
 
 QRectF AlarmListView::filterArea() const {
     if (!hasKeys() || width() < num("fontSize") * 36) return {};
-    const double w = std::min(width() * 0.28, num("fontSize") * 11), taken = isHistory() ? 0 : acknowledgeAllArea().width() + 4;
+    const double w = std::min(width() * 0.28, num("fontSize") * 11),
+                 taken = isHistory() ? 0 : acknowledgeAllArea().width() + 4;
     return mirrored({width() - taken - w - 4, 3, w, headHeight() - 6});
 }
 
@@ -175,10 +206,12 @@ QRectF AlarmListView::acknowledgeArea(int row) const {
 }
 
 QRectF AlarmListView::textArea(int row) const {
-    const double from = markWidth() + timeWidth(), key = hasKeys() && !isHistory() ? acknowledgeArea(0).width() + 14 : 6;
+    const double from = markWidth() + timeWidth(),
+                 key = hasKeys() && !isHistory() ? acknowledgeArea(0).width() + 14 : 6;
     const double top = headHeight() + row * rowHeight();
     // Rows with keys are high enough for two lines: what is wrong, and below it the class and the state.
-    return mirrored({from, hasKeys() ? top + 3 : top, width() - from - key, hasKeys() ? rowHeight() * 0.56 : rowHeight()});
+    return mirrored(
+        {from, hasKeys() ? top + 3 : top, width() - from - key, hasKeys() ? rowHeight() * 0.56 : rowHeight()});
 }
 
 void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row) {
@@ -195,21 +228,34 @@ void AlarmListView::drawRow(QPainter& painter, const AlarmEntry& entry, int row)
     painter.setPen(QPen(theme().color("faint"), 1));
     painter.drawLine(line.bottomLeft(), line.bottomRight());
     const double side = std::min(h * 0.5, 20.0);
-    drawPriority(painter, mirrored({(markWidth() - side) / 2, top + (h - side) / 2, side, side}), entry.priority, color, entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Acknowledged);
+    drawPriority(painter, mirrored({(markWidth() - side) / 2, top + (h - side) / 2, side, side}), entry.priority, color,
+                 entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Acknowledged);
     const bool isGone = entry.state == AlarmState::Returned || entry.state == AlarmState::Normal;
     const QRectF words = textArea(row);
     painter.setPen(theme().color("muted"));
-    drawText(painter, textBox(alarmTime(entry, locale(), scene().alarms() && !isDesigning() ? scene().alarms()->clockAtZero() : kSampleClock), mirrored({markWidth(), words.top(), timeWidth() - 6, words.height()}), size * 0.92, TextAlign::Start, ""));
-    if (hasKeys()) drawText(painter, textBox(stateText(entry), QRectF(words.left(), words.bottom() - 1, words.width(), h - words.height() - 5), size * 0.8, TextAlign::Start, ""));
+    drawText(painter,
+             textBox(alarmTime(entry, locale(),
+                               scene().alarms() && !isDesigning() ? scene().alarms()->clockAtZero() : kSampleClock),
+                     mirrored({markWidth(), words.top(), timeWidth() - 6, words.height()}), size * 0.92,
+                     TextAlign::Start, ""));
+    if (hasKeys())
+        drawText(painter, textBox(stateText(entry),
+                                  QRectF(words.left(), words.bottom() - 1, words.width(), h - words.height() - 5),
+                                  size * 0.8, TextAlign::Start, ""));
     painter.setPen(isGone ? theme().color("muted") : inkColor(theme().color("text")));
-    drawText(painter, textBox(AlarmBook::render(entry, scene().texts(), tag()), words, size, TextAlign::Start, "", isOpen));
-    const bool canAcknowledge = !isHistory() && hasKeys() && (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();
+    drawText(painter,
+             textBox(AlarmBook::render(entry, scene().texts(), tag()), words, size, TextAlign::Start, "", isOpen));
+    const bool canAcknowledge =
+        !isHistory() && hasKeys() && (isOpen || entry.state == AlarmState::Returned) && !scene().alarmPosition();
     if (!canAcknowledge) return;
     const QRectF key = acknowledgeArea(row).adjusted(2, 2, -2, -2);
-    drawKey(painter, key, 4, theme().color("button"), isPressed() && !m_scrolled && acknowledgeArea(row).contains(m_pressedAt), theme());
+    drawKey(painter, key, 4, theme().color("button"),
+            isPressed() && !m_scrolled && acknowledgeArea(row).contains(m_pressedAt), theme());
     painter.setPen(QPen(theme().color("text"), 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(QPolygonF{key.topLeft() + QPointF(key.width() * 0.28, key.height() * 0.52), key.topLeft() + QPointF(key.width() * 0.43, key.height() * 0.67), key.topLeft() + QPointF(key.width() * 0.73, key.height() * 0.33)});
+    painter.drawPolyline(QPolygonF{key.topLeft() + QPointF(key.width() * 0.28, key.height() * 0.52),
+                                   key.topLeft() + QPointF(key.width() * 0.43, key.height() * 0.67),
+                                   key.topLeft() + QPointF(key.width() * 0.73, key.height() * 0.33)});
 }
 
 void AlarmListView::drawHead(QPainter& painter) {
@@ -218,7 +264,8 @@ void AlarmListView::drawHead(QPainter& painter) {
     painter.drawLine(QPointF(0, headHeight()), QPointF(width(), headHeight()));
     const double size = num("fontSize");
     const auto title = [&](const QRectF& area, SystemText which, AlarmOrder sorts) {
-        const TextBox words = textBox(systemText(scene().texts(), which, tag()), area, size * 0.9, TextAlign::Start, "", order() == sorts);
+        const TextBox words = textBox(systemText(scene().texts(), which, tag()), area, size * 0.9, TextAlign::Start, "",
+                                      order() == sorts);
         painter.setPen(theme().color(order() == sorts ? "text" : "muted"));
         drawText(painter, words);
         const double end = neededSize(words).width() + 10;
@@ -231,19 +278,25 @@ void AlarmListView::drawHead(QPainter& painter) {
     title(timeHead(), SystemText::Time, AlarmOrder::Time);
     title(alarmHead(), SystemText::Alarm, AlarmOrder::Priority);
     if (const QRectF all = acknowledgeAllArea(); !all.isEmpty()) {
-        drawKey(painter, all, 5, theme().color("button"), isPressed() && !m_scrolled && all.contains(m_pressedAt), theme());
+        drawKey(painter, all, 5, theme().color("button"), isPressed() && !m_scrolled && all.contains(m_pressedAt),
+                theme());
         painter.setPen(PanelTheme::inkOn(theme().color("button")));
-        drawText(painter, textBox(systemText(scene().texts(), SystemText::AcknowledgeAll, tag()), all.adjusted(8, 0, -8, 0), size, TextAlign::Center, ""));
+        drawText(painter, textBox(systemText(scene().texts(), SystemText::AcknowledgeAll, tag()),
+                                  all.adjusted(8, 0, -8, 0), size, TextAlign::Center, ""));
     }
     const QRectF filter = filterArea();
     if (filter.isEmpty()) return;
     const QColor ground = theme().color(m_filter ? "accent" : "button");
     drawKey(painter, filter, 5, ground, isPressed() && !m_scrolled && filter.contains(m_pressedAt), theme());
     // A funnel says what the words choose.
-    const QRectF sign = isRightToLeft(tag()) ? QRectF(filter.right() - 26, filter.center().y() - 7, 14, 14) : QRectF(filter.left() + 12, filter.center().y() - 7, 14, 14);
+    const QRectF sign = isRightToLeft(tag()) ? QRectF(filter.right() - 26, filter.center().y() - 7, 14, 14)
+                                             : QRectF(filter.left() + 12, filter.center().y() - 7, 14, 14);
     painter.setPen(Qt::NoPen);
     painter.setBrush(PanelTheme::inkOn(ground));
-    painter.drawPolygon(QPolygonF{sign.topLeft(), sign.topRight(), QPointF(sign.center().x() + 2, sign.center().y()), QPointF(sign.center().x() + 2, sign.bottom() - 2), QPointF(sign.center().x() - 2, sign.bottom()), QPointF(sign.center().x() - 2, sign.center().y())});
+    painter.drawPolygon(QPolygonF{sign.topLeft(), sign.topRight(), QPointF(sign.center().x() + 2, sign.center().y()),
+                                  QPointF(sign.center().x() + 2, sign.bottom() - 2),
+                                  QPointF(sign.center().x() - 2, sign.bottom()),
+                                  QPointF(sign.center().x() - 2, sign.center().y())});
     painter.setPen(PanelTheme::inkOn(ground));
     const QRectF words = isRightToLeft(tag()) ? filter.adjusted(8, 0, -32, 0) : filter.adjusted(32, 0, -8, 0);
     drawText(painter, textBox(filterText(), words, size, TextAlign::Start, ""));
@@ -261,17 +314,24 @@ void AlarmListView::draw(QPainter& painter) {
     painter.save();
     painter.setClipRect(QRectF(0, headHeight(), width(), below), Qt::IntersectClip);
     // A row that is cut at the lower edge tells that there is more.
-    for (int row = 0; row <= room && m_top + row < static_cast<int>(all.size()); ++row) drawRow(painter, all[static_cast<size_t>(m_top + row)], row);
+    for (int row = 0; row <= room && m_top + row < static_cast<int>(all.size()); ++row)
+        drawRow(painter, all[static_cast<size_t>(m_top + row)], row);
     painter.restore();
     if (all.empty()) {
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(systemText(scene().texts(), SystemText::NoAlarms, tag()), QRectF(0, headHeight(), width(), std::min(below, rowHeight() * 1.6)), num("fontSize"), TextAlign::Center, ""));
+        drawText(painter, textBox(systemText(scene().texts(), SystemText::NoAlarms, tag()),
+                                  QRectF(0, headHeight(), width(), std::min(below, rowHeight() * 1.6)), num("fontSize"),
+                                  TextAlign::Center, ""));
     }
     if (static_cast<int>(all.size()) <= room) return;
     const double length = below - 4, knob = std::max(16.0, length * room / static_cast<double>(all.size()));
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme().color("off"));
-    painter.drawRoundedRect(mirrored({width() - 6, headHeight() + 2 + (length - knob) * m_top / std::max(1.0, static_cast<double>(all.size()) - room), 4, knob}), 2, 2);
+    painter.drawRoundedRect(
+        mirrored({width() - 6,
+                  headHeight() + 2 + (length - knob) * m_top / std::max(1.0, static_cast<double>(all.size()) - room), 4,
+                  knob}),
+        2, 2);
 }
 
 void AlarmListView::press(QPointF at) {
@@ -295,19 +355,27 @@ void AlarmListView::wheel(double steps) {
 void AlarmListView::release(QPointF at, bool inside) {
     if (!inside || m_scrolled) return;
     if (hasKeys() && at.y() < headHeight()) {
-        if (filterArea().contains(at)) m_filter = (m_filter + 1) % (2 + static_cast<int>(shownClasses().size()));
-        else if (timeHead().contains(at)) m_order = AlarmOrder::Time;
-        else if (alarmHead().contains(at)) m_order = AlarmOrder::Priority;
-        else if (acknowledgeAllArea().contains(at) && !scene().alarmPosition()) return scene().request(AcknowledgeRequest{true, 0, filteredClass() ? QStringList{filteredClass()->name} : classes()});
+        if (filterArea().contains(at))
+            m_filter = (m_filter + 1) % (2 + static_cast<int>(shownClasses().size()));
+        else if (timeHead().contains(at))
+            m_order = AlarmOrder::Time;
+        else if (alarmHead().contains(at))
+            m_order = AlarmOrder::Priority;
+        else if (acknowledgeAllArea().contains(at) && !scene().alarmPosition())
+            return scene().request(
+                AcknowledgeRequest{true, 0, filteredClass() ? QStringList{filteredClass()->name} : classes()});
         m_top = 0;
         return repaint();
     }
     if (isHistory() || !hasKeys() || scene().alarmPosition()) return;
     const std::vector<AlarmEntry> all = entries();
     const int row = static_cast<int>((at.y() - headHeight()) / rowHeight());
-    if (at.y() < headHeight() || m_top + row >= static_cast<int>(all.size()) || !acknowledgeArea(row).adjusted(-8, -2, 8, 2).contains(at)) return;
+    if (at.y() < headHeight() || m_top + row >= static_cast<int>(all.size()) ||
+        !acknowledgeArea(row).adjusted(-8, -2, 8, 2).contains(at))
+        return;
     const AlarmEntry& entry = all[static_cast<size_t>(m_top + row)];
-    if (entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Returned) scene().request(AcknowledgeRequest{false, entry.alarm, {}});
+    if (entry.state == AlarmState::Unacknowledged || entry.state == AlarmState::Returned)
+        scene().request(AcknowledgeRequest{false, entry.alarm, {}});
 }
 
 void AlarmListView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
@@ -316,18 +384,24 @@ void AlarmListView::collectTexts(const QString& forTag, std::vector<TextBox>& ou
         if (!classes().isEmpty() && !classes().contains(alarm.className)) continue;
         AlarmEntry entry;
         entry.text = alarm.text;
-        out.push_back(textBox(AlarmBook::render(entry, scene().texts(), forTag), textArea(0), num("fontSize"), TextAlign::Start, ("alarm " + alarm.id.toUtf8()).constData(), true, forTag));
+        out.push_back(textBox(AlarmBook::render(entry, scene().texts(), forTag), textArea(0), num("fontSize"),
+                              TextAlign::Start, ("alarm " + alarm.id.toUtf8()).constData(), true, forTag));
     }
 }
 
 QStringList AlarmBannerView::classes() const { return splitClasses(text("classes")); }
 
-QRectF AlarmBannerView::textArea() const { return box().adjusted(isRightToLeft(tag()) ? num("fontSize") * 4 : height(), 2, isRightToLeft(tag()) ? -height() : -num("fontSize") * 4, -2); }
+QRectF AlarmBannerView::textArea() const {
+    return box().adjusted(isRightToLeft(tag()) ? num("fontSize") * 4 : height(), 2,
+                          isRightToLeft(tag()) ? -height() : -num("fontSize") * 4, -2);
+}
 
 void AlarmBannerView::draw(QPainter& painter) {
     const AlarmBook* book = scene().alarms();
     std::vector<AlarmEntry> all;
-    if (book) all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), AlarmOrder::Priority) : book->present(classes(), AlarmOrder::Priority);
+    if (book)
+        all = scene().alarmPosition() ? book->presentAt(*scene().alarmPosition(), classes(), AlarmOrder::Priority)
+                                      : book->present(classes(), AlarmOrder::Priority);
     if (all.empty() && isDesigning()) all = sampleEntries(book, classes());
     const double edge = theme().kind() == PanelThemeKind::Contrast ? 2 : 1;
     painter.setPen(QPen(all.empty() ? theme().color("faint") : theme().color("line"), edge));
@@ -346,16 +420,21 @@ void AlarmBannerView::draw(QPainter& painter) {
     const QColor ink = PanelTheme::inkOn(ground);
     const double side = std::min(height() * 0.5, 24.0);
     const bool rtl = isRightToLeft(tag());
-    drawPriority(painter, QRectF(rtl ? width() - height() / 2 - side / 2 : height() / 2 - side / 2, (height() - side) / 2, side, side), first.priority, isOpen && isLit() ? ink : color, first.state != AlarmState::Returned);
+    drawPriority(
+        painter,
+        QRectF(rtl ? width() - height() / 2 - side / 2 : height() / 2 - side / 2, (height() - side) / 2, side, side),
+        first.priority, isOpen && isLit() ? ink : color, first.state != AlarmState::Returned);
     painter.setPen(ink);
-    drawText(painter, textBox(AlarmBook::render(first, scene().texts(), tag()), textArea(), num("fontSize"), TextAlign::Start, "", isOpen));
+    drawText(painter, textBox(AlarmBook::render(first, scene().texts(), tag()), textArea(), num("fontSize"),
+                              TextAlign::Start, "", isOpen));
     if (all.size() < 2) return;
     const double w = num("fontSize") * 3;
     const QRectF badge(rtl ? 8 : width() - w - 8, height() * 0.22, w, height() * 0.56);
     painter.setPen(QPen(ink, 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(badge, badge.height() / 2, badge.height() / 2);
-    drawText(painter, textBox(u'+' + QString::number(all.size() - 1), badge, num("fontSize") * 0.9, TextAlign::Center, ""));
+    drawText(painter,
+             textBox(u'+' + QString::number(all.size() - 1), badge, num("fontSize") * 0.9, TextAlign::Center, ""));
 }
 
 void AlarmBannerView::release(QPointF, bool inside) {
@@ -371,7 +450,8 @@ void AlarmBannerView::collectTexts(const QString& forTag, std::vector<TextBox>& 
     for (const AlarmDefinition& alarm : scene().alarms()->definitions()) {
         AlarmEntry entry;
         entry.text = alarm.text;
-        out.push_back(textBox(AlarmBook::render(entry, scene().texts(), forTag), textArea(), num("fontSize"), TextAlign::Start, ("alarm " + alarm.id.toUtf8()).constData(), true, forTag));
+        out.push_back(textBox(AlarmBook::render(entry, scene().texts(), forTag), textArea(), num("fontSize"),
+                              TextAlign::Start, ("alarm " + alarm.id.toUtf8()).constData(), true, forTag));
     }
 }
 

@@ -10,7 +10,9 @@ void DraggedNumberView::setUp() { m_target = bindProperty("target"); }
 bool DraggedNumberView::update() {
     const Value now = echoed(m_target);
     m_isKnown = !now.isNone();
-    const std::optional<double> value = now.isNone() ? (isDesigning() ? std::optional(num("min") + (num("max") - num("min")) * 0.4) : std::nullopt) : std::optional(now.toNumber());
+    const std::optional<double> value =
+        now.isNone() ? (isDesigning() ? std::optional(num("min") + (num("max") - num("min")) * 0.4) : std::nullopt)
+                     : std::optional(now.toNumber());
     return std::exchange(m_value, value) != value;
 }
 
@@ -25,7 +27,8 @@ void DraggedNumberView::drag(double share) {
     if (!m_target.isBound()) return;
     const double step = num("step"), low = num("min"), high = num("max");
     double raw = low + std::clamp(share, 0.0, 1.0) * (high - low);
-    if (step > 0) raw = std::clamp(low + std::round((raw - low) / step) * step, std::min(low, high), std::max(low, high));
+    if (step > 0)
+        raw = std::clamp(low + std::round((raw - low) / step) * step, std::min(low, high), std::max(low, high));
     if (m_dragged == raw) return;
     m_dragged = raw;
     repaint();
@@ -46,7 +49,8 @@ void DraggedNumberView::finish() {
 void DraggedNumberView::wheel(double steps) {
     if (!m_target.isBound() || !m_value) return;
     const double step = num("step") > 0 ? num("step") : (num("max") - num("min")) / 100;
-    const double raw = std::clamp(*m_value + steps * step, std::min(num("min"), num("max")), std::max(num("min"), num("max")));
+    const double raw =
+        std::clamp(*m_value + steps * step, std::min(num("min"), num("max")), std::max(num("min"), num("max")));
     write(expression(m_target), typed(m_target, raw));
     echo(typed(m_target, raw));
 }
@@ -64,12 +68,15 @@ QRectF SliderView::track() const {
 
 double SliderView::shareAt(QPointF at) const {
     const QRectF line = track();
-    return isVertical() ? 1 - (at.y() - line.top()) / std::max(1.0, line.height()) : (at.x() - line.left()) / std::max(1.0, line.width());
+    return isVertical() ? 1 - (at.y() - line.top()) / std::max(1.0, line.height())
+                        : (at.x() - line.left()) / std::max(1.0, line.width());
 }
 
 TextBox SliderView::label(double raw, const QString& forTag) const {
     const double line = num("fontSize") * 1.5;
-    return textBox(valueText(raw, forTag), isVertical() ? QRectF(0, height() - line, width(), line) : QRectF(0, 0, width(), line), num("fontSize"), TextAlign::Center, "format", false, forTag);
+    return textBox(valueText(raw, forTag),
+                   isVertical() ? QRectF(0, height() - line, width(), line) : QRectF(0, 0, width(), line),
+                   num("fontSize"), TextAlign::Center, "format", false, forTag);
 }
 
 void SliderView::draw(QPainter& painter) {
@@ -80,10 +87,13 @@ void SliderView::draw(QPainter& painter) {
     painter.setPen(QPen(theme().color("line"), 1));
     painter.setBrush(theme().color("inset"));
     painter.drawRoundedRect(line, 4, 4);
-    const QPointF knob = vertical ? QPointF(line.center().x(), line.bottom() - at * line.height()) : QPointF(line.left() + at * line.width(), line.center().y());
+    const QPointF knob = vertical ? QPointF(line.center().x(), line.bottom() - at * line.height())
+                                  : QPointF(line.left() + at * line.width(), line.center().y());
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
-    painter.drawRoundedRect(vertical ? QRectF(line.left(), knob.y(), line.width(), line.bottom() - knob.y()) : QRectF(line.left(), line.top(), knob.x() - line.left(), line.height()), 4, 4);
+    painter.drawRoundedRect(vertical ? QRectF(line.left(), knob.y(), line.width(), line.bottom() - knob.y())
+                                     : QRectF(line.left(), line.top(), knob.x() - line.left(), line.height()),
+                            4, 4);
     if (m_value || m_dragged) {
         const bool down = isPressed();
         painter.setPen(QPen(theme().color("line"), 1.2));
@@ -129,7 +139,8 @@ void KnobView::move(QPointF at) {
 
 TextBox KnobView::label(double raw, const QString& forTag) const {
     const double line = num("fontSize") * 1.5;
-    return textBox(valueText(raw, forTag), QRectF(0, height() - line, width(), line), num("fontSize"), TextAlign::Center, "format", true, forTag);
+    return textBox(valueText(raw, forTag), QRectF(0, height() - line, width(), line), num("fontSize"),
+                   TextAlign::Center, "format", true, forTag);
 }
 
 void KnobView::draw(QPainter& painter) {
@@ -159,6 +170,8 @@ void KnobView::draw(QPainter& painter) {
     drawText(painter, words);
 }
 
-void KnobView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const { out.push_back(label(num("max"), forTag)); }
+void KnobView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
+    out.push_back(label(num("max"), forTag));
+}
 
 } // namespace plc::hmi

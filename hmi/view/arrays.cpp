@@ -24,7 +24,8 @@ QString withIndex(QString expression, int index, int row, int column) {
         } else if (c == u'[' || c == u']') {
             depth += c == u'[' ? 1 : -1;
         } else if (c == u'#' && depth > 0 && !isWord(before)) {
-            const bool isNamed = (next == u'r' || next == u'c') && (i + 2 >= expression.size() || !isWord(expression[i + 2]));
+            const bool isNamed =
+                (next == u'r' || next == u'c') && (i + 2 >= expression.size() || !isWord(expression[i + 2]));
             if (isNamed || !isWord(next)) {
                 out += QString::number(!isNamed ? index : next == u'r' ? row : column);
                 i += isNamed;
@@ -48,7 +49,8 @@ void CellGridView::setUp() {
     for (const Json& row : rows) {
         if (!row.is_object()) continue;
         const Properties state(descriptorOf(ElementKind::Unknown), row);
-        m_states.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")), theme().color(state.text("textColor")), state.has("blink") && state.isSet("blink")});
+        m_states.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")),
+                            theme().color(state.text("textColor")), state.has("blink") && state.isSet("blink")});
     }
 }
 
@@ -69,13 +71,17 @@ QRectF CellGridView::cell(int row, int column) const {
 int CellGridView::stateOf(const Value& held) const {
     for (size_t i = 0; i < m_states.size(); ++i) {
         const Value& other = value(m_states[i].value);
-        if (!other.isNone() && (held.kind() == ValueKind::Text ? held.text() == other.text() : held.toNumber() == other.toNumber())) return static_cast<int>(i);
+        if (!other.isNone() &&
+            (held.kind() == ValueKind::Text ? held.text() == other.text() : held.toNumber() == other.toNumber()))
+            return static_cast<int>(i);
     }
     return -1;
 }
 
-TextBox CellGridView::label(const QString& words, const QRectF& area, const QByteArray& place, const QString& forTag) const {
-    return textBox(words, area.adjusted(3, 1, -3, -1), num("fontSize"), TextAlign::Center, place.constData(), false, forTag);
+TextBox CellGridView::label(const QString& words, const QRectF& area, const QByteArray& place,
+                            const QString& forTag) const {
+    return textBox(words, area.adjusted(3, 1, -3, -1), num("fontSize"), TextAlign::Center, place.constData(), false,
+                   forTag);
 }
 
 void CellGridView::draw(QPainter& painter) {
@@ -87,7 +93,9 @@ void CellGridView::draw(QPainter& painter) {
             const bool known = static_cast<size_t>(index) < m_cells.size();
             const Value held = known ? m_cells[static_cast<size_t>(index)] : Value();
             const int state = known ? stateOf(held) : -1;
-            QColor ground = known ? (held.toBool() && held.kind() != ValueKind::Text ? color("onColor") : color("offColor")) : theme().color("surface");
+            QColor ground =
+                known ? (held.toBool() && held.kind() != ValueKind::Text ? color("onColor") : color("offColor"))
+                      : theme().color("surface");
             QString words = flag("numbers") ? QString::number(first + index) : QString();
             if (state >= 0) {
                 const State& one = m_states[static_cast<size_t>(state)];
@@ -114,14 +122,17 @@ void CellGridView::release(QPointF at, bool inside) {
             const QString target = text("target");
             if (text("action") == QStringLiteral("select")) return write(target, Value::ofInteger(first + index));
             if (static_cast<size_t>(index) >= m_cells.size()) return;
-            return write(withIndex(target, first + index, row + first, column + first), Value::ofBool(!m_cells[static_cast<size_t>(index)].toBool()));
+            return write(withIndex(target, first + index, row + first, column + first),
+                         Value::ofBool(!m_cells[static_cast<size_t>(index)].toBool()));
         }
 }
 
 void CellGridView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
     const QRectF area = cell(0, 0).adjusted(1.5, 1.5, -1.5, -1.5);
     for (size_t i = 0; i < m_states.size(); ++i)
-        if (!m_states[i].text.isEmpty()) out.push_back(label(shown(m_states[i].text, forTag), area, "states[" + QByteArray::number(static_cast<int>(i)) + "].text", forTag));
+        if (!m_states[i].text.isEmpty())
+            out.push_back(label(shown(m_states[i].text, forTag), area,
+                                "states[" + QByteArray::number(static_cast<int>(i)) + "].text", forTag));
 }
 
 // ---- table
@@ -135,19 +146,22 @@ void ArrayTableView::setUp() {
             if (!row.is_object()) continue;
             const Properties column(descriptorOf(ElementKind::Unknown), row);
             const bool editable = !column.has("editable") || column.isSet("editable");
-            m_columns.push_back({column.text("title"), column.text("value"), column.text("format"), column.text("unit"), editable, column.has("width") ? std::max(0.05, column.number("width")) : 1});
+            m_columns.push_back({column.text("title"), column.text("value"), column.text("format"), column.text("unit"),
+                                 editable, column.has("width") ? std::max(0.05, column.number("width")) : 1});
         }
     m_selectedTarget = bindProperty("selected");
     const int first = element().integer("first");
     m_top = std::clamp(m_top, 0, std::max(0, count() - visibleRows()));
     for (int row = 0; row < visibleRows() && m_top + row < count(); ++row) {
         m_cells.emplace_back();
-        for (const Column& column : m_columns) m_cells.back().push_back(bindExpression(withIndex(column.value, first + m_top + row)));
+        for (const Column& column : m_columns)
+            m_cells.back().push_back(bindExpression(withIndex(column.value, first + m_top + row)));
     }
 }
 
 bool ArrayTableView::update() {
-    if (m_selectedTarget.isBound() && !echoed(m_selectedTarget).isNone()) m_selected = static_cast<int>(echoed(m_selectedTarget).toInteger()) - element().integer("first");
+    if (m_selectedTarget.isBound() && !echoed(m_selectedTarget).isNone())
+        m_selected = static_cast<int>(echoed(m_selectedTarget).toInteger()) - element().integer("first");
     return true;
 }
 
@@ -155,11 +169,15 @@ double ArrayTableView::headHeight() const { return std::max(24.0, num("fontSize"
 
 /// Rows that are touched are high enough for a finger.
 double ArrayTableView::rowHeight() const {
-    const bool isTouched = m_selectedTarget.isBound() || std::any_of(m_columns.begin(), m_columns.end(), [](const Column& column) { return column.editable; });
+    const bool isTouched =
+        m_selectedTarget.isBound() ||
+        std::any_of(m_columns.begin(), m_columns.end(), [](const Column& column) { return column.editable; });
     return isTouched ? std::max(44.0, headHeight()) : headHeight();
 }
 
-int ArrayTableView::visibleRows() const { return std::max(1, static_cast<int>((height() - headHeight()) / rowHeight())); }
+int ArrayTableView::visibleRows() const {
+    return std::max(1, static_cast<int>((height() - headHeight()) / rowHeight()));
+}
 
 QRectF ArrayTableView::cell(int visibleRow, size_t column) const {
     const double index = num("fontSize") * 2.6, bar = count() > visibleRows() ? 10 : 0;
@@ -169,11 +187,14 @@ QRectF ArrayTableView::cell(int visibleRow, size_t column) const {
         if (i < column) before += m_columns[i].width;
     }
     const double room = width() - index - bar;
-    return {index + room * before / total, visibleRow < 0 ? 0 : headHeight() + visibleRow * rowHeight(), room * m_columns[column].width / total, visibleRow < 0 ? headHeight() : rowHeight()};
+    return {index + room * before / total, visibleRow < 0 ? 0 : headHeight() + visibleRow * rowHeight(),
+            room * m_columns[column].width / total, visibleRow < 0 ? headHeight() : rowHeight()};
 }
 
 TextBox ArrayTableView::header(size_t column, const QString& forTag) const {
-    return textBox(shown(m_columns[column].title, forTag), cell(-1, column).adjusted(6, 0, -6, 0), num("fontSize"), TextAlign::Start, ("columns[" + QByteArray::number(static_cast<int>(column)) + "].title").constData(), true, forTag);
+    return textBox(shown(m_columns[column].title, forTag), cell(-1, column).adjusted(6, 0, -6, 0), num("fontSize"),
+                   TextAlign::Start,
+                   ("columns[" + QByteArray::number(static_cast<int>(column)) + "].title").constData(), true, forTag);
 }
 
 QString ArrayTableView::contents(const Value& held, const Column& column) const {
@@ -195,21 +216,26 @@ void ArrayTableView::draw(QPainter& painter) {
     for (int i = 0; i < static_cast<int>(m_cells.size()) && !m_columns.empty(); ++i) {
         const QRectF line(1, head + i * row, width() - 2, row);
         const bool isSelected = m_top + i == m_selected;
-        if (isSelected) painter.fillRect(line, theme().color("accent"));
-        else if (i % 2) painter.fillRect(line, theme().color("surface").lighter(theme().isDark() ? 92 : 103));
+        if (isSelected)
+            painter.fillRect(line, theme().color("accent"));
+        else if (i % 2)
+            painter.fillRect(line, theme().color("surface").lighter(theme().isDark() ? 92 : 103));
         painter.setPen(isSelected ? PanelTheme::inkOn(theme().color("accent")) : theme().color("muted"));
-        drawText(painter, textBox(QString::number(first + m_top + i), QRectF(0, line.top(), num("fontSize") * 2.2, row), num("fontSize") * 0.9, TextAlign::End, ""));
+        drawText(painter, textBox(QString::number(first + m_top + i), QRectF(0, line.top(), num("fontSize") * 2.2, row),
+                                  num("fontSize") * 0.9, TextAlign::End, ""));
         for (size_t column = 0; column < m_columns.size(); ++column) {
             const Value& held = value(m_cells[static_cast<size_t>(i)][column]);
             painter.setPen(isSelected ? PanelTheme::inkOn(theme().color("accent")) : inkColor(theme().color("text")));
             const TextAlign align = held.isNumber() || held.isNone() ? TextAlign::End : TextAlign::Start;
-            drawText(painter, textBox(contents(held, m_columns[column]), cell(i, column).adjusted(6, 0, -6, 0), num("fontSize"), align, ""));
+            drawText(painter, textBox(contents(held, m_columns[column]), cell(i, column).adjusted(6, 0, -6, 0),
+                                      num("fontSize"), align, ""));
         }
     }
     for (size_t column = 0; column < m_columns.size(); ++column) {
         painter.setPen(QPen(theme().color("faint"), 1));
         const double x = cell(-1, column).left();
-        painter.drawLine(QPointF(x, 1), QPointF(x, std::min(height() - 1, head + static_cast<double>(m_cells.size()) * row)));
+        painter.drawLine(QPointF(x, 1),
+                         QPointF(x, std::min(height() - 1, head + static_cast<double>(m_cells.size()) * row)));
         painter.setPen(theme().color("text"));
         drawText(painter, header(column, tag()));
     }
@@ -219,7 +245,9 @@ void ArrayTableView::draw(QPainter& painter) {
         const double room = height() - head - 4, length = std::max(16.0, room * visibleRows() / count());
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme().color("off"));
-        painter.drawRoundedRect(QRectF(width() - 8, head + 2 + (room - length) * m_top / std::max(1, count() - visibleRows()), 5, length), 2.5, 2.5);
+        painter.drawRoundedRect(
+            QRectF(width() - 8, head + 2 + (room - length) * m_top / std::max(1, count() - visibleRows()), 5, length),
+            2.5, 2.5);
     }
     if (m_columns.empty()) drawSample(painter);
 }
@@ -231,12 +259,16 @@ void ArrayTableView::drawSample(QPainter& painter) {
         painter.setPen(QPen(theme().color("faint"), 1));
         painter.drawLine(QPointF(x, 1), QPointF(x, height() - 1));
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(column ? QStringLiteral("[#].b") : QStringLiteral("[#].a"), QRectF(x + 6, 0, wide - 12, head), num("fontSize"), TextAlign::Start, "", true));
+        drawText(painter, textBox(column ? QStringLiteral("[#].b") : QStringLiteral("[#].a"),
+                                  QRectF(x + 6, 0, wide - 12, head), num("fontSize"), TextAlign::Start, "", true));
         for (int i = 0; i < std::min(visibleRows(), count()); ++i)
-            drawText(painter, textBox(QStringLiteral("– –"), QRectF(x + 6, head + i * row, wide - 12, row), num("fontSize"), TextAlign::End, ""));
+            drawText(painter, textBox(QStringLiteral("– –"), QRectF(x + 6, head + i * row, wide - 12, row),
+                                      num("fontSize"), TextAlign::End, ""));
     }
     for (int i = 0; i < std::min(visibleRows(), count()); ++i)
-        drawText(painter, textBox(QString::number(element().integer("first") + i), QRectF(0, head + i * row, num("fontSize") * 2.2, row), num("fontSize") * 0.9, TextAlign::End, ""));
+        drawText(painter, textBox(QString::number(element().integer("first") + i),
+                                  QRectF(0, head + i * row, num("fontSize") * 2.2, row), num("fontSize") * 0.9,
+                                  TextAlign::End, ""));
 }
 
 void ArrayTableView::press(QPointF at) {

@@ -11,7 +11,8 @@ namespace plc::hmi {
 
 TextBox TextView::label(const QString& forTag) const {
     const bool filled = color("fill").isValid();
-    TextBox out = textBox(shown(text("text"), forTag), filled ? box().adjusted(6, 2, -6, -2) : box(), num("fontSize"), textAlign(text("align")), "text", flag("bold"), forTag);
+    TextBox out = textBox(shown(text("text"), forTag), filled ? box().adjusted(6, 2, -6, -2) : box(), num("fontSize"),
+                          textAlign(text("align")), "text", flag("bold"), forTag);
     out.wraps = flag("wrap");
     return out;
 }
@@ -63,16 +64,21 @@ void ImageView::draw(QPainter& painter) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme().color("muted"));
         painter.drawEllipse(art.topLeft() + QPointF(side * 0.75, side * 0.25), side * 0.1, side * 0.1);
-        painter.drawPolygon(QPolygonF{art.topLeft() + QPointF(0, side * 0.85), art.topLeft() + QPointF(side * 0.35, side * 0.3), art.topLeft() + QPointF(side * 0.55, side * 0.62),
-                                      art.topLeft() + QPointF(side * 0.7, side * 0.45), art.topLeft() + QPointF(side, side * 0.85)});
+        painter.drawPolygon(
+            QPolygonF{art.topLeft() + QPointF(0, side * 0.85), art.topLeft() + QPointF(side * 0.35, side * 0.3),
+                      art.topLeft() + QPointF(side * 0.55, side * 0.62),
+                      art.topLeft() + QPointF(side * 0.7, side * 0.45), art.topLeft() + QPointF(side, side * 0.85)});
         return;
     }
     const QString fit = text("fit");
     QSizeF size = m_picture.size();
-    if (fit == QStringLiteral("stretch")) size = box().size();
-    else size.scale(box().size(), fit == QStringLiteral("cover") ? Qt::KeepAspectRatioByExpanding : Qt::KeepAspectRatio);
+    if (fit == QStringLiteral("stretch"))
+        size = box().size();
+    else
+        size.scale(box().size(), fit == QStringLiteral("cover") ? Qt::KeepAspectRatioByExpanding : Qt::KeepAspectRatio);
     painter.setClipRect(box(), Qt::IntersectClip);
-    painter.drawPixmap(QRectF(box().center() - QPointF(size.width() / 2, size.height() / 2), size), m_picture, m_picture.rect());
+    painter.drawPixmap(QRectF(box().center() - QPointF(size.width() / 2, size.height() / 2), size), m_picture,
+                       m_picture.rect());
 }
 
 void SymbolView::setUp() {
@@ -107,14 +113,18 @@ QRectF SymbolView::artRect() const {
 
 TextBox SymbolView::label(const QString& forTag) const {
     const QRectF art = artRect();
-    TextBox out = textBox(shown(text("label"), forTag), QRectF(0, art.bottom(), width(), height() - art.bottom()), num("fontSize"), TextAlign::Center, "label", false, forTag);
+    TextBox out = textBox(shown(text("label"), forTag), QRectF(0, art.bottom(), width(), height() - art.bottom()),
+                          num("fontSize"), TextAlign::Center, "label", false, forTag);
     return out;
 }
 
 void SymbolView::draw(QPainter& painter) {
     SymbolLook look;
     look.symbol = text("symbol");
-    look.body = m_isFault ? theme().color("alarm") : m_isWarning ? theme().color("warning") : m_running ? color("onColor") : color("offColor");
+    look.body = m_isFault     ? theme().color("alarm")
+                : m_isWarning ? theme().color("warning")
+                : m_running   ? color("onColor")
+                              : color("offColor");
     look.body = stateColor(look.body);
     if (!look.body.isValid()) look.body = theme().color("off");
     look.line = theme().isDark() ? theme().color("text").darker(115) : QColor(0x33, 0x3A, 0x41);
@@ -124,7 +134,10 @@ void SymbolView::draw(QPainter& painter) {
     look.level = hasLevel(look.symbol) ? m_shownLevel : 0;
     look.frame = m_frame;
     const QString direction = text("direction");
-    look.quarter = direction == QStringLiteral("down") ? 1 : direction == QStringLiteral("left") ? 2 : direction == QStringLiteral("up") ? 3 : 0;
+    look.quarter = direction == QStringLiteral("down")   ? 1
+                   : direction == QStringLiteral("left") ? 2
+                   : direction == QStringLiteral("up")   ? 3
+                                                         : 0;
     const QRectF art = artRect();
     const QTransform transform = painter.worldTransform();
     const double scale = painter.device()->devicePixelRatio() * std::hypot(transform.m11(), transform.m12());
@@ -139,14 +152,18 @@ void SymbolView::draw(QPainter& painter) {
         painter.setPen(QPen(theme().color("background"), 1.5));
         painter.setBrush(ground);
         if (m_isFault) {
-            if (isLit()) painter.drawRect(mark.adjusted(1, 1, -1, -1));
-            else painter.drawEllipse(mark.adjusted(side * 0.3, side * 0.3, -side * 0.3, -side * 0.3));
+            if (isLit())
+                painter.drawRect(mark.adjusted(1, 1, -1, -1));
+            else
+                painter.drawEllipse(mark.adjusted(side * 0.3, side * 0.3, -side * 0.3, -side * 0.3));
         } else {
-            painter.drawPolygon(QPolygonF{QPointF(mark.center().x(), mark.top()), mark.bottomRight(), mark.bottomLeft()});
+            painter.drawPolygon(
+                QPolygonF{QPointF(mark.center().x(), mark.top()), mark.bottomRight(), mark.bottomLeft()});
         }
         if (m_isWarning || isLit()) {
             painter.setPen(PanelTheme::inkOn(ground));
-            TextBox sign = textBox(QStringLiteral("!"), m_isFault ? mark : mark.adjusted(0, side * 0.15, 0, 0), side * 0.7, TextAlign::Center, "", true);
+            TextBox sign = textBox(QStringLiteral("!"), m_isFault ? mark : mark.adjusted(0, side * 0.15, 0, 0),
+                                   side * 0.7, TextAlign::Center, "", true);
             drawText(painter, sign);
         }
     }

@@ -6,7 +6,8 @@
 
 namespace plc::hmi {
 
-void drawKey(QPainter& painter, const QRectF& rect, double radius, const QColor& ground, bool isDown, const PanelTheme& theme) {
+void drawKey(QPainter& painter, const QRectF& rect, double radius, const QColor& ground, bool isDown,
+             const PanelTheme& theme) {
     const double r = std::min(radius, std::min(rect.width(), rect.height()) / 2);
     const QRectF inner = rect.adjusted(0.75, 0.75, -0.75, -0.75);
     if (theme.kind() == PanelThemeKind::Contrast) {
@@ -48,23 +49,40 @@ void drawIcon(QPainter& painter, ButtonIcon icon, const QRectF& r, const QColor&
         for (const auto& [x, y] : points) shape << at(x, y);
         painter.drawPolygon(shape);
     };
-    const auto bar = [&](double x, double y, double w, double h) { painter.drawRect(QRectF(at(x, y), QSizeF(w * r.width(), h * r.height()))); };
+    const auto bar = [&](double x, double y, double w, double h) {
+        painter.drawRect(QRectF(at(x, y), QSizeF(w * r.width(), h * r.height())));
+    };
     switch (icon) {
-    case ButtonIcon::None: return;
-    case ButtonIcon::Play: return poly({{0.2, 0.1}, {0.9, 0.5}, {0.2, 0.9}});
-    case ButtonIcon::Stop: return bar(0.15, 0.15, 0.7, 0.7);
-    case ButtonIcon::Pause: bar(0.18, 0.12, 0.24, 0.76); return bar(0.58, 0.12, 0.24, 0.76);
-    case ButtonIcon::Up: return poly({{0.5, 0.15}, {0.95, 0.8}, {0.05, 0.8}});
-    case ButtonIcon::Down: return poly({{0.5, 0.85}, {0.95, 0.2}, {0.05, 0.2}});
-    case ButtonIcon::Left: return poly({{0.15, 0.5}, {0.8, 0.05}, {0.8, 0.95}});
-    case ButtonIcon::Right: return poly({{0.85, 0.5}, {0.2, 0.05}, {0.2, 0.95}});
-    case ButtonIcon::Plus: bar(0.42, 0.1, 0.16, 0.8); return bar(0.1, 0.42, 0.8, 0.16);
-    case ButtonIcon::Minus: return bar(0.1, 0.42, 0.8, 0.16);
-    case ButtonIcon::Home: poly({{0.5, 0.08}, {0.98, 0.52}, {0.02, 0.52}}); return bar(0.18, 0.5, 0.64, 0.4);
+    case ButtonIcon::None:
+        return;
+    case ButtonIcon::Play:
+        return poly({{0.2, 0.1}, {0.9, 0.5}, {0.2, 0.9}});
+    case ButtonIcon::Stop:
+        return bar(0.15, 0.15, 0.7, 0.7);
+    case ButtonIcon::Pause:
+        bar(0.18, 0.12, 0.24, 0.76);
+        return bar(0.58, 0.12, 0.24, 0.76);
+    case ButtonIcon::Up:
+        return poly({{0.5, 0.15}, {0.95, 0.8}, {0.05, 0.8}});
+    case ButtonIcon::Down:
+        return poly({{0.5, 0.85}, {0.95, 0.2}, {0.05, 0.2}});
+    case ButtonIcon::Left:
+        return poly({{0.15, 0.5}, {0.8, 0.05}, {0.8, 0.95}});
+    case ButtonIcon::Right:
+        return poly({{0.85, 0.5}, {0.2, 0.05}, {0.2, 0.95}});
+    case ButtonIcon::Plus:
+        bar(0.42, 0.1, 0.16, 0.8);
+        return bar(0.1, 0.42, 0.8, 0.16);
+    case ButtonIcon::Minus:
+        return bar(0.1, 0.42, 0.8, 0.16);
+    case ButtonIcon::Home:
+        poly({{0.5, 0.08}, {0.98, 0.52}, {0.02, 0.52}});
+        return bar(0.18, 0.5, 0.64, 0.4);
     case ButtonIcon::Reset: {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(ink, r.width() * 0.14, Qt::SolidLine, Qt::FlatCap));
-        painter.drawArc(r.adjusted(r.width() * 0.12, r.height() * 0.12, -r.width() * 0.12, -r.height() * 0.12), 40 * 16, 280 * 16);
+        painter.drawArc(r.adjusted(r.width() * 0.12, r.height() * 0.12, -r.width() * 0.12, -r.height() * 0.12), 40 * 16,
+                        280 * 16);
         painter.setPen(Qt::NoPen);
         painter.setBrush(ink);
         poly({{0.98, 0.1}, {0.98, 0.52}, {0.6, 0.36}});
@@ -97,14 +115,18 @@ bool ButtonView::update() {
 void ButtonView::press(QPointF) {
     m_isDown = true;
     if (m_action != ButtonAction::Momentary || !m_target.isBound() || !text("confirm").isEmpty()) return;
-    scene().request(WriteRequest{element().id(), expression(m_target), WriteKind::Press, Value::ofBool(true), Value::ofBool(false)}, {});
+    scene().request(
+        WriteRequest{element().id(), expression(m_target), WriteKind::Press, Value::ofBool(true), Value::ofBool(false)},
+        {});
 }
 
 void ButtonView::release(QPointF, bool inside) {
     if (!std::exchange(m_isDown, false)) return;
     if (m_action == ButtonAction::Momentary && text("confirm").isEmpty()) {
         if (m_target.isBound())
-            scene().request(WriteRequest{element().id(), expression(m_target), WriteKind::Release, Value::ofBool(false), Value::ofBool(false)}, {});
+            scene().request(WriteRequest{element().id(), expression(m_target), WriteKind::Release, Value::ofBool(false),
+                                         Value::ofBool(false)},
+                            {});
         return;
     }
     if (inside) perform();
@@ -116,7 +138,9 @@ void ButtonView::perform() {
     switch (m_action) {
     case ButtonAction::Momentary:
         // With a question there is nobody who holds it down: one press of a scan.
-        scene().request(WriteRequest{element().id(), expression(m_target), WriteKind::Press, Value::ofBool(true), Value::ofBool(false)}, shown(confirm));
+        scene().request(WriteRequest{element().id(), expression(m_target), WriteKind::Press, Value::ofBool(true),
+                                     Value::ofBool(false)},
+                        shown(confirm));
         return;
     case ButtonAction::Toggle: {
         const Value next = Value::ofBool(!echoed(m_target).toBool());
@@ -124,24 +148,34 @@ void ButtonView::perform() {
         if (confirm.isEmpty()) echo(next);
         return;
     }
-    case ButtonAction::Set: return put(Value::ofBool(true));
-    case ButtonAction::Reset: return put(Value::ofBool(false));
-    case ButtonAction::Write: return put(value(m_write));
-    case ButtonAction::Panel: return scene().requestPanel(text("panel"));
-    case ButtonAction::Language: return scene().requestLanguage(text("tag"));
-    case ButtonAction::Acknowledge: return scene().request(AcknowledgeRequest{});
+    case ButtonAction::Set:
+        return put(Value::ofBool(true));
+    case ButtonAction::Reset:
+        return put(Value::ofBool(false));
+    case ButtonAction::Write:
+        return put(value(m_write));
+    case ButtonAction::Panel:
+        return scene().requestPanel(text("panel"));
+    case ButtonAction::Language:
+        return scene().requestLanguage(text("tag"));
+    case ButtonAction::Acknowledge:
+        return scene().request(AcknowledgeRequest{});
     }
 }
 
-double ButtonView::iconSide() const { return m_icon == ButtonIcon::None ? 0 : std::min({num("fontSize") * 1.1, height() * 0.6, width() * 0.6}); }
+double ButtonView::iconSide() const {
+    return m_icon == ButtonIcon::None ? 0 : std::min({num("fontSize") * 1.1, height() * 0.6, width() * 0.6});
+}
 
 TextBox ButtonView::label(const QString& forTag) const {
     const double icon = iconSide();
     const QString words = shown(text("text"), forTag);
     QRectF area = box().adjusted(8, 4, -8, -5);
     if (icon > 0 && !words.isEmpty()) {
-        if (isRightToLeft(forTag)) area.setRight(area.right() - icon - 6);
-        else area.setLeft(area.left() + icon + 6);
+        if (isRightToLeft(forTag))
+            area.setRight(area.right() - icon - 6);
+        else
+            area.setLeft(area.left() + icon + 6);
     }
     TextBox out = textBox(words, area, num("fontSize"), textAlign(text("align")), "text", flag("bold"), forTag);
     out.wraps = true;
@@ -164,8 +198,10 @@ void ButtonView::draw(QPainter& painter) {
             const double textWidth = std::min(neededSize(words).width(), words.rect.width());
             const double left = std::max(8.0, (width() - textWidth - icon - 6) / 2);
             place.moveLeft(words.rightToLeft ? width() - left - icon : left);
-            words.rect = words.rightToLeft ? QRectF(place.left() - 6 - textWidth - 1, words.rect.top(), textWidth + 1, words.rect.height())
-                                           : QRectF(place.right() + 6, words.rect.top(), textWidth + 1, words.rect.height());
+            words.rect =
+                words.rightToLeft
+                    ? QRectF(place.left() - 6 - textWidth - 1, words.rect.top(), textWidth + 1, words.rect.height())
+                    : QRectF(place.right() + 6, words.rect.top(), textWidth + 1, words.rect.height());
             words.align = TextAlign::Start;
         }
         drawIcon(painter, m_icon, place, ink);
@@ -203,8 +239,10 @@ QRectF SwitchView::track() const {
 TextBox SwitchView::label(bool on, const QString& forTag) const {
     const QRectF area = track();
     const bool rtl = isRightToLeft(forTag);
-    const QRectF rest = rtl ? QRectF(0, 0, area.width() > 0 ? width() - area.width() - 12 : 0, height()) : QRectF(area.width() + 12, 0, width() - area.width() - 12, height());
-    return textBox(shown(text(on ? "onText" : "offText"), forTag), rest, num("fontSize"), TextAlign::Start, on ? "onText" : "offText", false, forTag);
+    const QRectF rest = rtl ? QRectF(0, 0, area.width() > 0 ? width() - area.width() - 12 : 0, height())
+                            : QRectF(area.width() + 12, 0, width() - area.width() - 12, height());
+    return textBox(shown(text(on ? "onText" : "offText"), forTag), rest, num("fontSize"), TextAlign::Start,
+                   on ? "onText" : "offText", false, forTag);
 }
 
 void SwitchView::draw(QPainter& painter) {
@@ -216,7 +254,9 @@ void SwitchView::draw(QPainter& painter) {
     painter.drawRoundedRect(area, r, r);
     // The mark tells on from off without colour.
     painter.setPen(QPen(PanelTheme::inkOn(ground), 2));
-    if (m_on) painter.drawLine(QPointF(area.left() + r, area.center().y() - r * 0.35), QPointF(area.left() + r, area.center().y() + r * 0.35));
+    if (m_on)
+        painter.drawLine(QPointF(area.left() + r, area.center().y() - r * 0.35),
+                         QPointF(area.left() + r, area.center().y() + r * 0.35));
     else {
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(QPointF(area.right() - r, area.center().y()), r * 0.3, r * 0.3);
@@ -253,7 +293,8 @@ double CheckBoxView::side() const { return std::min(height() - 4, num("fontSize"
 
 TextBox CheckBoxView::label(const QString& forTag) const {
     const double used = side() + 12;
-    const QRectF area = isRightToLeft(forTag) ? QRectF(0, 0, width() - used, height()) : QRectF(used, 0, width() - used, height());
+    const QRectF area =
+        isRightToLeft(forTag) ? QRectF(0, 0, width() - used, height()) : QRectF(used, 0, width() - used, height());
     TextBox out = textBox(shown(text("text"), forTag), area, num("fontSize"), TextAlign::Start, "text", false, forTag);
     out.wraps = true;
     return out;
@@ -268,7 +309,9 @@ void CheckBoxView::draw(QPainter& painter) {
     painter.drawRoundedRect(mark, 4, 4);
     if (m_on) {
         painter.setPen(QPen(PanelTheme::inkOn(ground), s * 0.13, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(QPolygonF{mark.topLeft() + QPointF(s * 0.24, s * 0.53), mark.topLeft() + QPointF(s * 0.43, s * 0.72), mark.topLeft() + QPointF(s * 0.77, s * 0.3)});
+        painter.drawPolyline(QPolygonF{mark.topLeft() + QPointF(s * 0.24, s * 0.53),
+                                       mark.topLeft() + QPointF(s * 0.43, s * 0.72),
+                                       mark.topLeft() + QPointF(s * 0.77, s * 0.3)});
     }
     painter.setPen(inkColor(theme().color("text")));
     drawText(painter, label(tag()));

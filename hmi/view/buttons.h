@@ -71,6 +71,7 @@ private:
 };
 
 /// A raised key: ground, edge and a lower edge that goes when it is pressed.
-void drawKey(QPainter& painter, const QRectF& rect, double radius, const QColor& ground, bool isDown, const PanelTheme& theme);
+void drawKey(QPainter& painter, const QRectF& rect, double radius, const QColor& ground, bool isDown,
+             const PanelTheme& theme);
 
 } // namespace plc::hmi

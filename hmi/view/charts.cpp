@@ -18,7 +18,8 @@ std::vector<double> roundSteps(double from, double to, int count) {
             step = size * factor;
             break;
         }
-    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9 && out.size() < 100; at += step) out.push_back(std::abs(at) < step * 1e-9 ? 0 : at);
+    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9 && out.size() < 100; at += step)
+        out.push_back(std::abs(at) < step * 1e-9 ? 0 : at);
     return out;
 }
 
@@ -43,22 +44,26 @@ void ChartView::drawGround(QPainter& painter, const QRectF& plot) const {
 
 void ChartView::drawVerticalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format) const {
     const double size = fontSize();
-    const std::vector<double> steps = roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.height() / (size * 2.8))));
+    const std::vector<double> steps =
+        roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.height() / (size * 2.8))));
     const QString pattern = format.isEmpty() ? stepFormat(steps) : format;
     for (const double step : steps) {
         const double y = plot.bottom() - axis.share(step) * plot.height();
         painter.setPen(QPen(theme().color("faint"), 1, Qt::SolidLine));
         painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         painter.setPen(theme().color("muted"));
-        TextBox number = textBox(formatValue(Value::ofReal(step), pattern, locale()), QRectF(0, y - size, plot.left() - 5, 2 * size), size, TextAlign::End, "");
+        TextBox number = textBox(formatValue(Value::ofReal(step), pattern, locale()),
+                                 QRectF(0, y - size, plot.left() - 5, 2 * size), size, TextAlign::End, "");
         number.rightToLeft = false;
         drawText(painter, number);
     }
 }
 
-void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format, const QString& unitOfLast) const {
+void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format,
+                                   const QString& unitOfLast) const {
     const double size = fontSize();
-    const std::vector<double> steps = roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.width() / (size * 5))));
+    const std::vector<double> steps =
+        roundSteps(axis.from, axis.to, std::max(1, static_cast<int>(plot.width() / (size * 5))));
     const QString pattern = format.isEmpty() ? stepFormat(steps) : format;
     for (const double step : steps) {
         const double x = plot.left() + axis.share(step) * plot.width();
@@ -67,12 +72,15 @@ void ChartView::drawHorizontalAxis(QPainter& painter, const QRectF& plot, const 
         painter.setPen(theme().color("muted"));
         QString words = formatValue(Value::ofReal(step), pattern, locale());
         if (step == steps.back() && !unitOfLast.isEmpty()) words = leftToRight(words + QChar(0x00A0) + unitOfLast);
-        drawText(painter, textBox(words, QRectF(x - 50, plot.bottom() + 2, 100, size * 1.5), size, TextAlign::Center, ""));
+        drawText(painter,
+                 textBox(words, QRectF(x - 50, plot.bottom() + 2, 100, size * 1.5), size, TextAlign::Center, ""));
     }
 }
 
-TextBox ChartView::titleBox(std::string_view property, const QRectF& area, TextAlign align, const QString& forTag) const {
-    TextBox out = textBox(shown(text(property), forTag), area, fontSize(), align, std::string(property).c_str(), false, forTag);
+TextBox ChartView::titleBox(std::string_view property, const QRectF& area, TextAlign align,
+                            const QString& forTag) const {
+    TextBox out =
+        textBox(shown(text(property), forTag), area, fontSize(), align, std::string(property).c_str(), false, forTag);
     return out;
 }
 
@@ -110,7 +118,9 @@ QString BarChartView::barText(size_t index, const QString& forTag) const {
 TextBox BarChartView::label(size_t index, size_t count, const QString& forTag) const {
     const QRectF area = plot();
     const double pitch = area.width() / static_cast<double>(std::max<size_t>(1, count));
-    return textBox(barText(index, forTag), QRectF(area.left() + pitch * static_cast<double>(index), area.bottom() + 2, pitch, fontSize() * 1.5), fontSize(), TextAlign::Center, "list", false, forTag);
+    return textBox(barText(index, forTag),
+                   QRectF(area.left() + pitch * static_cast<double>(index), area.bottom() + 2, pitch, fontSize() * 1.5),
+                   fontSize(), TextAlign::Center, "list", false, forTag);
 }
 
 void BarChartView::draw(QPainter& painter) {
@@ -124,16 +134,22 @@ void BarChartView::draw(QPainter& painter) {
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
     if (!view.unit.isEmpty()) {
         painter.setPen(theme().color("muted"));
-        drawText(painter, textBox(leftToRight(view.unit), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), title.isEmpty() ? TextAlign::Start : TextAlign::End, ""));
+        drawText(painter, textBox(leftToRight(view.unit), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(),
+                                  title.isEmpty() ? TextAlign::Start : TextAlign::End, ""));
     }
-    const double pitch = area.width() / static_cast<double>(std::max<size_t>(1, m_bars.size())), thick = std::max(1.0, std::min(pitch * 0.66, 60.0));
-    const double zero = area.bottom() - std::clamp(axis.share(std::clamp(0.0, std::min(axis.from, axis.to), std::max(axis.from, axis.to))), 0.0, 1.0) * area.height();
+    const double pitch = area.width() / static_cast<double>(std::max<size_t>(1, m_bars.size())),
+                 thick = std::max(1.0, std::min(pitch * 0.66, 60.0));
+    const double zero =
+        area.bottom() -
+        std::clamp(axis.share(std::clamp(0.0, std::min(axis.from, axis.to), std::max(axis.from, axis.to))), 0.0, 1.0) *
+            area.height();
     const bool writes = pitch > fontSize() * 0.9;
     for (size_t i = 0; i < m_bars.size(); ++i) {
         const double x = area.left() + pitch * (static_cast<double>(i) + 0.5);
         const double y = area.bottom() - std::clamp(axis.share(view.shown(m_bars[i])), 0.0, 1.0) * area.height();
         const int priority = m_limits.priorityAt(m_bars[i]);
-        painter.fillRect(QRectF(QPointF(x - thick / 2, y), QPointF(x + thick / 2, zero)).normalized(), priority ? theme().priority(priority) : stateColor(color("color")));
+        painter.fillRect(QRectF(QPointF(x - thick / 2, y), QPointF(x + thick / 2, zero)).normalized(),
+                         priority ? theme().priority(priority) : stateColor(color("color")));
         painter.setPen(theme().color("muted"));
         if (writes || i % 5 == 0) drawText(painter, label(i, m_bars.size(), tag()));
     }
@@ -143,9 +159,12 @@ void BarChartView::draw(QPainter& painter) {
 }
 
 void BarChartView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
-    if (!text("title").isEmpty()) out.push_back(titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, forTag));
+    if (!text("title").isEmpty())
+        out.push_back(titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, forTag));
     const int length = text("list").isEmpty() ? 0 : scene().texts().table().listLength(text("list"));
-    for (int i = 0; i < length; ++i) out.push_back(label(static_cast<size_t>(i), std::max<size_t>(m_bars.size(), static_cast<size_t>(length)), forTag));
+    for (int i = 0; i < length; ++i)
+        out.push_back(
+            label(static_cast<size_t>(i), std::max<size_t>(m_bars.size(), static_cast<size_t>(length)), forTag));
 }
 
 // ---- xy chart
@@ -164,12 +183,17 @@ bool XyChartView::update() {
     // Without x the places of the array are spread over the axis.
     if (xs.empty() && ys.size() > 1)
         for (size_t i = 0; i < ys.size(); ++i)
-            curve.emplace_back(num("minX") + (num("maxX") - num("minX")) * static_cast<double>(i) / static_cast<double>(ys.size() - 1), ys[i].toNumber());
-    const std::optional<double> px = number(m_pointX, num("minX") + (num("maxX") - num("minX")) * 0.55), py = number(m_pointY, num("minY") + (num("maxY") - num("minY")) * 0.42);
+            curve.emplace_back(num("minX") + (num("maxX") - num("minX")) * static_cast<double>(i) /
+                                                 static_cast<double>(ys.size() - 1),
+                               ys[i].toNumber());
+    const std::optional<double> px = number(m_pointX, num("minX") + (num("maxX") - num("minX")) * 0.55),
+                                py = number(m_pointY, num("minY") + (num("maxY") - num("minY")) * 0.42);
     if (curve.empty() && isDesigning())
         for (int i = 0; i <= 20; ++i) {
             const double share = i / 20.0;
-            curve.emplace_back(num("minX") + (num("maxX") - num("minX")) * share, num("minY") + (num("maxY") - num("minY")) * (0.08 + 0.85 * share * share * (1.6 - 0.6 * share)));
+            curve.emplace_back(num("minX") + (num("maxX") - num("minX")) * share,
+                               num("minY") +
+                                   (num("maxY") - num("minY")) * (0.08 + 0.85 * share * share * (1.6 - 0.6 * share)));
         }
     const std::optional<QPointF> point = px && py ? std::optional(QPointF(*px, *py)) : std::nullopt;
     const bool changed = curve != m_curve || point != m_point;
@@ -179,13 +203,19 @@ bool XyChartView::update() {
 }
 
 QRectF XyChartView::plot() const {
-    const double size = fontSize(), top = text("titleY").isEmpty() ? 8 : size * 2, bottom = size * 1.9 + (text("titleX").isEmpty() ? 0 : size * 1.4);
+    const double size = fontSize(), top = text("titleY").isEmpty() ? 8 : size * 2,
+                 bottom = size * 1.9 + (text("titleX").isEmpty() ? 0 : size * 1.4);
     return QRectF(size * 3.8, top, width() - size * 3.8 - 12, height() - top - bottom);
 }
 
-TextBox XyChartView::xTitle(const QString& forTag) const { return titleBox("titleX", QRectF(plot().left(), height() - fontSize() * 1.7, plot().width(), fontSize() * 1.5), TextAlign::End, forTag); }
+TextBox XyChartView::xTitle(const QString& forTag) const {
+    return titleBox("titleX", QRectF(plot().left(), height() - fontSize() * 1.7, plot().width(), fontSize() * 1.5),
+                    TextAlign::End, forTag);
+}
 
-TextBox XyChartView::yTitle(const QString& forTag) const { return titleBox("titleY", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, forTag); }
+TextBox XyChartView::yTitle(const QString& forTag) const {
+    return titleBox("titleY", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, forTag);
+}
 
 void XyChartView::draw(QPainter& painter) {
     const QRectF area = plot();
@@ -199,7 +229,10 @@ void XyChartView::draw(QPainter& painter) {
     painter.setPen(QPen(theme().color("line"), 1));
     painter.drawLine(area.topLeft(), area.bottomLeft());
     painter.drawLine(area.bottomLeft(), area.bottomRight());
-    const auto at = [&](QPointF point) { return QPointF(area.left() + x.share(point.x()) * area.width(), area.bottom() - y.share(point.y()) * area.height()); };
+    const auto at = [&](QPointF point) {
+        return QPointF(area.left() + x.share(point.x()) * area.width(),
+                       area.bottom() - y.share(point.y()) * area.height());
+    };
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
     QPolygonF line;
@@ -234,7 +267,11 @@ void TrendChartView::setUp() {
             if (!row.is_object()) continue;
             const Properties series(descriptorOf(ElementKind::Unknown), row);
             const int index = static_cast<int>(m_series.size());
-            m_series.push_back({bindExpression(series.text("value")), series.text("title"), colorOr(series.text("color"), theme().series(index)), !series.has("hold") || series.isSet("hold"), {}});
+            m_series.push_back({bindExpression(series.text("value")),
+                                series.text("title"),
+                                colorOr(series.text("color"), theme().series(index)),
+                                !series.has("hold") || series.isSet("hold"),
+                                {}});
         }
     m_nextRead = 0;
 }
@@ -243,14 +280,16 @@ void TrendChartView::read() {
     const double seconds = std::max(0.001, num("seconds"));
     const int buckets = std::max(16, static_cast<int>(plot().width()));
     for (Series& series : m_series)
-        if (scene().values() && series.value.isBound()) series.pieces = scene().values()->curve(binding(series.value), seconds, buckets);
+        if (scene().values() && series.value.isBound())
+            series.pieces = scene().values()->curve(binding(series.value), seconds, buckets);
     if (!isDesigning()) return;
     if (m_series.empty()) m_series.push_back({{}, {}, theme().series(0), false, {}});
     int index = 0;
     for (Series& series : m_series) {
         if (!series.pieces.empty()) continue;
         for (int i = 0; i < 120; ++i) {
-            const double at = -seconds + seconds * i / 120.0, level = 50 + 30 * std::sin(i * 0.09 + index) * std::exp(-i * 0.012);
+            const double at = -seconds + seconds * i / 120.0,
+                         level = 50 + 30 * std::sin(i * 0.09 + index) * std::exp(-i * 0.012);
             series.pieces.push_back({at, at + seconds / 120, level, level, level, level, true});
         }
         ++index;
@@ -281,9 +320,13 @@ QRectF TrendChartView::plot() const {
 
 TextBox TrendChartView::legend(size_t index, const QString& forTag) const {
     const double pitch = plot().width() / static_cast<double>(std::max<size_t>(1, m_series.size()));
-    const QRectF area(plot().left() + pitch * static_cast<double>(index) + 22, height() - fontSize() * 1.8, pitch - 28, fontSize() * 1.6);
+    const QRectF area(plot().left() + pitch * static_cast<double>(index) + 22, height() - fontSize() * 1.8, pitch - 28,
+                      fontSize() * 1.6);
     const Series& series = m_series[index];
-    TextBox out = textBox(series.title.isEmpty() ? expression(series.value) : shown(series.title, forTag), area, fontSize(), TextAlign::Start, ("series[" + QByteArray::number(static_cast<int>(index)) + "].title").constData(), false, forTag);
+    TextBox out =
+        textBox(series.title.isEmpty() ? expression(series.value) : shown(series.title, forTag), area, fontSize(),
+                TextAlign::Start, ("series[" + QByteArray::number(static_cast<int>(index)) + "].title").constData(),
+                false, forTag);
     out.rightToLeft = false;
     return out;
 }
@@ -307,19 +350,25 @@ void TrendChartView::draw(QPainter& painter) {
     const Axis x{-seconds, 0}, shownX{-seconds * factor, 0};
     drawGround(painter, area);
     drawVerticalAxis(painter, area, y, {});
-    drawHorizontalAxis(painter, area, shownX, {}, factor == 1 ? QStringLiteral("s") : factor < 0.001 ? QStringLiteral("h") : QStringLiteral("min"));
+    drawHorizontalAxis(painter, area, shownX, {},
+                       factor == 1      ? QStringLiteral("s")
+                       : factor < 0.001 ? QStringLiteral("h")
+                                        : QStringLiteral("min"));
     painter.setPen(theme().color("text"));
     drawText(painter, titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, tag()));
     painter.setPen(theme().color("muted"));
     const QString unitText = text("unit");
-    if (!unitText.isEmpty()) drawText(painter, textBox(leftToRight(unitText), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(), text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));
+    if (!unitText.isEmpty())
+        drawText(painter, textBox(leftToRight(unitText), QRectF(8, 2, width() - 16, fontSize() * 1.7), fontSize(),
+                                  text("title").isEmpty() ? TextAlign::Start : TextAlign::End, ""));
     painter.save();
     painter.setClipRect(area, Qt::IntersectClip);
     painter.setBrush(Qt::NoBrush);
     const auto px = [&](double at) { return area.left() + x.share(at) * area.width(); };
     const auto py = [&](double value) { return area.bottom() - y.share(value) * area.height(); };
     for (const Series& series : m_series) {
-        painter.setPen(QPen(series.color, 1.8, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin)); // a mitre would add spikes where the curve turns
+        painter.setPen(QPen(series.color, 1.8, Qt::SolidLine, Qt::FlatCap,
+                            Qt::BevelJoin)); // a mitre would add spikes where the curve turns
         QPolygonF line;
         const auto flush = [&] {
             if (line.size() > 1) painter.drawPolyline(line);
@@ -333,7 +382,8 @@ void TrendChartView::draw(QPainter& painter) {
             const double from = px(piece.from), to = px(piece.to);
             // A piece of several samples is a vertical stroke from least to greatest, so no peak is lost.
             if (series.holds && !line.isEmpty()) line << QPointF(from, line.back().y());
-            for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last)) line << QPointF(from, py(value));
+            for (const double value : kit::PenOrder(piece.first, piece.minimum, piece.maximum, piece.last))
+                line << QPointF(from, py(value));
             if (series.holds) line << QPointF(to, py(piece.last));
         }
         flush();
@@ -347,14 +397,16 @@ void TrendChartView::draw(QPainter& painter) {
         const TextBox words = legend(i, tag());
         if (words.text.isEmpty()) continue;
         painter.setPen(QPen(m_series[i].color, 3));
-        painter.drawLine(QPointF(words.rect.left() - 20, words.rect.center().y()), QPointF(words.rect.left() - 5, words.rect.center().y()));
+        painter.drawLine(QPointF(words.rect.left() - 20, words.rect.center().y()),
+                         QPointF(words.rect.left() - 5, words.rect.center().y()));
         painter.setPen(theme().color("text"));
         drawText(painter, words);
     }
 }
 
 void TrendChartView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
-    if (!text("title").isEmpty()) out.push_back(titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, forTag));
+    if (!text("title").isEmpty())
+        out.push_back(titleBox("title", QRectF(8, 2, width() - 16, fontSize() * 1.7), TextAlign::Start, forTag));
     for (size_t i = 0; flag("legend") && i < m_series.size(); ++i)
         if (!m_series[i].title.isEmpty()) out.push_back(legend(i, forTag));
 }

@@ -18,7 +18,8 @@ protected:
     };
     void drawGround(QPainter& painter, const QRectF& plot) const;
     void drawVerticalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format) const;
-    void drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format, const QString& unitOfLast = {}) const;
+    void drawHorizontalAxis(QPainter& painter, const QRectF& plot, const Axis& axis, const QString& format,
+                            const QString& unitOfLast = {}) const;
     TextBox titleBox(std::string_view property, const QRectF& area, TextAlign align, const QString& tag) const;
     double fontSize() const { return num("fontSize"); }
 };

@@ -11,14 +11,16 @@ void TabView::setUp() {
     m_titles.clear();
     const Json& pages = element().at("pages");
     if (pages.is_array())
-        for (const Json& page : pages) m_titles += page.is_object() && page.contains("title") ? toQString(page["title"]) : QString();
+        for (const Json& page : pages)
+            m_titles += page.is_object() && page.contains("title") ? toQString(page["title"]) : QString();
     m_page = std::clamp(m_page, 0, std::max(0, static_cast<int>(m_titles.size()) - 1));
 }
 
 bool TabView::update() {
     const Value now = echoed(m_selected);
     if (now.isNone()) return false;
-    const int page = std::clamp(static_cast<int>(now.toInteger()), 0, std::max(0, static_cast<int>(m_titles.size()) - 1));
+    const int page =
+        std::clamp(static_cast<int>(now.toInteger()), 0, std::max(0, static_cast<int>(m_titles.size()) - 1));
     if (page == m_page) return false;
     showPage(page);
     return true;
@@ -41,7 +43,9 @@ QRectF TabView::headArea(int page) const {
 }
 
 TextBox TabView::label(int page, const QString& forTag) const {
-    return textBox(shown(m_titles.value(page), forTag), headArea(page).adjusted(8, 0, -8, 0), num("fontSize"), TextAlign::Center, ("pages[" + QByteArray::number(page) + "].title").constData(), page == m_page, forTag);
+    return textBox(shown(m_titles.value(page), forTag), headArea(page).adjusted(8, 0, -8, 0), num("fontSize"),
+                   TextAlign::Center, ("pages[" + QByteArray::number(page) + "].title").constData(), page == m_page,
+                   forTag);
 }
 
 void TabView::release(QPointF at, bool inside) {
@@ -72,7 +76,8 @@ void TabView::draw(QPainter& painter) {
         path.lineTo(area.topRight() - QPointF(6, 0));
         path.quadTo(area.topRight(), area.topRight() + QPointF(0, 6));
         path.lineTo(area.bottomRight());
-        painter.fillPath(path, theme().color(page == m_page ? "surface" : "background").darker(page == m_page ? 100 : 104));
+        painter.fillPath(path,
+                         theme().color(page == m_page ? "surface" : "background").darker(page == m_page ? 100 : 104));
         painter.setPen(QPen(theme().color("line"), theme().kind() == PanelThemeKind::Contrast ? 2 : 1));
         painter.setBrush(Qt::NoBrush);
         painter.drawPath(path);
@@ -90,7 +95,8 @@ void TabView::collectTexts(const QString& forTag, std::vector<TextBox>& out) con
 }
 
 TextBox GroupView::label(const QString& forTag) const {
-    return textBox(shown(text("title"), forTag), QRectF(12, 0, width() - 24, num("fontSize") * 1.9), num("fontSize"), TextAlign::Start, "title", true, forTag);
+    return textBox(shown(text("title"), forTag), QRectF(12, 0, width() - 24, num("fontSize") * 1.9), num("fontSize"),
+                   TextAlign::Start, "title", true, forTag);
 }
 
 void GroupView::draw(QPainter& painter) {

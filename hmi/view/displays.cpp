@@ -32,7 +32,8 @@ bool NumericDisplayView::update() {
         priority = limits.priorityAt(now.toNumber());
     } else {
         words = formatValue(now, text("format"), locale());
-        if (!unit().unit.isEmpty() && now.kind() != ValueKind::Text) words = leftToRight(words + QChar(0x00A0) + unit().unit);
+        if (!unit().unit.isEmpty() && now.kind() != ValueKind::Text)
+            words = leftToRight(words + QChar(0x00A0) + unit().unit);
     }
     const QString caption = shown(text("label"));
     const bool changed = words != m_shown || priority != m_priority || caption != m_caption;
@@ -43,14 +44,18 @@ bool NumericDisplayView::update() {
 }
 
 TextBox NumericDisplayView::caption(const QString& forTag) const {
-    return textBox(shown(text("label"), forTag), QRectF(isRightToLeft(forTag) ? width() * 0.5 : 8, 0, width() * 0.5 - 8, height()), num("fontSize") * 0.8, TextAlign::Start, "label", false, forTag);
+    return textBox(shown(text("label"), forTag),
+                   QRectF(isRightToLeft(forTag) ? width() * 0.5 : 8, 0, width() * 0.5 - 8, height()),
+                   num("fontSize") * 0.8, TextAlign::Start, "label", false, forTag);
 }
 
 TextBox NumericDisplayView::number(const QString& words, const QString& forTag) const {
     QRectF area = box().adjusted(8, 2, -8, -2);
     if (!text("label").isEmpty()) {
-        if (isRightToLeft(forTag)) area.setRight(width() * 0.5);
-        else area.setLeft(width() * 0.5);
+        if (isRightToLeft(forTag))
+            area.setRight(width() * 0.5);
+        else
+            area.setLeft(width() * 0.5);
     }
     TextBox out = textBox(words, area, num("fontSize"), textAlign(text("align")), "format", flag("bold"), forTag);
     return out;
@@ -103,10 +108,14 @@ bool DateTimeView::update() {
     const Value& now = value(m_value);
     QString text;
     if (m_value.isBound()) {
-        const bool isDate = now.kind() == ValueKind::DateTime || now.kind() == ValueKind::Date || now.kind() == ValueKind::TimeOfDay || now.kind() == ValueKind::Time;
-        text = isDate ? words(now.toInteger(), now.kind(), tag()) : now.isNone() && !isDesigning() ? QStringLiteral("– –") : words(1704111845000000000, ValueKind::DateTime, tag());
+        const bool isDate = now.kind() == ValueKind::DateTime || now.kind() == ValueKind::Date ||
+                            now.kind() == ValueKind::TimeOfDay || now.kind() == ValueKind::Time;
+        text = isDate                           ? words(now.toInteger(), now.kind(), tag())
+               : now.isNone() && !isDesigning() ? QStringLiteral("– –")
+                                                : words(1704111845000000000, ValueKind::DateTime, tag());
     } else {
-        text = words(scene().values() && !isDesigning() ? scene().values()->clock() : 1704111845000000000, ValueKind::DateTime, tag());
+        text = words(scene().values() && !isDesigning() ? scene().values()->clock() : 1704111845000000000,
+                     ValueKind::DateTime, tag());
     }
     return std::exchange(m_shown, text) != text;
 }
@@ -114,7 +123,8 @@ bool DateTimeView::update() {
 bool DateTimeView::advance(qint64) { return !m_value.isBound() && update(); }
 
 TextBox DateTimeView::label(const QString& words, const QString& forTag) const {
-    return textBox(words, box().adjusted(4, 0, -4, 0), num("fontSize"), textAlign(text("align")), "shows", flag("bold"), forTag);
+    return textBox(words, box().adjusted(4, 0, -4, 0), num("fontSize"), textAlign(text("align")), "shows", flag("bold"),
+                   forTag);
 }
 
 void DateTimeView::draw(QPainter& painter) {
@@ -150,7 +160,8 @@ QRectF LampView::lens() const {
 
 TextBox LampView::label(const QString& forTag) const {
     const double line = num("fontSize") * 1.5;
-    return textBox(shown(text("label"), forTag), QRectF(0, height() - line, width(), line), num("fontSize"), TextAlign::Center, "label", false, forTag);
+    return textBox(shown(text("label"), forTag), QRectF(0, height() - line, width(), line), num("fontSize"),
+                   TextAlign::Center, "label", false, forTag);
 }
 
 void LampView::draw(QPainter& painter) {
@@ -161,7 +172,9 @@ void LampView::draw(QPainter& painter) {
     const QColor lensColor = own.isValid() ? own : theme().color("off");
     const QRectF area = lens();
     const QString shape = text("shape");
-    const double radius = shape == QStringLiteral("round") ? area.height() / 2 : shape == QStringLiteral("pill") ? area.height() / 2 : 5;
+    const double radius = shape == QStringLiteral("round")  ? area.height() / 2
+                          : shape == QStringLiteral("pill") ? area.height() / 2
+                                                            : 5;
     const double rim = std::clamp(area.height() * 0.07, 1.5, 4.0);
     const QRectF inner = area.adjusted(rim * 1.4, rim * 1.4, -rim * 1.4, -rim * 1.4);
     const double innerRadius = std::max(1.0, radius - rim * 1.4);
@@ -172,7 +185,8 @@ void LampView::draw(QPainter& painter) {
     if (theme().kind() == PanelThemeKind::Contrast || !glows) {
         painter.setBrush(lensColor);
     } else {
-        QRadialGradient light(inner.center() - QPointF(inner.width() * 0.15, inner.height() * 0.2), std::max(inner.width(), inner.height()) * 0.75);
+        QRadialGradient light(inner.center() - QPointF(inner.width() * 0.15, inner.height() * 0.2),
+                              std::max(inner.width(), inner.height()) * 0.75);
         light.setColorAt(0, lensColor.lighter(150));
         light.setColorAt(0.55, lensColor);
         light.setColorAt(1, lensColor.darker(115));
@@ -181,7 +195,8 @@ void LampView::draw(QPainter& painter) {
     painter.drawRoundedRect(inner, innerRadius, innerRadius);
     if (!glows && theme().kind() == PanelThemeKind::Contrast) { // off is told by shape, too
         painter.setPen(QPen(theme().color("line"), 2));
-        painter.drawLine(inner.center() - QPointF(inner.height() * 0.2, 0), inner.center() + QPointF(inner.height() * 0.2, 0));
+        painter.drawLine(inner.center() - QPointF(inner.height() * 0.2, 0),
+                         inner.center() + QPointF(inner.height() * 0.2, 0));
     }
     if (m_shown.isEmpty()) return;
     painter.setPen(inkColor(theme().color("text")));
@@ -203,7 +218,8 @@ void MultiStateView::setUp() {
         if (!row.is_object()) continue;
         const Properties state(descriptorOf(ElementKind::Unknown), row);
         const bool blinks = state.has("blink") && state.isSet("blink");
-        m_states.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")), theme().color(state.text("textColor")), blinks});
+        m_states.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")),
+                            theme().color(state.text("textColor")), blinks});
     }
 }
 
@@ -230,11 +246,13 @@ bool MultiStateView::update() {
         // A state's value may be a value or a condition: `Main.level > 5` is true, 3 equals.
         const bool hit = other.kind() == ValueKind::Bool && now.kind() != ValueKind::Bool ? other.toBool()
                          : now.kind() == ValueKind::Text                                  ? now.text() == other.text()
-                                                                                          : !other.isNone() && other.toNumber() == now.toNumber();
+                                                         : !other.isNone() && other.toNumber() == now.toNumber();
         if (hit) present = static_cast<int>(i);
     }
     if (now.isNone() && isDesigning() && !m_states.empty()) present = 0;
-    const QString words = present >= 0 && m_states[static_cast<size_t>(present)].text.isEmpty() ? stateText(-1, tag()) : stateText(present, tag());
+    const QString words = present >= 0 && m_states[static_cast<size_t>(present)].text.isEmpty()
+                              ? stateText(-1, tag())
+                              : stateText(present, tag());
     const bool changed = present != m_present || words != m_shown;
     m_present = present;
     m_shown = words;
@@ -242,7 +260,8 @@ bool MultiStateView::update() {
 }
 
 TextBox MultiStateView::label(const QString& words, const QByteArray& place, const QString& forTag) const {
-    TextBox out = textBox(words, box().adjusted(8, 2, -8, -2), num("fontSize"), textAlign(text("align")), place.constData(), flag("bold"), forTag);
+    TextBox out = textBox(words, box().adjusted(8, 2, -8, -2), num("fontSize"), textAlign(text("align")),
+                          place.constData(), flag("bold"), forTag);
     out.wraps = true;
     return out;
 }
@@ -267,9 +286,12 @@ void MultiStateView::draw(QPainter& painter) {
 
 void MultiStateView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
     for (size_t i = 0; i < m_states.size(); ++i)
-        if (!m_states[i].text.isEmpty()) out.push_back(label(shown(m_states[i].text, forTag), "states[" + QByteArray::number(static_cast<int>(i)) + "].text", forTag));
+        if (!m_states[i].text.isEmpty())
+            out.push_back(label(shown(m_states[i].text, forTag),
+                                "states[" + QByteArray::number(static_cast<int>(i)) + "].text", forTag));
     const QString list = text("list");
-    for (int i = 0; !list.isEmpty() && i < scene().texts().table().listLength(list); ++i) out.push_back(label(scene().texts().listText(list, i, forTag), "list", forTag));
+    for (int i = 0; !list.isEmpty() && i < scene().texts().table().listLength(list); ++i)
+        out.push_back(label(scene().texts().listText(list, i, forTag), "list", forTag));
 }
 
 // ---- 7-segment display
@@ -277,7 +299,8 @@ void MultiStateView::collectTexts(const QString& forTag, std::vector<TextBox>& o
 void SevenSegmentView::setUp() { m_value = bindProperty("value"); }
 
 bool SevenSegmentView::update() {
-    const int digits = std::max(1, element().integer("digits")), decimals = std::clamp(element().integer("decimals"), 0, digits - 1);
+    const int digits = std::max(1, element().integer("digits")),
+              decimals = std::clamp(element().integer("decimals"), 0, digits - 1);
     const std::optional<double> now = number(m_value, 1234 / std::pow(10, decimals));
     QString out;
     if (!now) {
@@ -285,8 +308,10 @@ bool SevenSegmentView::update() {
     } else {
         out = QString::number(*now, 'f', decimals);
         const qsizetype room = digits + (decimals > 0 ? 1 : 0);
-        if (out.size() > room) out = QString(digits, u'-');
-        else out = out.rightJustified(room, flag("zeros") && *now >= 0 ? u'0' : u' ');
+        if (out.size() > room)
+            out = QString(digits, u'-');
+        else
+            out = out.rightJustified(room, flag("zeros") && *now >= 0 ? u'0' : u' ');
     }
     return std::exchange(m_digits, out) != out;
 }
@@ -296,14 +321,16 @@ void SevenSegmentView::draw(QPainter& painter) {
     painter.setBrush(theme().color("glass"));
     painter.drawRoundedRect(box().adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     const qsizetype cells = std::max<qsizetype>(1, m_digits.size() - m_digits.count(u'.'));
-    const double pitch = (width() - 12) / static_cast<double>(cells), h = std::min(height() - 14, pitch * 1.75), w = h * 0.5, t = h * 0.1;
+    const double pitch = (width() - 12) / static_cast<double>(cells), h = std::min(height() - 14, pitch * 1.75),
+                 w = h * 0.5, t = h * 0.1;
     const QColor lit = stateColor(color("color"));
     QColor dark = lit;
     dark.setAlphaF(0.13f);
     painter.setPen(Qt::NoPen);
     // Bits: top, upper right, lower right, bottom, lower left, upper left, middle.
-    static const QHash<QChar, int> shapes{{u'0', 0x3F}, {u'1', 0x06}, {u'2', 0x5B}, {u'3', 0x4F}, {u'4', 0x66}, {u'5', 0x6D},
-                                          {u'6', 0x7D}, {u'7', 0x07}, {u'8', 0x7F}, {u'9', 0x6F}, {u'-', 0x40}, {u' ', 0}};
+    static const QHash<QChar, int> shapes{{u'0', 0x3F}, {u'1', 0x06}, {u'2', 0x5B}, {u'3', 0x4F},
+                                          {u'4', 0x66}, {u'5', 0x6D}, {u'6', 0x7D}, {u'7', 0x07},
+                                          {u'8', 0x7F}, {u'9', 0x6F}, {u'-', 0x40}, {u' ', 0}};
     double x = 6 + (pitch - w) / 2;
     const double y = (height() - h) / 2;
     for (qsizetype i = 0; i < m_digits.size(); ++i) {
@@ -312,10 +339,14 @@ void SevenSegmentView::draw(QPainter& painter) {
         const QPointF corners[6] = {{x, y}, {x + w, y}, {x + w, y + h / 2}, {x + w, y + h}, {x, y + h}, {x, y + h / 2}};
         const std::pair<int, int> ends[7] = {{0, 1}, {1, 2}, {2, 3}, {4, 3}, {5, 4}, {0, 5}, {5, 2}};
         for (int s = 0; s < 7; ++s) {
-            const QPointF a = corners[ends[s].first], b = corners[ends[s].second], along = (b - a) / std::hypot(b.x() - a.x(), b.y() - a.y());
-            const QPointF across = QPointF(-along.y(), along.x()) * t * 0.5, from = a + along * t * 0.62, to = b - along * t * 0.62, tip = along * t * 0.5;
-            QPolygonF segment{from - tip + along * 0.1 * t, from + across, to + across, to + tip - along * 0.1 * t, to - across, from - across};
-            for (QPointF& point : segment) point.rx() += (y + h / 2 - point.y()) * 0.09; // a little slanted, as the real ones
+            const QPointF a = corners[ends[s].first], b = corners[ends[s].second],
+                          along = (b - a) / std::hypot(b.x() - a.x(), b.y() - a.y());
+            const QPointF across = QPointF(-along.y(), along.x()) * t * 0.5, from = a + along * t * 0.62,
+                          to = b - along * t * 0.62, tip = along * t * 0.5;
+            QPolygonF segment{from - tip + along * 0.1 * t, from + across, to + across,
+                              to + tip - along * 0.1 * t,   to - across,   from - across};
+            for (QPointF& point : segment)
+                point.rx() += (y + h / 2 - point.y()) * 0.09; // a little slanted, as the real ones
             painter.setBrush(bits >> s & 1 ? lit : dark);
             painter.drawPolygon(segment);
         }
@@ -362,7 +393,8 @@ void ProgressView::draw(QPainter& painter) {
     painter.fillPath(shape, theme().color("inset"));
     const QColor fill = stateColor(color("color"));
     const bool rtl = isRightToLeft(tag());
-    const QRectF done = rtl ? QRectF(width() * (1 - m_share), 0, width() * m_share, height()) : QRectF(0, 0, width() * m_share, height());
+    const QRectF done = rtl ? QRectF(width() * (1 - m_share), 0, width() * m_share, height())
+                            : QRectF(0, 0, width() * m_share, height());
     painter.save();
     painter.setClipPath(shape, Qt::IntersectClip);
     painter.fillRect(done, fill);
@@ -378,12 +410,16 @@ void ProgressView::draw(QPainter& painter) {
     drawText(painter, box);
     painter.restore();
     painter.save();
-    painter.setClipRect(rtl ? QRectF(0, 0, done.left(), height()) : QRectF(done.right(), 0, width() - done.right(), height()), Qt::IntersectClip);
+    painter.setClipRect(rtl ? QRectF(0, 0, done.left(), height())
+                            : QRectF(done.right(), 0, width() - done.right(), height()),
+                        Qt::IntersectClip);
     painter.setPen(inkColor(theme().color("text")));
     drawText(painter, box);
     painter.restore();
 }
 
-void ProgressView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const { out.push_back(label(words(1, forTag), forTag)); }
+void ProgressView::collectTexts(const QString& forTag, std::vector<TextBox>& out) const {
+    out.push_back(label(words(1, forTag), forTag));
+}
 
 } // namespace plc::hmi

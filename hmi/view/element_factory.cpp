@@ -16,9 +16,11 @@ namespace plc::hmi {
 
 std::unique_ptr<ElementView> makeElementView(const Element& element, PanelScene& scene) {
     switch (element.kind()) {
-    case ElementKind::Unknown: return std::make_unique<UnknownView>(element, scene);
+    case ElementKind::Unknown:
+        return std::make_unique<UnknownView>(element, scene);
 #define HMI_ELEMENT(Kind, Key, Category, Title, Width, Height, Words)                                                  \
-    case ElementKind::Kind: return std::make_unique<Kind##View>(element, scene);
+    case ElementKind::Kind:                                                                                            \
+        return std::make_unique<Kind##View>(element, scene);
 #include "hmi/model/elements.def"
     }
     return std::make_unique<UnknownView>(element, scene);

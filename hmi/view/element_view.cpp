@@ -9,7 +9,8 @@ namespace {
 constexpr qint64 kEchoMilliseconds = 500;
 }
 
-ElementView::ElementView(const Element& element, PanelScene& scene) : m_element(element), m_scene(scene), m_rect(element.rect()) {}
+ElementView::ElementView(const Element& element, PanelScene& scene)
+    : m_element(element), m_scene(scene), m_rect(element.rect()) {}
 
 ElementView::~ElementView() = default;
 
@@ -29,17 +30,23 @@ void ElementView::prepare() {
         for (const Json& row : when) {
             if (!row.is_object()) continue;
             const Properties rule(descriptorOf(ElementKind::Unknown), row);
-            const auto flag = [&](const char* key, bool fallback) { return rule.has(key) && rule.at(key).is_boolean() ? rule.at(key).get<bool>() : fallback; };
-            m_rules.push_back({bindExpression(rule.text("if")), theme().color(rule.text("color")), theme().color(rule.text("textColor")), flag("blink", false),
-                               flag("visible", true), flag("enabled", true)});
+            const auto flag = [&](const char* key, bool fallback) {
+                return rule.has(key) && rule.at(key).is_boolean() ? rule.at(key).get<bool>() : fallback;
+            };
+            m_rules.push_back({bindExpression(rule.text("if")), theme().color(rule.text("color")),
+                               theme().color(rule.text("textColor")), flag("blink", false), flag("visible", true),
+                               flag("enabled", true)});
         }
     const Json& values = m_element.at("values");
     if (values.is_object())
-        for (const auto& [name, expression] : values.items()) m_textValues.emplace_back(QString::fromStdString(name), bindExpression(toQString(expression)));
+        for (const auto& [name, expression] : values.items())
+            m_textValues.emplace_back(QString::fromStdString(name), bindExpression(toQString(expression)));
     setUp();
 }
 
-ElementView::Slot ElementView::bindProperty(std::string_view property) { return bindExpression(m_element.text(property)); }
+ElementView::Slot ElementView::bindProperty(std::string_view property) {
+    return bindExpression(m_element.text(property));
+}
 
 ElementView::Slot ElementView::bindExpression(const QString& expression) {
     if (expression.trimmed().isEmpty()) return {};
@@ -58,9 +65,13 @@ ValueFacts ElementView::facts(Slot slot) const {
     return m_scene.values()->facts(m_bound[static_cast<size_t>(slot.index)].id);
 }
 
-BindingId ElementView::binding(Slot slot) const { return slot.isBound() ? m_bound[static_cast<size_t>(slot.index)].id : BindingId{}; }
+BindingId ElementView::binding(Slot slot) const {
+    return slot.isBound() ? m_bound[static_cast<size_t>(slot.index)].id : BindingId{};
+}
 
-QString ElementView::expression(Slot slot) const { return slot.isBound() ? m_bound[static_cast<size_t>(slot.index)].expression : QString(); }
+QString ElementView::expression(Slot slot) const {
+    return slot.isBound() ? m_bound[static_cast<size_t>(slot.index)].expression : QString();
+}
 
 std::optional<double> ElementView::number(Slot slot, double sample) const {
     if (!slot.isBound()) {
@@ -143,8 +154,10 @@ void ElementView::paint(QPainter& painter) {
     m_blinking = m_appearance.blinks;
     if (!m_appearance.visible && !isDesigning()) return;
     double opacity = 1;
-    if (!m_appearance.visible) opacity = 0.25;
-    else if (!m_appearance.enabled) opacity = 0.45;
+    if (!m_appearance.visible)
+        opacity = 0.25;
+    else if (!m_appearance.enabled)
+        opacity = 0.45;
     if (m_appearance.blinks && !isLit()) opacity *= 0.35;
     if (opacity < 1) painter.setOpacity(painter.opacity() * opacity);
     draw(painter);
@@ -221,7 +234,8 @@ QString ElementView::shown(const QString& reference, const QString& forTag) cons
     });
 }
 
-TextBox ElementView::textBox(const QString& text, const QRectF& rect, double pixelSize, TextAlign align, const char* property, bool bold, const QString& forTag) const {
+TextBox ElementView::textBox(const QString& text, const QRectF& rect, double pixelSize, TextAlign align,
+                             const char* property, bool bold, const QString& forTag) const {
     TextBox box;
     box.text = text;
     box.rect = rect;
@@ -237,7 +251,8 @@ UnitView ElementView::unit(std::string_view property, const QString& forTag) con
 }
 
 QString ElementView::formatted(double raw, std::string_view format, const UnitView& unit, const QString& forTag) const {
-    const QString number = formatValue(Value::ofReal(unit.shown(raw)), m_element.text(format), localeOf(forTag.isEmpty() ? tag() : forTag));
+    const QString number = formatValue(Value::ofReal(unit.shown(raw)), m_element.text(format),
+                                       localeOf(forTag.isEmpty() ? tag() : forTag));
     if (unit.unit.isEmpty()) return number;
     const QString words = number + QChar(0x00A0) + unit.unit;
     return leftToRight(words, forTag);
@@ -249,24 +264,30 @@ QString ElementView::leftToRight(const QString& words, const QString& forTag) co
 
 void ElementView::write(const QString& target, const Value& value, const QString& confirm) {
     if (target.trimmed().isEmpty()) return;
-    m_scene.request(WriteRequest{m_element.id(), target, WriteKind::Write, value, {}}, confirm.isEmpty() ? confirm : shown(confirm));
+    m_scene.request(WriteRequest{m_element.id(), target, WriteKind::Write, value, {}},
+                    confirm.isEmpty() ? confirm : shown(confirm));
 }
 
 Value ElementView::typed(Slot slot, double number) const {
     ValueKind kind = facts(slot).kind;
     if (kind == ValueKind::None) kind = value(slot).kind();
     switch (kind) {
-    case ValueKind::Bool: return Value::ofBool(number != 0);
+    case ValueKind::Bool:
+        return Value::ofBool(number != 0);
     case ValueKind::Integer:
-    case ValueKind::Unsigned: return Value::ofInteger(Value::ofReal(number).toInteger());
-    case ValueKind::Time: return Value::ofInstant(ValueKind::Time, Value::ofReal(number * 1e9).toInteger());
-    case ValueKind::Text: return Value::ofText(QString::number(number));
+    case ValueKind::Unsigned:
+        return Value::ofInteger(Value::ofReal(number).toInteger());
+    case ValueKind::Time:
+        return Value::ofInstant(ValueKind::Time, Value::ofReal(number * 1e9).toInteger());
+    case ValueKind::Text:
+        return Value::ofText(QString::number(number));
     case ValueKind::None:
     case ValueKind::Real:
     case ValueKind::Date:
     case ValueKind::DateTime:
     case ValueKind::TimeOfDay:
-    case ValueKind::Array: return Value::ofReal(number);
+    case ValueKind::Array:
+        return Value::ofReal(number);
     }
     return Value::ofReal(number);
 }
@@ -274,7 +295,8 @@ Value ElementView::typed(Slot slot, double number) const {
 void ElementView::repaint() { m_scene.markDirty(*this); }
 
 Limits Limits::of(const Element& element) {
-    return {element.optionalNumber("lowLow"), element.optionalNumber("low"), element.optionalNumber("high"), element.optionalNumber("highHigh")};
+    return {element.optionalNumber("lowLow"), element.optionalNumber("low"), element.optionalNumber("high"),
+            element.optionalNumber("highHigh")};
 }
 
 int Limits::priorityAt(double value) const {

@@ -109,7 +109,8 @@ protected:
     /// Figures with units and the like read from left to right in every script.
     QString leftToRight(const QString& words, const QString& forTag = {}) const;
     QString shown(const QString& reference, const QString& tag = {}) const; // text filled with the element's values
-    TextBox textBox(const QString& text, const QRectF& rect, double pixelSize, TextAlign align, const char* property, bool bold = false, const QString& tag = {}) const;
+    TextBox textBox(const QString& text, const QRectF& rect, double pixelSize, TextAlign align, const char* property,
+                    bool bold = false, const QString& tag = {}) const;
     UnitView unit(std::string_view property = "unit", const QString& tag = {}) const;
     QString formatted(double raw, std::string_view format, const UnitView& unit, const QString& tag = {}) const;
 
@@ -148,7 +149,8 @@ private:
     bool m_pressed = false, m_fresh = true, m_hasProblem = false;
 };
 
-/// A value with its colour for limits: the priority's colour beyond low-low or high-high, the warning's beyond low or high.
+/// A value with its colour for limits: the priority's colour beyond low-low or high-high, the warning's beyond low or
+/// high.
 struct Limits {
     std::optional<double> lowLow, low, high, highHigh;
     static Limits of(const Element& element);

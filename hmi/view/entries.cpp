@@ -13,12 +13,14 @@ bool EntryView::update() {
 }
 
 TextBox EntryView::label(const QString& words, const QString& forTag) const {
-    return textBox(words, box().adjusted(10, 2, -10, -2), num("fontSize"), textAlign(text("align")), "format", flag("bold"), forTag);
+    return textBox(words, box().adjusted(10, 2, -10, -2), num("fontSize"), textAlign(text("align")), "format",
+                   flag("bold"), forTag);
 }
 
 void EntryView::draw(QPainter& painter) {
     const bool contrast = theme().kind() == PanelThemeKind::Contrast;
-    painter.setPen(QPen(isPressed() ? theme().color("accent") : theme().color("line"), isPressed() || contrast ? 2 : 1));
+    painter.setPen(
+        QPen(isPressed() ? theme().color("accent") : theme().color("line"), isPressed() || contrast ? 2 : 1));
     painter.setBrush(stateColor(theme().color("inset")));
     painter.drawRoundedRect(box().adjusted(0.5, 0.5, -0.5, -0.5), 4, 4);
     // The line below says: this can be changed.
@@ -51,7 +53,8 @@ void NumericEntryView::setUp() {
 }
 
 QString NumericEntryView::contents(const Value& value, const QString& forTag) const {
-    if (!value.isNumber() && value.kind() != ValueKind::Bool) return formatValue(value, text("format"), localeOf(forTag));
+    if (!value.isNumber() && value.kind() != ValueKind::Bool)
+        return formatValue(value, text("format"), localeOf(forTag));
     const UnitView shownUnit = unit("unit", forTag);
     return formatted(value.toNumber(), "format", shownUnit, forTag);
 }
@@ -83,7 +86,8 @@ void TextEntryView::fill(EntryRequest& entry) const {
 }
 
 QString MaskedEntryView::contents(const Value& value, const QString& forTag) const {
-    const QString words = value.kind() == ValueKind::Text ? value.text() : formatValue(value, QStringLiteral("%d"), localeOf(forTag));
+    const QString words =
+        value.kind() == ValueKind::Text ? value.text() : formatValue(value, QStringLiteral("%d"), localeOf(forTag));
     return flag("hidden") ? QString(words.size(), QChar(0x2022)) : words;
 }
 
@@ -94,6 +98,8 @@ void MaskedEntryView::fill(EntryRequest& entry) const {
     if (entry.isHidden) entry.present = Value();
 }
 
-QString MaskedEntryView::sample() const { return flag("hidden") ? QString(text("mask").size(), QChar(0x2022)) : text("mask"); }
+QString MaskedEntryView::sample() const {
+    return flag("hidden") ? QString(text("mask").size(), QChar(0x2022)) : text("mask");
+}
 
 } // namespace plc::hmi

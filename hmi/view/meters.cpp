@@ -15,7 +15,8 @@ bool MeterView::update() {
     const std::optional<double> now = number(m_value, low + (high - low) * 0.6);
     const int priority = now ? m_limits.priorityAt(*now) : 0;
     const QString words = now ? valueText(*now, tag()) : QStringLiteral("– –");
-    const bool moved = now.has_value() != m_now.has_value() || (now && std::abs(shareOf(*now) - shareOf(*m_now)) * travel() >= 0.3);
+    const bool moved =
+        now.has_value() != m_now.has_value() || (now && std::abs(shareOf(*now) - shareOf(*m_now)) * travel() >= 0.3);
     if (!moved && priority == m_priority && words == m_words) return false;
     m_now = now;
     m_priority = priority;
@@ -28,7 +29,9 @@ double MeterView::shareOf(double raw) const {
     return span == 0 || std::isnan(raw) ? 0 : std::clamp((raw - num("min")) / span, 0.0, 1.0);
 }
 
-QColor MeterView::valueColor(const QColor& normal) const { return m_priority ? theme().priority(m_priority) : stateColor(normal); }
+QColor MeterView::valueColor(const QColor& normal) const {
+    return m_priority ? theme().priority(m_priority) : stateColor(normal);
+}
 
 std::vector<double> MeterView::steps(int count) const {
     const UnitView view = unit();
@@ -42,7 +45,8 @@ std::vector<double> MeterView::steps(int count) const {
             step = size * factor;
             break;
         }
-    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9; at += step) out.push_back(std::abs(at) < step * 1e-9 ? 0 : at);
+    for (double at = std::ceil(from / step - 1e-9) * step; at <= to + span * 1e-9; at += step)
+        out.push_back(std::abs(at) < step * 1e-9 ? 0 : at);
     return out;
 }
 
@@ -78,7 +82,8 @@ QRectF BarView::track() const {
 
 QPointF BarView::at(double share, double across) const {
     const QRectF line = track();
-    return isVertical() ? QPointF(line.left() + across, line.bottom() - share * line.height()) : QPointF(line.left() + share * line.width(), line.bottom() - across);
+    return isVertical() ? QPointF(line.left() + across, line.bottom() - share * line.height())
+                        : QPointF(line.left() + share * line.width(), line.bottom() - across);
 }
 
 TextBox BarView::valueBox(const QString& words, const QString& forTag) const {
@@ -107,7 +112,8 @@ void BarView::draw(QPainter& painter) {
     if (m_limits.high) band(*m_limits.high, m_limits.highHigh.value_or(highest), 3);
     if (m_now) {
         const double origin = shareOf(std::clamp(0.0, std::min(lowest, highest), std::max(lowest, highest)));
-        const double inset = (isVertical() ? line.width() : line.height()) * 0.2, far = (isVertical() ? line.width() : line.height()) * 0.8;
+        const double inset = (isVertical() ? line.width() : line.height()) * 0.2,
+                     far = (isVertical() ? line.width() : line.height()) * 0.8;
         painter.fillRect(QRectF(at(origin, inset), at(shareOf(*m_now), far)).normalized(), valueColor(color("color")));
     }
     painter.setPen(QPen(theme().color("line"), theme().kind() == PanelThemeKind::Contrast ? 2 : 1));
@@ -122,13 +128,16 @@ void BarView::draw(QPainter& painter) {
         painter.setPen(theme().color("muted"));
         const QString words = formatValue(Value::ofReal(step), text("format"), locale());
         const QPointF tick = at(share, -8);
-        TextBox number = isVertical() ? textBox(words, QRectF(0, tick.y() - size, tick.x(), 2 * size), size, TextAlign::End, "") : textBox(words, QRectF(tick.x() - 40, tick.y(), 80, size * 1.4), size, TextAlign::Center, "");
+        TextBox number =
+            isVertical() ? textBox(words, QRectF(0, tick.y() - size, tick.x(), 2 * size), size, TextAlign::End, "")
+                         : textBox(words, QRectF(tick.x() - 40, tick.y(), 80, size * 1.4), size, TextAlign::Center, "");
         number.rightToLeft = false;
         drawText(painter, number);
     }
     if (m_aim) {
         const double share = shareOf(*m_aim), thick = isVertical() ? line.width() : line.height();
-        const QPointF tip = at(share, thick * 0.72), back = at(share, thick + 5), across = isVertical() ? QPointF(0, 6) : QPointF(6, 0);
+        const QPointF tip = at(share, thick * 0.72), back = at(share, thick + 5),
+                      across = isVertical() ? QPointF(0, 6) : QPointF(6, 0);
         painter.setPen(QPen(theme().color("background"), 1));
         painter.setBrush(theme().color("text"));
         painter.drawPolygon(QPolygonF{tip, back + across, back - across});
@@ -167,7 +176,8 @@ QPainterPath TankLevelView::vessel() const {
 
 TextBox TankLevelView::valueBox(const QString& words, const QString& forTag) const {
     const double line = num("fontSize") * 1.6;
-    return textBox(words, QRectF(6, height() / 2 - line / 2, width() - 12, line), num("fontSize"), TextAlign::Center, "format", true, forTag);
+    return textBox(words, QRectF(6, height() / 2 - line / 2, width() - 12, line), num("fontSize"), TextAlign::Center,
+                   "format", true, forTag);
 }
 
 void TankLevelView::draw(QPainter& painter) {
@@ -189,7 +199,9 @@ void TankLevelView::draw(QPainter& painter) {
         const double y = inner.bottom() - shareOf(*limit) * inner.height();
         painter.setPen(Qt::NoPen);
         painter.setBrush(theme().priority(priority));
-        painter.drawPolygon(QPolygonF{QPointF(width() - 2, y), QPointF(width() - 12, y - 6), QPointF(width() - 12, y + 6)}.translated(-1, 0));
+        painter.drawPolygon(
+            QPolygonF{QPointF(width() - 2, y), QPointF(width() - 12, y - 6), QPointF(width() - 12, y + 6)}.translated(
+                -1, 0));
     };
     mark(m_limits.lowLow, 1);
     mark(m_limits.low, 3);
@@ -226,12 +238,14 @@ TextBox GaugeView::label(const QString& forTag) const {
     // As wide as the dial is where the label ends.
     const double r = radius(), size = std::min(num("fontSize"), r * 0.16), top = r * 0.62, bottom = top + size * 1.4;
     const double half = std::sqrt(std::max(0.0, r * r - bottom * bottom)) * 0.96;
-    return textBox(shown(text("label"), forTag), QRectF(center().x() - half, center().y() + top, 2 * half, size * 1.4), size, TextAlign::Center, "label", false, forTag);
+    return textBox(shown(text("label"), forTag), QRectF(center().x() - half, center().y() + top, 2 * half, size * 1.4),
+                   size, TextAlign::Center, "label", false, forTag);
 }
 
 TextBox GaugeView::valueBox(const QString& words, const QString& forTag) const {
     const double r = radius(), size = std::min(num("fontSize") * 1.35, r * 0.24);
-    return textBox(words, QRectF(center().x() - r * 0.6, center().y() + r * 0.33, r * 1.2, size * 1.4), size, TextAlign::Center, "format", true, forTag);
+    return textBox(words, QRectF(center().x() - r * 0.6, center().y() + r * 0.33, r * 1.2, size * 1.4), size,
+                   TextAlign::Center, "format", true, forTag);
 }
 
 void GaugeView::draw(QPainter& painter) {
@@ -249,7 +263,8 @@ void GaugeView::draw(QPainter& painter) {
     const auto arc = [&](double from, double to, const QColor& ink) {
         painter.setPen(QPen(ink, ringWidth, Qt::SolidLine, Qt::FlatCap));
         painter.setBrush(Qt::NoBrush);
-        painter.drawArc(ring, static_cast<int>((90 - first - span * from) * 16), static_cast<int>(-span * (to - from) * 16));
+        painter.drawArc(ring, static_cast<int>((90 - first - span * from) * 16),
+                        static_cast<int>(-span * (to - from) * 16));
     };
     arc(0, 1, theme().color("faint"));
     const auto share = [&](double raw) { return shareOf(raw); };
@@ -264,7 +279,9 @@ void GaugeView::draw(QPainter& painter) {
         painter.drawLine(c + out * (ringRadius - ringWidth * 0.5), c + out * (ringRadius - ringWidth * 1.4));
         const QPointF place = c + out * (ringRadius - ringWidth * 1.4 - size * 1.15);
         painter.setPen(theme().color("muted"));
-        TextBox number = textBox(formatValue(Value::ofReal(step), text("format"), locale()), QRectF(place.x() - size * 2, place.y() - size * 0.7, size * 4, size * 1.4), size, TextAlign::Center, "");
+        TextBox number = textBox(formatValue(Value::ofReal(step), text("format"), locale()),
+                                 QRectF(place.x() - size * 2, place.y() - size * 0.7, size * 4, size * 1.4), size,
+                                 TextAlign::Center, "");
         drawText(painter, number);
     }
     painter.setPen(inkColor(theme().color("text")));
@@ -276,7 +293,8 @@ void GaugeView::draw(QPainter& painter) {
         const double tip = ringRadius - ringWidth * 0.6;
         painter.setPen(Qt::NoPen);
         painter.setBrush(valueColor(color("color")));
-        painter.drawPolygon(QPolygonF{c + out * tip, c + across * r * 0.035, c - out * r * 0.14, c - across * r * 0.035});
+        painter.drawPolygon(
+            QPolygonF{c + out * tip, c + across * r * 0.035, c - out * r * 0.14, c - across * r * 0.035});
     }
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme().color("text"));
@@ -297,7 +315,8 @@ void LightTowerView::setUp() {
         for (const Json& row : rows) {
             if (!row.is_object()) continue;
             const Properties light(descriptorOf(ElementKind::Unknown), row);
-            m_lights.push_back({colorOr(light.text("color"), theme().color("green")), bindExpression(light.text("value")), bindExpression(light.text("blink"))});
+            m_lights.push_back({colorOr(light.text("color"), theme().color("green")),
+                                bindExpression(light.text("value")), bindExpression(light.text("blink"))});
         }
     m_siren = bindProperty("siren");
 }
@@ -318,13 +337,15 @@ bool LightTowerView::update() {
 
 void LightTowerView::draw(QPainter& painter) {
     const double count = static_cast<double>(std::max<size_t>(1, m_lights.size()));
-    const double w = std::min(width() * 0.62, height() * 0.3), x = (width() - w) / 2, foot = height() * 0.24, cap = height() * 0.07;
+    const double w = std::min(width() * 0.62, height() * 0.3), x = (width() - w) / 2, foot = height() * 0.24,
+                 cap = height() * 0.07;
     const double each = (height() - foot - cap) / count;
     painter.setPen(QPen(theme().color("line"), 1.2));
     painter.setBrush(theme().color("off"));
     painter.drawRoundedRect(QRectF(x, 0.75, w, cap), 3, 3);
     painter.drawRect(QRectF(width() / 2 - w * 0.13, height() - foot, w * 0.26, foot - height() * 0.045));
-    painter.drawRoundedRect(QRectF(width() / 2 - w * 0.6, height() - height() * 0.05, w * 1.2, height() * 0.05 - 0.75), 2, 2);
+    painter.drawRoundedRect(QRectF(width() / 2 - w * 0.6, height() - height() * 0.05, w * 1.2, height() * 0.05 - 0.75),
+                            2, 2);
     for (size_t i = 0; i < m_lights.size(); ++i) {
         const Light& light = m_lights[i];
         const bool glows = light.on && (!light.blinks || isLit());
@@ -332,7 +353,9 @@ void LightTowerView::draw(QPainter& painter) {
         QColor glass = light.color;
         if (!glows) { // dull, but still telling which one it is
             const QColor dull = theme().color("off");
-            glass = QColor::fromRgbF(static_cast<float>(glass.redF() * 0.28 + dull.redF() * 0.6), static_cast<float>(glass.greenF() * 0.28 + dull.greenF() * 0.6), static_cast<float>(glass.blueF() * 0.28 + dull.blueF() * 0.6));
+            glass = QColor::fromRgbF(static_cast<float>(glass.redF() * 0.28 + dull.redF() * 0.6),
+                                     static_cast<float>(glass.greenF() * 0.28 + dull.greenF() * 0.6),
+                                     static_cast<float>(glass.blueF() * 0.28 + dull.blueF() * 0.6));
         }
         const QRectF area(x, cap + each * static_cast<double>(i), w, each - 1.5);
         if (glows && theme().kind() != PanelThemeKind::Contrast) {
@@ -346,7 +369,8 @@ void LightTowerView::draw(QPainter& painter) {
         painter.setBrush(glass);
         painter.drawRoundedRect(area, 3, 3);
         painter.setPen(QPen(glows ? glass.lighter(150) : glass.lighter(115), 2.5, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(QPointF(area.left() + w * 0.2, area.top() + each * 0.22), QPointF(area.left() + w * 0.2, area.bottom() - each * 0.22));
+        painter.drawLine(QPointF(area.left() + w * 0.2, area.top() + each * 0.22),
+                         QPointF(area.left() + w * 0.2, area.bottom() - each * 0.22));
     }
     if (!m_sounds) return;
     painter.setBrush(Qt::NoBrush);
@@ -372,11 +396,13 @@ bool FloatSwitchView::update() {
 
 TextBox FloatSwitchView::label(const QString& forTag) const {
     const double line = num("fontSize") * 1.4;
-    return textBox(shown(text("label"), forTag), QRectF(0, height() - line, width(), line), num("fontSize"), TextAlign::Center, "label", false, forTag);
+    return textBox(shown(text("label"), forTag), QRectF(0, height() - line, width(), line), num("fontSize"),
+                   TextAlign::Center, "label", false, forTag);
 }
 
 void FloatSwitchView::draw(QPainter& painter) {
-    const double room = text("label").isEmpty() ? 0 : num("fontSize") * 1.5, h = height() - room, size = std::min(width() * 0.42, h * 0.34);
+    const double room = text("label").isEmpty() ? 0 : num("fontSize") * 1.5, h = height() - room,
+                 size = std::min(width() * 0.42, h * 0.34);
     const QPointF hook(width() / 2, 2);
     const QPointF joint(width() * 0.5, h * 0.36);
     const double angle = m_raised ? -22 : 62; // lifted by the water, or hanging

@@ -1,5 +1,5 @@
-// What is wrong with panels, texts and alarms before the operator sees it: keys, translations, placeholders, texts that do
-// not fit (measured in every language with the real font), glyphs, bindings. Functions; main thread (fonts).
+// What is wrong with panels, texts and alarms before the operator sees it: keys, translations, placeholders, texts that
+// do not fit (measured in every language with the real font), glyphs, bindings. Functions; main thread (fonts).
 #pragma once
 #include "hmi/alarms/alarm_file.h"
 #include "hmi/texts/catalog.h"
@@ -8,19 +8,35 @@
 namespace plc::hmi {
 
 enum class FindingKind {
-    MissingKey, MissingTranslation, OrphanKey, PlaceholderMismatch, MissingValue, BadPlaceholder, TextTooLong, HardCodedText, MissingGlyph, MissingFont,
-    UnknownKind, WrongBinding, UnknownPanel, MissingImage, UnknownClass, UnknownLanguage, Outside, BadFormat,
+    MissingKey,
+    MissingTranslation,
+    OrphanKey,
+    PlaceholderMismatch,
+    MissingValue,
+    BadPlaceholder,
+    TextTooLong,
+    HardCodedText,
+    MissingGlyph,
+    MissingFont,
+    UnknownKind,
+    WrongBinding,
+    UnknownPanel,
+    MissingImage,
+    UnknownClass,
+    UnknownLanguage,
+    Outside,
+    BadFormat,
 };
 
 struct Finding {
     FindingKind kind{};
     bool isError = false;
-    QString file;     // "hmi/main.panel.json", "hmi/texts.csv", "hmi/alarms.json"
-    int line = 0;     // of texts.csv
+    QString file; // "hmi/main.panel.json", "hmi/texts.csv", "hmi/alarms.json"
+    int line = 0; // of texts.csv
     ElementId element;
     QString property; // "states[2].text"
     QString language;
-    QString message;  // a whole sentence in the studio's language
+    QString message; // a whole sentence in the studio's language
     /// "H1004", for lists and documentation.
     QString code() const;
     QString text() const; // "hmi/main.panel.json: button1.text [de]: …"
@@ -39,8 +55,8 @@ struct CheckInput {
     TextCatalog texts;
     AlarmFile alarms;
     bool hasAlarms = false;
-    QString folder;            // of the project, for image files
-    QStringList languages;     // to measure in; empty: all of the project
+    QString folder;        // of the project, for image files
+    QStringList languages; // to measure in; empty: all of the project
     QStringList keysUsedElsewhere;
     BindingCheck checkBinding; // may be empty
 };

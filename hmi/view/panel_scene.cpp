@@ -4,7 +4,9 @@
 
 namespace plc::hmi {
 
-PanelScene::PanelScene(QObject* parent) : QObject(parent), m_theme(&PanelTheme::of(PanelThemeKind::Light)), m_texts(&m_noTexts), m_language(QStringLiteral("en")) {}
+PanelScene::PanelScene(QObject* parent)
+    : QObject(parent), m_theme(&PanelTheme::of(PanelThemeKind::Light)), m_texts(&m_noTexts),
+      m_language(QStringLiteral("en")) {}
 
 PanelScene::~PanelScene() = default;
 
@@ -56,8 +58,10 @@ void PanelScene::follow(const Panel& panel, const Touched& touched) {
         place->prepare();
         place->refresh();
         // What lies in a group may be hidden or moved by it.
-        if (place->element().isContainer()) m_allDirty = true;
-        else markDirty(*place);
+        if (place->element().isContainer())
+            m_allDirty = true;
+        else
+            markDirty(*place);
     }
     m_revision = 0;
     emit dirtied();
@@ -79,7 +83,9 @@ void PanelScene::setAlarms(AlarmBook* alarms) {
     if (m_alarms)
         connect(m_alarms, &AlarmBook::changed, this, [this] {
             for (const auto& view : m_views)
-                if (view->element().kind() == ElementKind::AlarmList || view->element().kind() == ElementKind::AlarmBanner) markDirty(*view);
+                if (view->element().kind() == ElementKind::AlarmList ||
+                    view->element().kind() == ElementKind::AlarmBanner)
+                    markDirty(*view);
         });
     prepareAll();
 }
@@ -135,7 +141,8 @@ QTransform PanelScene::transformOf(const ElementView& view) const {
     QTransform transform;
     QPointF offset = view.rect().topLeft() + QPointF(view.appearance().moveX, view.appearance().moveY);
     int guard = 0;
-    for (const ElementView* outer = this->view(view.element().parent()); outer && guard < 32; outer = this->view(outer->element().parent()), ++guard)
+    for (const ElementView* outer = this->view(view.element().parent()); outer && guard < 32;
+         outer = this->view(outer->element().parent()), ++guard)
         offset += QPointF(outer->appearance().moveX, outer->appearance().moveY);
     transform.translate(offset.x(), offset.y());
     const double angle = view.element().number("angle") + view.appearance().rotation;
@@ -243,8 +250,10 @@ void PanelScene::wheel(QPointF at, double steps) {
 }
 
 void PanelScene::request(const WriteRequest& write, const QString& confirm) {
-    if (confirm.isEmpty()) emit writeRequested(write);
-    else emit confirmRequested(ConfirmRequest{confirm, write});
+    if (confirm.isEmpty())
+        emit writeRequested(write);
+    else
+        emit confirmRequested(ConfirmRequest{confirm, write});
 }
 
 } // namespace plc::hmi

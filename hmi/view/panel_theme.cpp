@@ -40,7 +40,8 @@ const PanelTheme& PanelTheme::of(PanelThemeKind kind) {
         std::array<PanelTheme, 3> out;
         for (size_t i = 0; i < 3; ++i) {
             out[i].m_kind = static_cast<PanelThemeKind>(i);
-            for (const Role& role : kRoles) out[i].m_colors.insert(QString::fromLatin1(role.name), QColor(QLatin1String(role.colors[i])));
+            for (const Role& role : kRoles)
+                out[i].m_colors.insert(QString::fromLatin1(role.name), QColor(QLatin1String(role.colors[i])));
         }
         return out;
     }();

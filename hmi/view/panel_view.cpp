@@ -36,14 +36,19 @@ double PanelView::zoom() const {
 
 QPointF PanelView::origin() const {
     const QSizeF shown = QSizeF(m_scene.size()) * zoom();
-    return {std::max(0.0, std::floor((width() - shown.width()) / 2)), std::max(0.0, std::floor((height() - shown.height()) / 2))};
+    return {std::max(0.0, std::floor((width() - shown.width()) / 2)),
+            std::max(0.0, std::floor((height() - shown.height()) / 2))};
 }
 
 QPointF PanelView::toPanel(QPointF point) const { return (point - origin()) / zoom(); }
 
-QRectF PanelView::toWidget(const QRectF& rect) const { return {origin() + rect.topLeft() * zoom(), rect.size() * zoom()}; }
+QRectF PanelView::toWidget(const QRectF& rect) const {
+    return {origin() + rect.topLeft() * zoom(), rect.size() * zoom()};
+}
 
-QSize PanelView::sizeHint() const { return (QSizeF(m_scene.size()) * (m_fit == PanelFit::Fixed ? m_zoom : 1.0)).toSize(); }
+QSize PanelView::sizeHint() const {
+    return (QSizeF(m_scene.size()) * (m_fit == PanelFit::Fixed ? m_zoom : 1.0)).toSize();
+}
 
 QRegion PanelView::frame() {
     const QRegion changed = m_scene.refresh(m_clock.elapsed());
@@ -68,14 +73,17 @@ void PanelView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     const QRectF area = panelRect();
     QRegion outside = event->region() - area.toAlignedRect();
-    for (const QRect& rect : outside) painter.fillRect(rect, m_scene.theme().color("background").darker(m_scene.theme().isDark() ? 130 : 108));
+    for (const QRect& rect : outside)
+        painter.fillRect(rect, m_scene.theme().color("background").darker(m_scene.theme().isDark() ? 130 : 108));
     const QRegion inside = event->region() & area.toAlignedRect();
     if (inside.isEmpty()) return;
     painter.translate(area.topLeft());
     painter.scale(zoom(), zoom());
     // Few pieces are painted one by one, many at once: each element is then painted only once.
-    const QRectF whole(toPanel(inside.boundingRect().topLeft()), toPanel(inside.boundingRect().bottomRight() + QPoint(1, 1)));
-    m_scene.paint(painter, whole, inside.rectCount() > 1 ? &inside : nullptr, QTransform::fromTranslate(area.left(), area.top()).scale(zoom(), zoom()));
+    const QRectF whole(toPanel(inside.boundingRect().topLeft()),
+                       toPanel(inside.boundingRect().bottomRight() + QPoint(1, 1)));
+    m_scene.paint(painter, whole, inside.rectCount() > 1 ? &inside : nullptr,
+                  QTransform::fromTranslate(area.left(), area.top()).scale(zoom(), zoom()));
 }
 
 void PanelView::resizeEvent(QResizeEvent*) { update(); }

@@ -25,7 +25,8 @@ public:
     QRectF toWidget(const QRectF& panelRect) const;
     QRectF panelRect() const { return toWidget(QRectF(QPointF(), m_scene.size())); }
     QSize sizeHint() const override;
-    /// One frame now: reads values and asks for the repaint of what changed. The timer does this while the widget is shown.
+    /// One frame now: reads values and asks for the repaint of what changed. The timer does this while the widget is
+    /// shown.
     QRegion frame();
     int paintedFrames() const { return m_painted; }
 

@@ -7,7 +7,7 @@ namespace plc::hmi {
 
 enum class WriteKind {
     Write,
-    Press,  // a momentary button goes down; `released` is written when it has come up
+    Press, // a momentary button goes down; `released` is written when it has come up
     Release,
 };
 

@@ -42,7 +42,8 @@ bool OptionsView::update() {
     int selected = -1;
     for (size_t i = 0; i < m_options.size() && !now.isNone(); ++i) {
         const Value other = optionValue(i);
-        const bool same = now.kind() == ValueKind::Text ? now.text() == other.text() : !other.isNone() && now.toNumber() == other.toNumber();
+        const bool same = now.kind() == ValueKind::Text ? now.text() == other.text()
+                                                        : !other.isNone() && now.toNumber() == other.toNumber();
         if (same) selected = static_cast<int>(i);
     }
     if (now.isNone() && isDesigning()) selected = 0;
@@ -52,12 +53,15 @@ bool OptionsView::update() {
 QString OptionsView::optionText(size_t index, const QString& forTag) const {
     const Option& option = m_options[index];
     if (!option.text.isEmpty()) return shown(option.text, forTag);
-    const QString fromList = scene().texts().listText(text("list"), optionValue(index).isNone() ? static_cast<qint64>(index) : optionValue(index).toInteger(), forTag);
+    const QString fromList = scene().texts().listText(
+        text("list"), optionValue(index).isNone() ? static_cast<qint64>(index) : optionValue(index).toInteger(),
+        forTag);
     return fromList.isEmpty() ? option.name : fromList;
 }
 
 QByteArray OptionsView::optionPlace(size_t index) const {
-    return m_options[index].text.isEmpty() ? QByteArray("list") : "options[" + QByteArray::number(static_cast<int>(index)) + "].text";
+    return m_options[index].text.isEmpty() ? QByteArray("list")
+                                           : "options[" + QByteArray::number(static_cast<int>(index)) + "].text";
 }
 
 void OptionsView::choose(size_t index) {
@@ -84,13 +88,20 @@ TextBox RotarySelectorView::label(size_t index, const QString& forTag) const {
     const double angle = angleOf(index) * std::numbers::pi / 180;
     const double size = num("fontSize");
     const QPointF tip = center() + QPointF(std::sin(angle), -std::cos(angle)) * (radius() + 9);
-    const bool isLeft = angle < -0.26, isRight = angle > 0.26;
+    const bool isLeft = angle<-0.26, isRight = angle> 0.26;
     const double half = size * 0.75;
     QRectF area(0, tip.y() - half, width(), 2 * half);
-    if (isLeft) area.setRight(tip.x());
-    else if (isRight) area.setLeft(tip.x());
-    else area.moveBottom(tip.y() + 2);
-    TextBox out = textBox(optionText(index, forTag), area, size, isLeft ? TextAlign::End : isRight ? TextAlign::Start : TextAlign::Center, optionPlace(index).constData(), false, forTag);
+    if (isLeft)
+        area.setRight(tip.x());
+    else if (isRight)
+        area.setLeft(tip.x());
+    else
+        area.moveBottom(tip.y() + 2);
+    TextBox out = textBox(optionText(index, forTag), area, size,
+                          isLeft    ? TextAlign::End
+                          : isRight ? TextAlign::Start
+                                    : TextAlign::Center,
+                          optionPlace(index).constData(), false, forTag);
     out.rightToLeft = false; // the side of the knob decides, not the script
     return out;
 }
@@ -98,7 +109,8 @@ TextBox RotarySelectorView::label(size_t index, const QString& forTag) const {
 void RotarySelectorView::release(QPointF at, bool inside) {
     if (!inside || m_options.empty()) return;
     const QPointF from = at - center();
-    if (std::hypot(from.x(), from.y()) < radius() * 0.5) return choose((static_cast<size_t>(std::max(0, m_selected)) + 1) % m_options.size());
+    if (std::hypot(from.x(), from.y()) < radius() * 0.5)
+        return choose((static_cast<size_t>(std::max(0, m_selected)) + 1) % m_options.size());
     const double angle = std::atan2(from.x(), -from.y()) * 180 / std::numbers::pi;
     size_t best = 0;
     for (size_t i = 0; i < m_options.size(); ++i)
@@ -113,7 +125,8 @@ void RotarySelectorView::draw(QPainter& painter) {
         const double angle = angleOf(i) * std::numbers::pi / 180;
         const QPointF out(std::sin(angle), -std::cos(angle));
         const bool isChosen = static_cast<int>(i) == m_selected;
-        painter.setPen(QPen(isChosen ? stateColor(theme().color("accent")) : theme().color("line"), isChosen ? 3 : 1.5));
+        painter.setPen(
+            QPen(isChosen ? stateColor(theme().color("accent")) : theme().color("line"), isChosen ? 3 : 1.5));
         painter.drawLine(c + out * (r + 2), c + out * (r + 7));
         painter.setPen(isChosen ? inkColor(theme().color("text")) : theme().color("muted"));
         TextBox words = label(i, tag());
@@ -157,7 +170,8 @@ TextBox RadioGroupView::label(size_t index, const QString& forTag) const {
     const QRectF area = cell(index);
     const double used = std::min(area.height() - 4, num("fontSize") * 1.5) + 10;
     const QRectF rest = isRightToLeft(forTag) ? area.adjusted(0, 0, -used, 0) : area.adjusted(used, 0, 0, 0);
-    return textBox(optionText(index, forTag), rest, num("fontSize"), TextAlign::Start, optionPlace(index).constData(), false, forTag);
+    return textBox(optionText(index, forTag), rest, num("fontSize"), TextAlign::Start, optionPlace(index).constData(),
+                   false, forTag);
 }
 
 void RadioGroupView::release(QPointF at, bool inside) {
@@ -172,7 +186,8 @@ void RadioGroupView::draw(QPainter& painter) {
         const double d = std::min(area.height() - 4, num("fontSize") * 1.5);
         const QPointF c(isRightToLeft(tag()) ? area.right() - d / 2 - 2 : area.left() + d / 2 + 2, area.center().y());
         const bool isChosen = static_cast<int>(i) == m_selected;
-        painter.setPen(QPen(isChosen ? stateColor(theme().color("accent")) : theme().color("line"), isChosen ? 2.5 : 1.5));
+        painter.setPen(
+            QPen(isChosen ? stateColor(theme().color("accent")) : theme().color("line"), isChosen ? 2.5 : 1.5));
         painter.setBrush(theme().color("inset"));
         painter.drawEllipse(c, d / 2 - 1, d / 2 - 1);
         if (isChosen) {
@@ -217,7 +232,9 @@ void ComboBoxView::draw(QPainter& painter) {
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(QPolygonF{QPointF(x - 5, y - 2.5), QPointF(x, y + 2.5), QPointF(x + 5, y - 2.5)});
     painter.setPen(inkColor(theme().color("text")));
-    const QString words = m_selected >= 0 ? optionText(static_cast<size_t>(m_selected), tag()) : echoed(m_target).isNone() ? QStringLiteral("– –") : formatValue(echoed(m_target), {}, locale());
+    const QString words = m_selected >= 0             ? optionText(static_cast<size_t>(m_selected), tag())
+                          : echoed(m_target).isNone() ? QStringLiteral("– –")
+                                                      : formatValue(echoed(m_target), {}, locale());
     drawText(painter, label(words, {}, tag()));
 }
 
@@ -233,7 +250,8 @@ QString LanguageSelectorView::nameOf(const QString& one) const {
     if (text("names") == QStringLiteral("tag") || (m_short && text("style") != QStringLiteral("menu"))) {
         // The region tells languages apart that share their first part.
         int alike = 0;
-        for (const QString& other : tags()) alike += other.section(u'-', 0, 0).compare(one.section(u'-', 0, 0), Qt::CaseInsensitive) == 0;
+        for (const QString& other : tags())
+            alike += other.section(u'-', 0, 0).compare(one.section(u'-', 0, 0), Qt::CaseInsensitive) == 0;
         return (alike > 1 ? one : one.section(u'-', 0, 0)).toUpper();
     }
     return nativeName(one);
@@ -252,13 +270,15 @@ QRectF LanguageSelectorView::cell(qsizetype index) const {
     if (text("style") == QStringLiteral("menu")) return box();
     const double w = width() / static_cast<double>(std::max<qsizetype>(1, tags().size()));
     if (isRightToLeft(tag())) index = tags().size() - 1 - index; // the first one stands where reading begins
-    return QRectF(static_cast<double>(index) * w, 0, w, height()).adjusted(index ? 2 : 0, 0, index + 1 < tags().size() ? -2 : 0, 0);
+    return QRectF(static_cast<double>(index) * w, 0, w, height())
+        .adjusted(index ? 2 : 0, 0, index + 1 < tags().size() ? -2 : 0, 0);
 }
 
 TextBox LanguageSelectorView::label(qsizetype index) const {
     const bool menu = text("style") == QStringLiteral("menu");
     const QString one = tags().value(index);
-    return textBox(nameOf(one), menu ? box().adjusted(34, 2, -28, -2) : cell(index).adjusted(3, 2, -3, -2), num("fontSize"), menu ? TextAlign::Start : TextAlign::Center, "names", false, one);
+    return textBox(nameOf(one), menu ? box().adjusted(34, 2, -28, -2) : cell(index).adjusted(3, 2, -3, -2),
+                   num("fontSize"), menu ? TextAlign::Start : TextAlign::Center, "names", false, one);
 }
 
 void LanguageSelectorView::release(QPointF at, bool inside) {

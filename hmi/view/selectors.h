@@ -13,7 +13,7 @@ public:
 protected:
     struct Option {
         Value value;
-        Slot slot; // of an option whose value is an expression
+        Slot slot;    // of an option whose value is an expression
         QString text; // reference; empty: index of the text list, then the enum's name
         QString name;
     };

@@ -48,7 +48,8 @@ void ShapeView::drawFilled(QPainter& painter, const QPainterPath& path) {
     if (m_shownLevel) {
         painter.save();
         painter.setClipPath(path, Qt::IntersectClip);
-        painter.fillRect(QRectF(0, height() * (1 - *m_shownLevel), width(), height() * *m_shownLevel), color("levelColor"));
+        painter.fillRect(QRectF(0, height() * (1 - *m_shownLevel), width(), height() * *m_shownLevel),
+                         color("levelColor"));
         painter.restore();
     }
     painter.setPen(pen());
@@ -72,7 +73,8 @@ void ShapeView::drawEnds(QPainter& painter, const QList<QPointF>& points) {
         if (length < 1e-6) return;
         const QPointF unit = along / length, across(-unit.y(), unit.x());
         const QPointF front = tip + unit * (size * 0.6);
-        painter.drawPolygon(QPolygonF{front, front - unit * size * 1.7 + across * size * 0.75, front - unit * size * 1.7 - across * size * 0.75});
+        painter.drawPolygon(QPolygonF{front, front - unit * size * 1.7 + across * size * 0.75,
+                                      front - unit * size * 1.7 - across * size * 0.75});
     };
     end(text("startEnd"), points.front(), points[1]);
     end(text("finishEnd"), points.back(), points[points.size() - 2]);
@@ -123,8 +125,10 @@ void ArcView::draw(QPainter& painter) {
     const double start = num("start"), span = num("span");
     const QString shape = text("shape");
     QPainterPath path;
-    if (shape == QStringLiteral("pie")) path.moveTo(box().center());
-    else path.arcMoveTo(box(), start);
+    if (shape == QStringLiteral("pie"))
+        path.moveTo(box().center());
+    else
+        path.arcMoveTo(box(), start);
     path.arcTo(box(), start, span);
     if (shape != QStringLiteral("arc")) path.closeSubpath();
     if (shape != QStringLiteral("arc") && stateColor(m_fill).isValid()) painter.fillPath(path, stateColor(m_fill));
@@ -172,19 +176,22 @@ bool PipeView::advance(qint64 milliseconds) {
 
 void PipeView::draw(QPainter& painter) {
     QList<QPointF> points;
-    for (const QPointF& point : element().points("points")) points += QPointF(point.x() * width(), point.y() * height());
+    for (const QPointF& point : element().points("points"))
+        points += QPointF(point.x() * width(), point.y() * height());
     const double thickness = num("thickness");
     const QPainterPath path = roundedPath(points, thickness * 1.1);
     const QColor body = stateColor(color("color"));
     painter.setBrush(Qt::NoBrush);
     painter.strokePath(path, QPen(theme().color("line"), thickness, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    painter.strokePath(path, QPen(m_direction ? color("flowColor") : body, std::max(1.0, thickness - 2.4), Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.strokePath(path, QPen(m_direction ? color("flowColor") : body, std::max(1.0, thickness - 2.4),
+                                  Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     if (m_direction == 0) {
         QColor shine = body.lighter(theme().isDark() ? 125 : 112);
         painter.strokePath(path, QPen(shine, thickness * 0.3, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
         return;
     }
-    QPen dashes(PanelTheme::inkOn(color("flowColor")), std::max(1.5, thickness * 0.22), Qt::CustomDashLine, Qt::RoundCap, Qt::RoundJoin);
+    QPen dashes(PanelTheme::inkOn(color("flowColor")), std::max(1.5, thickness * 0.22), Qt::CustomDashLine,
+                Qt::RoundCap, Qt::RoundJoin);
     dashes.setDashPattern({3.2, 3.2});
     dashes.setDashOffset(-m_phase * 3);
     QColor ink = dashes.color();

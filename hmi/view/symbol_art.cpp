@@ -40,7 +40,8 @@ QByteArray filled(const SymbolLook& look) {
     put("@levelY@", QByteArray::number(78 - levelHeight));
     put("@levelH@", QByteArray::number(levelHeight));
     put("@angle@", QByteArray::number(look.frame * 360.0 / kSymbolFrames));
-    put("@swing@", QByteArray::number(look.frame < kSymbolFrames / 2 ? look.frame * 5 - 15 : (kSymbolFrames - look.frame) * 5 - 15));
+    put("@swing@", QByteArray::number(look.frame < kSymbolFrames / 2 ? look.frame * 5 - 15
+                                                                     : (kSymbolFrames - look.frame) * 5 - 15));
     put("@shift@", QByteArray::number(look.frame));
     return svg;
 }
@@ -64,8 +65,13 @@ bool hasLevel(const QString& symbol) { return artOf(symbol).contains("@levelY@")
 QPixmap symbolPixmap(const SymbolLook& look, QSize size) {
     static QCache<QString, QPixmap> kept(64 << 20); // bytes
     if (size.isEmpty()) return {};
-    const QString key = QStringLiteral("%1|%2|%3|%4|%5|%6|%7|%8|%9").arg(look.symbol, look.body.name(), look.line.name(), look.accent.name(), look.ground.name())
-                            .arg(look.level).arg(look.frame).arg(look.quarter).arg(size.width() * 100000 + size.height());
+    const QString key =
+        QStringLiteral("%1|%2|%3|%4|%5|%6|%7|%8|%9")
+            .arg(look.symbol, look.body.name(), look.line.name(), look.accent.name(), look.ground.name())
+            .arg(look.level)
+            .arg(look.frame)
+            .arg(look.quarter)
+            .arg(size.width() * 100000 + size.height());
     if (const QPixmap* found = kept.object(key)) return *found;
     QSvgRenderer renderer(filled(look));
     QPixmap pixmap(size);

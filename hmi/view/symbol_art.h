@@ -10,9 +10,9 @@ namespace plc::hmi {
 struct SymbolLook {
     QString symbol;
     QColor body, line, accent, ground;
-    int level = 0;     // percent, for vessels
-    int frame = 0;     // 0 … kSymbolFrames - 1 of the movement
-    int quarter = 0;   // 0 right, 1 down, 2 left (mirrored), 3 up
+    int level = 0;   // percent, for vessels
+    int frame = 0;   // 0 … kSymbolFrames - 1 of the movement
+    int quarter = 0; // 0 right, 1 down, 2 left (mirrored), 3 up
     bool operator==(const SymbolLook&) const = default;
 };
 

@@ -113,8 +113,10 @@ bool drawPlain(QPainter& painter, const TextBox& box) {
     for (const QChar c : box.text) width += glyphs->advance[c.unicode()];
     if (width > box.rect.width() + 0.5) return false;
     double x = box.rect.left();
-    if (box.align == TextAlign::Center) x += (box.rect.width() - width) / 2;
-    else if (isAtRight(box)) x = box.rect.right() - width;
+    if (box.align == TextAlign::Center)
+        x += (box.rect.width() - width) / 2;
+    else if (isAtRight(box))
+        x = box.rect.right() - width;
     double y = box.rect.center().y() + (glyphs->ascent - glyphs->descent) / 2;
     if (box.vertical & Qt::AlignTop) y = box.rect.top() + glyphs->ascent;
     if (box.vertical & Qt::AlignBottom) y = box.rect.bottom() - glyphs->descent;
@@ -173,8 +175,10 @@ void drawText(QPainter& painter, const TextBox& box) {
             width = metrics.horizontalAdvance(text);
         }
         double x = box.rect.left();
-        if (box.align == TextAlign::Center) x += (box.rect.width() - width) / 2;
-        else if (isAtRight(box)) x = box.rect.right() - width;
+        if (box.align == TextAlign::Center)
+            x += (box.rect.width() - width) / 2;
+        else if (isAtRight(box))
+            x = box.rect.right() - width;
         painter.drawText(QPointF(x, y), text);
         y += lines.spacing;
     }

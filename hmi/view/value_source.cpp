@@ -12,9 +12,12 @@ BindingId HeldValues::bind(const QString& expression) {
     Entry entry;
     bool isNumber = false;
     const double number = text.toDouble(&isNumber);
-    if (isNumber) entry.value = text.contains(u'.') ? Value::ofReal(number) : Value::ofInteger(text.toLongLong());
-    else if (text.compare(QStringLiteral("TRUE"), Qt::CaseInsensitive) == 0) entry.value = Value::ofBool(true);
-    else if (text.compare(QStringLiteral("FALSE"), Qt::CaseInsensitive) == 0) entry.value = Value::ofBool(false);
+    if (isNumber)
+        entry.value = text.contains(u'.') ? Value::ofReal(number) : Value::ofInteger(text.toLongLong());
+    else if (text.compare(QStringLiteral("TRUE"), Qt::CaseInsensitive) == 0)
+        entry.value = Value::ofBool(true);
+    else if (text.compare(QStringLiteral("FALSE"), Qt::CaseInsensitive) == 0)
+        entry.value = Value::ofBool(false);
     m_entries.push_back(std::move(entry));
     return {index};
 }

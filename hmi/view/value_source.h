@@ -42,7 +42,8 @@ public:
     virtual quint64 revision() const = 0;
 };
 
-/// Values that are set by hand, with an optional record of what they were: for the designer's sample, pictures and tests.
+/// Values that are set by hand, with an optional record of what they were: for the designer's sample, pictures and
+/// tests.
 class HeldValues final : public ValueSource {
 public:
     void set(const QString& expression, Value value);

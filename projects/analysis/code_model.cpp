@@ -15,11 +15,15 @@ namespace {
 /// The names of a library's units that are its own business: {attribute 'hide'} above them.
 void collectHidden(const std::vector<syntax::Decl*>& declarations, std::set<std::pair<FileId, uint32_t>>& out) {
     const auto isHidden = [](const auto& pragmas) {
-        return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& each) { return each.isAttribute && equalsIgnoringCase(each.key, "hide"); });
+        return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& each) {
+            return each.isAttribute && equalsIgnoringCase(each.key, "hide");
+        });
     };
     for (const syntax::Decl* each : declarations) {
-        if (each->kind == syntax::DeclKind::Pou && isHidden(each->pou->pragmas)) out.emplace(each->pou->name.range.file, each->pou->name.range.begin);
-        if (each->kind == syntax::DeclKind::Type && isHidden(each->type->pragmas)) out.emplace(each->type->name.range.file, each->type->name.range.begin);
+        if (each->kind == syntax::DeclKind::Pou && isHidden(each->pou->pragmas))
+            out.emplace(each->pou->name.range.file, each->pou->name.range.begin);
+        if (each->kind == syntax::DeclKind::Type && isHidden(each->type->pragmas))
+            out.emplace(each->type->name.range.file, each->type->name.range.begin);
         if (each->kind == syntax::DeclKind::Namespace) collectHidden(each->space->declarations, out);
     }
 }
@@ -37,11 +41,15 @@ std::shared_ptr<const CodeModel> CodeModel::make(const driver::BuildInput& input
     }
     std::set<std::pair<FileId, uint32_t>> hidden;
     for (size_t i = 0; i < analysis.files.size(); ++i)
-        if (model->sources()[FileId(i)].path().starts_with("library/")) collectHidden(analysis.files[i]->declarations, hidden);
+        if (model->sources()[FileId(i)].path().starts_with("library/"))
+            collectHidden(analysis.files[i]->declarations, hidden);
     model->m_isHidden.resize(analysis.symbols.size());
-    for (uint32_t i = 0; i < analysis.symbols.size(); ++i) model->m_isHidden[i] = hidden.contains({analysis.symbols[i].declaration.file, analysis.symbols[i].declaration.begin});
+    for (uint32_t i = 0; i < analysis.symbols.size(); ++i)
+        model->m_isHidden[i] =
+            hidden.contains({analysis.symbols[i].declaration.file, analysis.symbols[i].declaration.begin});
     for (uint32_t i = 0; i < analysis.references.size(); ++i)
-        if (analysis.references[i].symbol.isValid()) model->m_referencesOf[analysis.references[i].symbol.index()].push_back(i);
+        if (analysis.references[i].symbol.isValid())
+            model->m_referencesOf[analysis.references[i].symbol.index()].push_back(i);
     return model;
 }
 
@@ -56,31 +64,45 @@ namespace {
 
 TokenClass classOf(const Symbol& symbol) {
     switch (symbol.kind) {
-    case SymbolKind::Constant: return TokenClass::Constant;
-    case SymbolKind::Enumerator: return TokenClass::EnumValue;
+    case SymbolKind::Constant:
+        return TokenClass::Constant;
+    case SymbolKind::Enumerator:
+        return TokenClass::EnumValue;
     case SymbolKind::Type:
     case SymbolKind::FunctionBlock:
     case SymbolKind::Interface:
-    case SymbolKind::Namespace: return TokenClass::Type;
+    case SymbolKind::Namespace:
+        return TokenClass::Type;
     case SymbolKind::Function:
     case SymbolKind::StandardFunction:
     case SymbolKind::Method:
     case SymbolKind::Program:
-    case SymbolKind::Action: return TokenClass::Function;
+    case SymbolKind::Action:
+        return TokenClass::Function;
     case SymbolKind::Label:
-    case SymbolKind::Task: return TokenClass::Label;
-    case SymbolKind::Step: return TokenClass::Step;
-    case SymbolKind::GlobalList: return TokenClass::Global;
-    case SymbolKind::Property: return TokenClass::Local;
-    case SymbolKind::Variable: break;
+    case SymbolKind::Task:
+        return TokenClass::Label;
+    case SymbolKind::Step:
+        return TokenClass::Step;
+    case SymbolKind::GlobalList:
+        return TokenClass::Global;
+    case SymbolKind::Property:
+        return TokenClass::Local;
+    case SymbolKind::Variable:
+        break;
     }
     if (symbol.isConstant) return TokenClass::Constant;
     switch (symbol.section) {
-    case types::FieldSection::Input: return TokenClass::Input;
-    case types::FieldSection::Output: return TokenClass::Output;
-    case types::FieldSection::InOut: return TokenClass::InOut;
-    case types::FieldSection::External: return TokenClass::Global;
-    default: return symbol.owner.empty() ? TokenClass::Global : TokenClass::Local;
+    case types::FieldSection::Input:
+        return TokenClass::Input;
+    case types::FieldSection::Output:
+        return TokenClass::Output;
+    case types::FieldSection::InOut:
+        return TokenClass::InOut;
+    case types::FieldSection::External:
+        return TokenClass::Global;
+    default:
+        return symbol.owner.empty() ? TokenClass::Global : TokenClass::Local;
     }
 }
 
@@ -91,18 +113,27 @@ TokenClass classOf(const lex::Token& token) {
     case TokenKind::DurationLiteral:
     case TokenKind::DateLiteral:
     case TokenKind::TimeOfDayLiteral:
-    case TokenKind::DateTimeLiteral: return TokenClass::Number;
+    case TokenKind::DateTimeLiteral:
+        return TokenClass::Number;
     case TokenKind::True:
-    case TokenKind::False: return TokenClass::Constant;
+    case TokenKind::False:
+        return TokenClass::Constant;
     case TokenKind::StringLiteral:
-    case TokenKind::WstringLiteral: return TokenClass::Text;
-    case TokenKind::TypedPrefix: return TokenClass::Type;
-    case TokenKind::DirectAddress: return TokenClass::Address;
-    case TokenKind::Pragma: return TokenClass::Pragma;
-    case TokenKind::Error: return TokenClass::Error;
+    case TokenKind::WstringLiteral:
+        return TokenClass::Text;
+    case TokenKind::TypedPrefix:
+        return TokenClass::Type;
+    case TokenKind::DirectAddress:
+        return TokenClass::Address;
+    case TokenKind::Pragma:
+        return TokenClass::Pragma;
+    case TokenKind::Error:
+        return TokenClass::Error;
     case TokenKind::Identifier:
-    case TokenKind::EndOfFile: return TokenClass::Plain;
-    default: return lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
+    case TokenKind::EndOfFile:
+        return TokenClass::Plain;
+    default:
+        return lex::isKeyword(token.kind) ? TokenClass::Keyword : TokenClass::Operator;
     }
 }
 
@@ -111,7 +142,8 @@ bool isElementaryTypeName(std::string_view text) {
     const std::string folded = foldCase(text);
     for (uint32_t kind = 0; kind <= static_cast<uint32_t>(types::TypeKind::Wchar); ++kind)
         if (folded == foldCase(types::spelling(static_cast<types::TypeKind>(kind)))) return true;
-    return folded == "string" || folded == "wstring" || folded == "time_of_day" || folded == "date_and_time" || folded == "pointer" || folded == "reference" || folded == "ref_to";
+    return folded == "string" || folded == "wstring" || folded == "time_of_day" || folded == "date_and_time" ||
+           folded == "pointer" || folded == "reference" || folded == "ref_to";
 }
 
 } // namespace
@@ -128,15 +160,21 @@ std::vector<ColouredToken> CodeModel::colours(FileId file) const {
     const syntax::SyntaxFile& tree = *analysis.files[file.index()];
     const std::vector<uint32_t> operators = operatorPlaces(tree);
     const std::string_view text = (*m_checked.sources)[file].text();
-    auto reference = std::lower_bound(analysis.references.begin(), analysis.references.end(), file, [](const sema::Reference& r, FileId f) { return r.range.file < f; });
+    auto reference = std::lower_bound(analysis.references.begin(), analysis.references.end(), file,
+                                      [](const sema::Reference& r, FileId f) { return r.range.file < f; });
     for (const lex::Token& token : tree.tokens.tokens) {
         ColouredToken coloured{token.begin, token.end, classOf(token)};
         if (token.kind == TokenKind::Identifier) {
-            while (reference != analysis.references.end() && reference->range.file == file && reference->range.begin < token.begin) ++reference;
-            if (reference != analysis.references.end() && reference->range.file == file && reference->range.begin == token.begin && reference->symbol.isValid()) {
+            while (reference != analysis.references.end() && reference->range.file == file &&
+                   reference->range.begin < token.begin)
+                ++reference;
+            if (reference != analysis.references.end() && reference->range.file == file &&
+                reference->range.begin == token.begin && reference->symbol.isValid()) {
                 const Symbol& symbol = analysis.symbols[reference->symbol.index()];
                 coloured.kind = classOf(symbol);
-                if (symbol.kind == SymbolKind::Variable && analysis.program && analysis.program->types->kind(symbol.type) == types::TypeKind::Block) coloured.kind = TokenClass::Instance;
+                if (symbol.kind == SymbolKind::Variable && analysis.program &&
+                    analysis.program->types->kind(symbol.type) == types::TypeKind::Block)
+                    coloured.kind = TokenClass::Instance;
             } else if (isElementaryTypeName(text.substr(token.begin, token.end - token.begin))) {
                 coloured.kind = TokenClass::Type;
             } else if (token.soft != lex::SoftWord::None) {
@@ -146,7 +184,8 @@ std::vector<ColouredToken> CodeModel::colours(FileId file) const {
         if (std::binary_search(operators.begin(), operators.end(), token.begin)) coloured.kind = TokenClass::Keyword;
         if (token.kind != TokenKind::EndOfFile) out.push_back(coloured);
     }
-    for (const lex::Comment& comment : tree.tokens.comments) out.push_back({comment.begin, comment.end, TokenClass::Comment});
+    for (const lex::Comment& comment : tree.tokens.comments)
+        out.push_back({comment.begin, comment.end, TokenClass::Comment});
     std::sort(out.begin(), out.end(), [](const ColouredToken& a, const ColouredToken& b) { return a.begin < b.begin; });
     return out;
 }
@@ -154,7 +193,8 @@ std::vector<ColouredToken> CodeModel::colours(FileId file) const {
 std::optional<sema::SymbolId> CodeModel::symbolAt(FileId file, uint32_t offset, SourceRange* range) const {
     const sema::Analysis& analysis = *m_checked.analysis;
     for (const sema::Reference& reference : analysis.references)
-        if (reference.range.file == file && offset >= reference.range.begin && offset <= reference.range.end && reference.symbol.isValid()) {
+        if (reference.range.file == file && offset >= reference.range.begin && offset <= reference.range.end &&
+            reference.symbol.isValid()) {
             if (range) *range = reference.range;
             return reference.symbol;
         }
@@ -176,12 +216,14 @@ std::string CodeModel::pouAt(FileId file, uint32_t offset) const {
         if (offset < pou.range.begin || offset > pou.range.end) return;
         found = std::string(pou.name.text);
         for (const syntax::Pou* method : pou.methods)
-            if (offset >= method->range.begin && offset <= method->range.end) found += "." + std::string(method->name.text);
+            if (offset >= method->range.begin && offset <= method->range.end)
+                found += "." + std::string(method->name.text);
     };
     const auto walk = [&](auto&& self, const std::vector<syntax::Decl*>& declarations) -> void {
         for (const syntax::Decl* declaration : declarations) {
             if (declaration->kind == syntax::DeclKind::Pou && declaration->pou) inPou(*declaration->pou);
-            if (declaration->kind == syntax::DeclKind::Namespace && declaration->space) self(self, declaration->space->declarations);
+            if (declaration->kind == syntax::DeclKind::Namespace && declaration->space)
+                self(self, declaration->space->declarations);
         }
     };
     walk(walk, analysis.files[file.index()]->declarations);
@@ -191,31 +233,51 @@ std::string CodeModel::pouAt(FileId file, uint32_t offset) const {
 namespace {
 std::string sectionWord(const Symbol& symbol) {
     switch (symbol.section) {
-    case types::FieldSection::Input: return "VAR_INPUT ";
-    case types::FieldSection::Output: return "VAR_OUTPUT ";
-    case types::FieldSection::InOut: return "VAR_IN_OUT ";
-    default: return symbol.owner.empty() ? "VAR_GLOBAL " : "";
+    case types::FieldSection::Input:
+        return "VAR_INPUT ";
+    case types::FieldSection::Output:
+        return "VAR_OUTPUT ";
+    case types::FieldSection::InOut:
+        return "VAR_IN_OUT ";
+    default:
+        return symbol.owner.empty() ? "VAR_GLOBAL " : "";
     }
 }
 std::string kindWord(SymbolKind kind) {
     switch (kind) {
-    case SymbolKind::Type: return "TYPE";
+    case SymbolKind::Type:
+        return "TYPE";
     case SymbolKind::Function:
-    case SymbolKind::StandardFunction: return "FUNCTION";
-    case SymbolKind::FunctionBlock: return "FUNCTION_BLOCK";
-    case SymbolKind::Program: return "PROGRAM";
-    case SymbolKind::Method: return "METHOD";
-    case SymbolKind::Property: return "PROPERTY";
-    case SymbolKind::Action: return "ACTION";
-    case SymbolKind::Interface: return "INTERFACE";
-    case SymbolKind::Namespace: return "NAMESPACE";
-    case SymbolKind::Task: return "TASK";
-    case SymbolKind::Label: return "label";
-    case SymbolKind::Step: return "STEP";
-    case SymbolKind::GlobalList: return "VAR_GLOBAL list";
-    case SymbolKind::Enumerator: return "value of";
-    case SymbolKind::Constant: return "CONSTANT";
-    case SymbolKind::Variable: return "";
+    case SymbolKind::StandardFunction:
+        return "FUNCTION";
+    case SymbolKind::FunctionBlock:
+        return "FUNCTION_BLOCK";
+    case SymbolKind::Program:
+        return "PROGRAM";
+    case SymbolKind::Method:
+        return "METHOD";
+    case SymbolKind::Property:
+        return "PROPERTY";
+    case SymbolKind::Action:
+        return "ACTION";
+    case SymbolKind::Interface:
+        return "INTERFACE";
+    case SymbolKind::Namespace:
+        return "NAMESPACE";
+    case SymbolKind::Task:
+        return "TASK";
+    case SymbolKind::Label:
+        return "label";
+    case SymbolKind::Step:
+        return "STEP";
+    case SymbolKind::GlobalList:
+        return "VAR_GLOBAL list";
+    case SymbolKind::Enumerator:
+        return "value of";
+    case SymbolKind::Constant:
+        return "CONSTANT";
+    case SymbolKind::Variable:
+        return "";
     }
     return "";
 }
@@ -230,11 +292,13 @@ std::optional<Hover> CodeModel::hover(FileId file, uint32_t offset) const {
     const std::string type = program && found.type.isValid() ? (*program->types)[found.type].name : std::string();
     const std::string word = kindWord(found.kind);
     if (found.kind == SymbolKind::Variable || found.kind == SymbolKind::Constant || found.kind == SymbolKind::Property)
-        hover.declaration = (word.empty() ? sectionWord(found) : word + " ") + found.name + (type.empty() ? "" : " : " + type);
+        hover.declaration =
+            (word.empty() ? sectionWord(found) : word + " ") + found.name + (type.empty() ? "" : " : " + type);
     else if (found.kind == SymbolKind::Enumerator)
         hover.declaration = found.name + " : " + type;
     else
-        hover.declaration = word + " " + found.name + (type.empty() || type == found.name || type == "(no value)" ? "" : " : " + type);
+        hover.declaration =
+            word + " " + found.name + (type.empty() || type == found.name || type == "(no value)" ? "" : " : " + type);
     hover.comment = found.comment;
     hover.path = found.path;
     hover.pou = pouAt(file, offset);
@@ -256,9 +320,12 @@ std::vector<Use> CodeModel::uses(FileId file, uint32_t offset) const {
     if (declared.file.isValid()) out.push_back({declared, false, false, true});
     for (const uint32_t index : m_referencesOf[id->index()]) {
         const sema::Reference& reference = m_checked.analysis->references[index];
-        if (!(reference.range == declared)) out.push_back({reference.range, reference.isWrite, reference.isRead, false});
+        if (!(reference.range == declared))
+            out.push_back({reference.range, reference.isWrite, reference.isRead, false});
     }
-    std::sort(out.begin(), out.end(), [](const Use& a, const Use& b) { return std::pair(a.range.file, a.range.begin) < std::pair(b.range.file, b.range.begin); });
+    std::sort(out.begin(), out.end(), [](const Use& a, const Use& b) {
+        return std::pair(a.range.file, a.range.begin) < std::pair(b.range.file, b.range.begin);
+    });
     return out;
 }
 
@@ -267,22 +334,30 @@ Result<std::vector<FileEdits>> CodeModel::rename(FileId file, uint32_t offset, s
     if (!id) return Error{"There is no name here that can be renamed", ""};
     const Symbol& renamed = symbol(*id);
     const auto isLibrary = [&](FileId each) { return !m_checked.analysis->files[each.index()]->library.empty(); };
-    if (!renamed.declaration.file.isValid() || isLibrary(renamed.declaration.file)) return Error{renamed.name + " belongs to a library and keeps its name", ""};
+    if (!renamed.declaration.file.isValid() || isLibrary(renamed.declaration.file))
+        return Error{renamed.name + " belongs to a library and keeps its name", ""};
     diagnostics::Sink sink;
     const lex::TokenList tokens = lex::tokenize(FileId(size_t(0)), newName, sink);
     if (tokens.tokens.size() != 2 || tokens.tokens[0].kind != TokenKind::Identifier || sink.hasErrors())
-        return Error{std::string(newName) + " is not a name: letters, digits and _, beginning with a letter, and no keyword", ""};
+        return Error{std::string(newName) +
+                         " is not a name: letters, digits and _, beginning with a letter, and no keyword",
+                     ""};
     if (!equalsIgnoringCase(newName, renamed.name))
         if (const auto same = m_byOwner.find(foldCase(renamed.owner)); same != m_byOwner.end())
             for (const uint32_t other : same->second)
-                if (equalsIgnoringCase(m_checked.analysis->symbols[other].name, newName)) return Error{std::string(newName) + " exists already in " + (renamed.owner.empty() ? "the project" : renamed.owner), ""};
+                if (equalsIgnoringCase(m_checked.analysis->symbols[other].name, newName))
+                    return Error{std::string(newName) + " exists already in " +
+                                     (renamed.owner.empty() ? "the project" : renamed.owner),
+                                 ""};
     std::vector<FileEdits> out;
     for (const Use& use : uses(file, offset)) {
         if (isLibrary(use.range.file)) continue;
-        if (!equalsIgnoringCase((*m_checked.sources)[use.range.file].slice(use.range), renamed.name)) continue; // an alias, a quoted or prefixed form keeps its spelling
+        if (!equalsIgnoringCase((*m_checked.sources)[use.range.file].slice(use.range), renamed.name))
+            continue; // an alias, a quoted or prefixed form keeps its spelling
         if (out.empty() || out.back().file != use.range.file) out.push_back({use.range.file, {}});
         auto& edits = out.back().edits;
-        if (edits.empty() || edits.back().range.begin != use.range.begin) edits.push_back({use.range, std::string(newName)});
+        if (edits.empty() || edits.back().range.begin != use.range.begin)
+            edits.push_back({use.range, std::string(newName)});
     }
     return out;
 }
@@ -290,13 +365,16 @@ Result<std::vector<FileEdits>> CodeModel::rename(FileId file, uint32_t offset, s
 namespace {
 
 OutlineItem itemOf(const syntax::Pou& pou) {
-    static constexpr SymbolKind kinds[] = {SymbolKind::Program, SymbolKind::Function, SymbolKind::FunctionBlock, SymbolKind::Method, SymbolKind::Property, SymbolKind::Property, SymbolKind::Interface};
+    static constexpr SymbolKind kinds[] = {SymbolKind::Program,  SymbolKind::Function, SymbolKind::FunctionBlock,
+                                           SymbolKind::Method,   SymbolKind::Property, SymbolKind::Property,
+                                           SymbolKind::Interface};
     OutlineItem item;
     item.name = std::string(pou.name.text);
     item.kind = kinds[static_cast<size_t>(pou.kind)];
     item.range = pou.range;
     item.nameRange = pou.name.range;
-    for (const syntax::Pragma& pragma : pou.pragmas) item.isSimulation = item.isSimulation || equalsIgnoringCase(pragma.key, "simulation");
+    for (const syntax::Pragma& pragma : pou.pragmas)
+        item.isSimulation = item.isSimulation || equalsIgnoringCase(pragma.key, "simulation");
     const auto child = [&](const syntax::Name& name, SymbolKind kind, SourceRange range) {
         OutlineItem inner;
         inner.name = std::string(name.text);
@@ -306,11 +384,13 @@ OutlineItem itemOf(const syntax::Pou& pou) {
         item.children.push_back(inner);
     };
     for (const syntax::Pou* method : pou.methods) child(method->name, SymbolKind::Method, method->range);
-    for (const syntax::Property* property : pou.properties) child(property->name, SymbolKind::Property, property->range);
+    for (const syntax::Property* property : pou.properties)
+        child(property->name, SymbolKind::Property, property->range);
     for (const syntax::ActionDecl* action : pou.actions) child(action->name, SymbolKind::Action, action->range);
     if (pou.body.chart) {
         for (const syntax::StepDecl* step : pou.body.chart->steps) child(step->name, SymbolKind::Step, step->range);
-        for (const syntax::ActionDecl* action : pou.body.chart->actions) child(action->name, SymbolKind::Action, action->range);
+        for (const syntax::ActionDecl* action : pou.body.chart->actions)
+            child(action->name, SymbolKind::Action, action->range);
     }
     return item;
 }
@@ -321,7 +401,9 @@ void collect(const std::vector<syntax::Decl*>& declarations, std::vector<Outline
         item.range = declaration->range;
         item.nameRange = declaration->range;
         switch (declaration->kind) {
-        case syntax::DeclKind::Pou: item = itemOf(*declaration->pou); break;
+        case syntax::DeclKind::Pou:
+            item = itemOf(*declaration->pou);
+            break;
         case syntax::DeclKind::Type:
             item.name = std::string(declaration->type->name.text);
             item.kind = SymbolKind::Type;
@@ -351,11 +433,13 @@ void collect(const std::vector<syntax::Decl*>& declarations, std::vector<Outline
             item.nameRange = declaration->test->titleRange;
             break;
         case syntax::DeclKind::Namespace:
-            for (const syntax::Name& part : declaration->space->path) item.name += (item.name.empty() ? "" : ".") + std::string(part.text);
+            for (const syntax::Name& part : declaration->space->path)
+                item.name += (item.name.empty() ? "" : ".") + std::string(part.text);
             item.kind = SymbolKind::Namespace;
             collect(declaration->space->declarations, item.children);
             break;
-        case syntax::DeclKind::Using: continue;
+        case syntax::DeclKind::Using:
+            continue;
         }
         out.push_back(std::move(item));
     }
@@ -365,7 +449,8 @@ void collect(const std::vector<syntax::Decl*>& declarations, std::vector<Outline
 
 std::vector<OutlineItem> CodeModel::outline(FileId file) const {
     std::vector<OutlineItem> out;
-    if (file.index() < m_checked.analysis->files.size()) collect(m_checked.analysis->files[file.index()]->declarations, out);
+    if (file.index() < m_checked.analysis->files.size())
+        collect(m_checked.analysis->files[file.index()]->declarations, out);
     return out;
 }
 

@@ -1,5 +1,5 @@
-// What the editor asks about a project's text: colours, hover, definition, references, completion, rename. Made from one check of all
-// files; an immutable value, so the window reads it while the worker makes the next one (D3, flow 1).
+// What the editor asks about a project's text: colours, hover, definition, references, completion, rename. Made from
+// one check of all files; an immutable value, so the window reads it while the worker makes the next one (D3, flow 1).
 #pragma once
 #include "projects/analysis/instruction_lists.h"
 #include "runtime/base/result.h"
@@ -14,20 +14,54 @@ namespace plc::analysis {
 
 /// What the editor colours.
 enum class TokenClass : uint8_t {
-    Plain, Keyword, Type, Number, Text, Comment, Pragma, Operator, Constant, EnumValue, Input, Output, InOut, Local, Global, Instance, Function, Label, Address, Step, Error
+    Plain,
+    Keyword,
+    Type,
+    Number,
+    Text,
+    Comment,
+    Pragma,
+    Operator,
+    Constant,
+    EnumValue,
+    Input,
+    Output,
+    InOut,
+    Local,
+    Global,
+    Instance,
+    Function,
+    Label,
+    Address,
+    Step,
+    Error
 };
 struct ColouredToken {
     uint32_t begin = 0, end = 0;
     TokenClass kind = TokenClass::Plain;
 };
 
-enum class ItemKind : uint8_t { Keyword, Snippet, Variable, Constant, EnumValue, Type, Function, Block, Program, Method, Property, Parameter, Namespace };
+enum class ItemKind : uint8_t {
+    Keyword,
+    Snippet,
+    Variable,
+    Constant,
+    EnumValue,
+    Type,
+    Function,
+    Block,
+    Program,
+    Method,
+    Property,
+    Parameter,
+    Namespace
+};
 struct CompletionItem {
-    std::string text;    // what is inserted; a snippet holds | where the cursor goes
-    std::string detail;  // type or parameters
+    std::string text;   // what is inserted; a snippet holds | where the cursor goes
+    std::string detail; // type or parameters
     std::string comment;
     ItemKind kind = ItemKind::Variable;
-    int rank = 0;        // lower first
+    int rank = 0; // lower first
 };
 struct Completion {
     uint32_t replaceBegin = 0, replaceEnd = 0; // the word being typed
@@ -49,9 +83,9 @@ struct Hover {
     SourceRange range;
     std::string declaration; // "Speed : REAL" with its section
     std::string comment;
-    std::string path;        // to show the live value; relative to the POU when `isRelative`
+    std::string path; // to show the live value; relative to the POU when `isRelative`
     bool isRelative = false;
-    std::string pou;         // POU the place lies in
+    std::string pou; // POU the place lies in
 };
 
 struct OutlineItem {
@@ -79,7 +113,9 @@ public:
     [[nodiscard]] uint64_t revision() const { return m_revision; }
     [[nodiscard]] const driver::Checked& checked() const { return m_checked; }
     [[nodiscard]] const SourceSet& sources() const { return *m_checked.sources; }
-    [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const { return m_checked.analysis->diagnostics; }
+    [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const {
+        return m_checked.analysis->diagnostics;
+    }
     [[nodiscard]] std::optional<FileId> fileOf(std::string_view path) const;
 
     [[nodiscard]] std::vector<ColouredToken> colours(FileId file) const;
@@ -89,8 +125,11 @@ public:
     [[nodiscard]] std::optional<SourceRange> definition(FileId file, uint32_t offset) const;
     /// Declaration and every use of what stands at `offset`, in order of place.
     [[nodiscard]] std::vector<Use> uses(FileId file, uint32_t offset) const;
-    [[nodiscard]] std::optional<sema::SymbolId> symbolAt(FileId file, uint32_t offset, SourceRange* range = nullptr) const;
-    [[nodiscard]] const sema::Symbol& symbol(sema::SymbolId id) const { return m_checked.analysis->symbols[id.index()]; }
+    [[nodiscard]] std::optional<sema::SymbolId> symbolAt(FileId file, uint32_t offset,
+                                                         SourceRange* range = nullptr) const;
+    [[nodiscard]] const sema::Symbol& symbol(sema::SymbolId id) const {
+        return m_checked.analysis->symbols[id.index()];
+    }
     /// Edits in every file; refuses keywords, invalid names, names that exist in the scope, and library names.
     [[nodiscard]] Result<std::vector<FileEdits>> rename(FileId file, uint32_t offset, std::string_view newName) const;
     [[nodiscard]] std::vector<OutlineItem> outline(FileId file) const;
@@ -101,11 +140,13 @@ public:
     /// The POU (qualified name: "Motor", "Motor.Start") around a place; empty outside.
     [[nodiscard]] std::string pouAt(FileId file, uint32_t offset) const;
     /// Declares `name` in the VAR section of the POU at `offset` with the type that its use suggests.
-    [[nodiscard]] std::optional<diagnostics::TextEdit> autoDeclare(FileId file, uint32_t offset, std::string_view name) const;
+    [[nodiscard]] std::optional<diagnostics::TextEdit> autoDeclare(FileId file, uint32_t offset,
+                                                                   std::string_view name) const;
 
 private:
     [[nodiscard]] const sema::Symbol* findVisible(std::string_view name, const std::string& pou) const;
-    [[nodiscard]] std::optional<types::TypeId> typeOfChain(const std::vector<std::string>& names, const std::string& pou) const;
+    [[nodiscard]] std::optional<types::TypeId> typeOfChain(const std::vector<std::string>& names,
+                                                           const std::string& pou) const;
     void addMembers(types::TypeId type, std::vector<CompletionItem>& items) const;
     void addScope(const std::string& pou, std::vector<CompletionItem>& items) const;
     void addWords(std::vector<CompletionItem>& items) const;
@@ -114,8 +155,8 @@ private:
     driver::Checked m_checked;
     std::unordered_map<std::string, std::vector<uint32_t>> m_byOwner; // folded owner → symbols
     std::unordered_map<std::string, std::vector<uint32_t>> m_byName;  // folded name → symbols
-    std::vector<bool> m_isHidden;                                     // symbol: a library's {attribute 'hide'}, not offered
-    std::vector<std::vector<uint32_t>> m_referencesOf;                // symbol → references
+    std::vector<bool> m_isHidden;                      // symbol: a library's {attribute 'hide'}, not offered
+    std::vector<std::vector<uint32_t>> m_referencesOf; // symbol → references
 };
 
 } // namespace plc::analysis

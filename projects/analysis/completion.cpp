@@ -1,4 +1,5 @@
-// Completion and parameter help of CodeModel: what may stand at the cursor, from the last good check, while the text is being typed.
+// Completion and parameter help of CodeModel: what may stand at the cursor, from the last good check, while the text is
+// being typed.
 #include "projects/analysis/code_model.h"
 
 #include "projects/analysis/instruction_lists.h"
@@ -16,24 +17,36 @@ using sema::SymbolKind;
 
 namespace {
 
-bool isWordByte(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80; }
+bool isWordByte(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+}
 
 ItemKind itemKindOf(SymbolKind kind) {
     switch (kind) {
-    case SymbolKind::Constant: return ItemKind::Constant;
-    case SymbolKind::Enumerator: return ItemKind::EnumValue;
+    case SymbolKind::Constant:
+        return ItemKind::Constant;
+    case SymbolKind::Enumerator:
+        return ItemKind::EnumValue;
     case SymbolKind::Type:
-    case SymbolKind::Interface: return ItemKind::Type;
+    case SymbolKind::Interface:
+        return ItemKind::Type;
     case SymbolKind::Function:
-    case SymbolKind::StandardFunction: return ItemKind::Function;
-    case SymbolKind::FunctionBlock: return ItemKind::Block;
+    case SymbolKind::StandardFunction:
+        return ItemKind::Function;
+    case SymbolKind::FunctionBlock:
+        return ItemKind::Block;
     case SymbolKind::Program:
-    case SymbolKind::Action: return ItemKind::Program;
-    case SymbolKind::Method: return ItemKind::Method;
-    case SymbolKind::Property: return ItemKind::Property;
+    case SymbolKind::Action:
+        return ItemKind::Program;
+    case SymbolKind::Method:
+        return ItemKind::Method;
+    case SymbolKind::Property:
+        return ItemKind::Property;
     case SymbolKind::Namespace:
-    case SymbolKind::GlobalList: return ItemKind::Namespace;
-    default: return ItemKind::Variable;
+    case SymbolKind::GlobalList:
+        return ItemKind::Namespace;
+    default:
+        return ItemKind::Variable;
     }
 }
 
@@ -45,8 +58,10 @@ bool isInsideText(std::string_view text, uint32_t offset) {
         if (comment.end >= offset && comment.begin < offset) return true;
     if (list.tokens.size() < 2) return false;
     const lex::Token& last = list.tokens[list.tokens.size() - 2];
-    return (last.kind == TokenKind::StringLiteral || last.kind == TokenKind::WstringLiteral || last.kind == TokenKind::Error) && last.end >= offset &&
-           (text[last.begin] == '\'' || text[last.begin] == '"') && (last.end - last.begin == 1 || text[last.end - 1] != text[last.begin]);
+    return (last.kind == TokenKind::StringLiteral || last.kind == TokenKind::WstringLiteral ||
+            last.kind == TokenKind::Error) &&
+           last.end >= offset && (text[last.begin] == '\'' || text[last.begin] == '"') &&
+           (last.end - last.begin == 1 || text[last.end - 1] != text[last.begin]);
 }
 
 /// The names before the cursor joined by dots, innermost last: "Main.pid." → {Main, pid}; indices are skipped.
@@ -87,7 +102,8 @@ constexpr Snippet kSnippets[] = {
     {"VAR_INPUT", "VAR_INPUT\n    |\nEND_VAR", "inputs"},
     {"VAR_OUTPUT", "VAR_OUTPUT\n    |\nEND_VAR", "outputs"},
     {"PROGRAM", "PROGRAM |\nVAR\nEND_VAR\n\nEND_PROGRAM", "program"},
-    {"FUNCTION_BLOCK", "FUNCTION_BLOCK |\nVAR_INPUT\nEND_VAR\nVAR_OUTPUT\nEND_VAR\nVAR\nEND_VAR\n\nEND_FUNCTION_BLOCK", "block"},
+    {"FUNCTION_BLOCK", "FUNCTION_BLOCK |\nVAR_INPUT\nEND_VAR\nVAR_OUTPUT\nEND_VAR\nVAR\nEND_VAR\n\nEND_FUNCTION_BLOCK",
+     "block"},
     {"FUNCTION", "FUNCTION | : INT\nVAR_INPUT\nEND_VAR\n\nEND_FUNCTION", "function"},
     {"METHOD", "METHOD | : BOOL\n\nEND_METHOD", "method"},
     {"TYPE", "TYPE | :\nSTRUCT\nEND_STRUCT\nEND_TYPE", "type"},
@@ -103,7 +119,11 @@ const Symbol* CodeModel::findVisible(std::string_view name, const std::string& p
     const std::string block = pou.substr(0, pou.find('.'));
     for (const uint32_t index : it->second) {
         const Symbol& symbol = m_checked.analysis->symbols[index];
-        const int rank = equalsIgnoringCase(symbol.owner, pou) ? 0 : equalsIgnoringCase(symbol.owner, block) ? 1 : symbol.owner.empty() ? 2 : symbol.kind == SymbolKind::Variable && symbol.path == symbol.name ? 9 : 5;
+        const int rank = equalsIgnoringCase(symbol.owner, pou)                               ? 0
+                         : equalsIgnoringCase(symbol.owner, block)                           ? 1
+                         : symbol.owner.empty()                                              ? 2
+                         : symbol.kind == SymbolKind::Variable && symbol.path == symbol.name ? 9
+                                                                                             : 5;
         if (rank < bestRank) {
             best = &symbol;
             bestRank = rank;
@@ -112,7 +132,8 @@ const Symbol* CodeModel::findVisible(std::string_view name, const std::string& p
     return bestRank < 9 ? best : nullptr;
 }
 
-std::optional<types::TypeId> CodeModel::typeOfChain(const std::vector<std::string>& names, const std::string& pou) const {
+std::optional<types::TypeId> CodeModel::typeOfChain(const std::vector<std::string>& names,
+                                                    const std::string& pou) const {
     const auto& program = m_checked.analysis->program;
     if (!program || names.empty()) return std::nullopt;
     const types::TypeTable& types = *program->types;
@@ -129,7 +150,9 @@ std::optional<types::TypeId> CodeModel::typeOfChain(const std::vector<std::strin
     for (size_t i = 1;; ++i) {
         for (int guard = 0; guard < 16; ++guard) { // members are those of the element or of what is pointed to
             const types::Type& t = types[type];
-            if (t.kind != types::TypeKind::Array && t.kind != types::TypeKind::OpenArray && t.kind != types::TypeKind::Pointer && t.kind != types::TypeKind::Reference) break;
+            if (t.kind != types::TypeKind::Array && t.kind != types::TypeKind::OpenArray &&
+                t.kind != types::TypeKind::Pointer && t.kind != types::TypeKind::Reference)
+                break;
             type = t.element;
         }
         if (i == names.size()) return type;
@@ -143,19 +166,26 @@ void CodeModel::addMembers(types::TypeId type, std::vector<CompletionItem>& item
     const types::TypeTable& types = *m_checked.analysis->program->types;
     const types::Type& t = types[type];
     for (const types::Field& field : t.fields)
-        if (!field.isPrivate) items.push_back({field.name, types[field.type].name, field.comment, ItemKind::Variable, field.section == types::FieldSection::Local ? 2 : 1});
-    for (const types::Enumerator& value : t.enumerators) items.push_back({value.name, t.name + " = " + std::to_string(value.value), value.comment, ItemKind::EnumValue, 1});
+        if (!field.isPrivate)
+            items.push_back({field.name, types[field.type].name, field.comment, ItemKind::Variable,
+                             field.section == types::FieldSection::Local ? 2 : 1});
+    for (const types::Enumerator& value : t.enumerators)
+        items.push_back(
+            {value.name, t.name + " = " + std::to_string(value.value), value.comment, ItemKind::EnumValue, 1});
     for (types::TypeId owner = type; owner.isValid(); owner = types[owner].base) {
         const auto it = m_byOwner.find(foldCase(types[owner].name));
         if (it == m_byOwner.end()) continue;
         for (const uint32_t index : it->second) {
             const Symbol& symbol = m_checked.analysis->symbols[index];
-            if (symbol.kind == SymbolKind::Method || symbol.kind == SymbolKind::Property || symbol.kind == SymbolKind::Action || symbol.kind == SymbolKind::Step)
-                items.push_back({symbol.name, symbol.type.isValid() ? types[symbol.type].name : "", symbol.comment, itemKindOf(symbol.kind), 1});
+            if (symbol.kind == SymbolKind::Method || symbol.kind == SymbolKind::Property ||
+                symbol.kind == SymbolKind::Action || symbol.kind == SymbolKind::Step)
+                items.push_back({symbol.name, symbol.type.isValid() ? types[symbol.type].name : "", symbol.comment,
+                                 itemKindOf(symbol.kind), 1});
         }
     }
     const unsigned bits = types::isInteger(types.family(type)) ? types::bitsOf(types.storageKind(type)) : 0;
-    for (unsigned bit = 0; bit < bits && bits <= 64; ++bit) items.push_back({std::to_string(bit), "BOOL", "", ItemKind::Variable, 9});
+    for (unsigned bit = 0; bit < bits && bits <= 64; ++bit)
+        items.push_back({std::to_string(bit), "BOOL", "", ItemKind::Variable, 9});
 }
 
 void CodeModel::addScope(const std::string& pou, std::vector<CompletionItem>& items) const {
@@ -167,8 +197,10 @@ void CodeModel::addScope(const std::string& pou, std::vector<CompletionItem>& it
             if (m_isHidden[index]) continue;
             const Symbol& symbol = m_checked.analysis->symbols[index];
             if (symbol.name.starts_with("__")) continue; // the compiler's own
-            const std::string type = program && symbol.type.isValid() ? (*program->types)[symbol.type].name : std::string();
-            items.push_back({symbol.name, type == symbol.name ? "" : type, symbol.comment, itemKindOf(symbol.kind), rank});
+            const std::string type =
+                program && symbol.type.isValid() ? (*program->types)[symbol.type].name : std::string();
+            items.push_back(
+                {symbol.name, type == symbol.name ? "" : type, symbol.comment, itemKindOf(symbol.kind), rank});
         }
     };
     add(pou, 1);
@@ -176,11 +208,14 @@ void CodeModel::addScope(const std::string& pou, std::vector<CompletionItem>& it
     add("", 3);
     if (program)
         for (const image::Root& root : program->layout.roots)
-            if (!root.list.empty() && !root.isHidden) items.push_back({root.list, "global list", "", ItemKind::Namespace, 4});
+            if (!root.list.empty() && !root.isHidden)
+                items.push_back({root.list, "global list", "", ItemKind::Namespace, 4});
     for (const library::Signature& signature : library::signatures()) {
         std::string detail = "(";
-        for (size_t i = 0; i < signature.parameters.size(); ++i) detail += (i ? ", " : "") + std::string(signature.parameters[i].name);
-        items.push_back({std::string(signature.name), detail + ")", std::string(signature.summary), ItemKind::Function, 6});
+        for (size_t i = 0; i < signature.parameters.size(); ++i)
+            detail += (i ? ", " : "") + std::string(signature.parameters[i].name);
+        items.push_back(
+            {std::string(signature.name), detail + ")", std::string(signature.summary), ItemKind::Function, 6});
     }
 }
 
@@ -191,9 +226,13 @@ void CodeModel::addWords(std::vector<CompletionItem>& items) const {
     };
     for (const std::string_view word : words) items.push_back({std::string(word), "", "", ItemKind::Keyword, 7});
     for (uint32_t kind = 0; kind <= static_cast<uint32_t>(types::TypeKind::Wchar); ++kind)
-        items.push_back({std::string(types::spelling(static_cast<types::TypeKind>(kind))), "elementary type", "", ItemKind::Type, 6});
-    for (const char* word : {"STRING", "WSTRING", "POINTER TO", "REFERENCE TO", "RETAIN", "PERSISTENT", "CONSTANT"}) items.push_back({word, "", "", ItemKind::Keyword, 7});
-    for (const Snippet& snippet : kSnippets) items.push_back({std::string(snippet.text), std::string(snippet.word) + " …", std::string(snippet.detail), ItemKind::Snippet, 8});
+        items.push_back({std::string(types::spelling(static_cast<types::TypeKind>(kind))), "elementary type", "",
+                         ItemKind::Type, 6});
+    for (const char* word : {"STRING", "WSTRING", "POINTER TO", "REFERENCE TO", "RETAIN", "PERSISTENT", "CONSTANT"})
+        items.push_back({word, "", "", ItemKind::Keyword, 7});
+    for (const Snippet& snippet : kSnippets)
+        items.push_back({std::string(snippet.text), std::string(snippet.word) + " …", std::string(snippet.detail),
+                         ItemKind::Snippet, 8});
 }
 
 namespace {
@@ -233,7 +272,9 @@ Completion CodeModel::complete(FileId file, std::string_view text, uint32_t offs
     while (out.replaceBegin > 0 && isWordByte(text[out.replaceBegin - 1])) --out.replaceBegin;
     if (isInsideText(text, offset)) return out;
     const std::string_view typed = text.substr(out.replaceBegin, offset - out.replaceBegin);
-    if (!typed.empty() && std::isdigit(static_cast<unsigned char>(typed[0])) && (out.replaceBegin == 0 || text[out.replaceBegin - 1] != '.')) return out;
+    if (!typed.empty() && std::isdigit(static_cast<unsigned char>(typed[0])) &&
+        (out.replaceBegin == 0 || text[out.replaceBegin - 1] != '.'))
+        return out;
     const std::string pou = pouAt(file, offset);
     const std::vector<std::string> chain = chainBefore(text, out.replaceBegin);
     if (!chain.empty()) {
@@ -241,28 +282,36 @@ Completion CodeModel::complete(FileId file, std::string_view text, uint32_t offs
         if (out.items.empty() && m_checked.analysis->program) // GVL. or Namespace.
             for (const image::Root& root : m_checked.analysis->program->layout.roots)
                 if (equalsIgnoringCase(root.list, chain.back()) || equalsIgnoringCase(root.space, chain.back()))
-                    out.items.push_back({root.name, (*m_checked.analysis->program->types)[root.type].name, root.comment, ItemKind::Variable, 1});
+                    out.items.push_back({root.name, (*m_checked.analysis->program->types)[root.type].name, root.comment,
+                                         ItemKind::Variable, 1});
     } else if (const auto list = listContextAt(text, out.replaceBegin)) {
         if (list->place == ListPlace::Operator)
-            for (const ListOperator& op : listOperators()) out.items.push_back({std::string(op.name), std::string(op.summary), "", ItemKind::Keyword, 0});
+            for (const ListOperator& op : listOperators())
+                out.items.push_back({std::string(op.name), std::string(op.summary), "", ItemKind::Keyword, 0});
         if (list->place == ListPlace::Label)
-            for (const std::string& label : list->labels) out.items.push_back({label, "label", "", ItemKind::Constant, 0});
+            for (const std::string& label : list->labels)
+                out.items.push_back({label, "label", "", ItemKind::Constant, 0});
         if (list->place != ListPlace::Label) {
             if (const auto help = parameterHelp(file, text, out.replaceBegin))
                 for (const ParameterHelp::Parameter& parameter : help->parameters)
                     if (!parameter.isGiven)
-                        out.items.push_back({parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := "), parameter.type, parameter.comment, ItemKind::Parameter, 0});
+                        out.items.push_back(
+                            {parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := "),
+                             parameter.type, parameter.comment, ItemKind::Parameter, 0});
             std::vector<CompletionItem> scope;
             addScope(pou, scope);
             const auto isInstance = [&](const CompletionItem& item) {
                 const Symbol* symbol = findVisible(item.text, pou);
                 const auto& program = m_checked.analysis->program;
-                return symbol && program && symbol->kind == SymbolKind::Variable && symbol->type.isValid() && program->types->kind(symbol->type) == types::TypeKind::Block;
+                return symbol && program && symbol->kind == SymbolKind::Variable && symbol->type.isValid() &&
+                       program->types->kind(symbol->type) == types::TypeKind::Block;
             };
             for (CompletionItem& item : scope) {
-                if (list->place == ListPlace::Operator && item.kind != ItemKind::Function) continue;         // a function takes the current result
+                if (list->place == ListPlace::Operator && item.kind != ItemKind::Function)
+                    continue; // a function takes the current result
                 if (list->place == ListPlace::Operand && item.kind == ItemKind::Function) continue;
-                if (list->place == ListPlace::Instance && item.kind != ItemKind::Function && !isInstance(item)) continue;
+                if (list->place == ListPlace::Instance && item.kind != ItemKind::Function && !isInstance(item))
+                    continue;
                 out.items.push_back(std::move(item));
             }
         }
@@ -270,7 +319,9 @@ Completion CodeModel::complete(FileId file, std::string_view text, uint32_t offs
         if (const auto help = parameterHelp(file, text, out.replaceBegin))
             for (const ParameterHelp::Parameter& parameter : help->parameters)
                 if (!parameter.isGiven)
-                    out.items.push_back({parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := "), parameter.type, parameter.comment, ItemKind::Parameter, 0});
+                    out.items.push_back(
+                        {parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := "),
+                         parameter.type, parameter.comment, ItemKind::Parameter, 0});
         addScope(pou, out.items);
         addWords(out.items);
     }
@@ -289,13 +340,19 @@ Completion CodeModel::completePath(std::string_view text, uint32_t offset) const
     if (chain.empty()) {
         for (const image::Root& root : program->layout.roots)
             if (!root.isHidden && root.space.empty())
-                out.items.push_back({root.list.empty() ? root.name : root.list + "." + root.name, (*program->types)[root.type].name, root.comment, ItemKind::Variable, root.area == image::Area::Program ? 1 : 2});
-        for (const library::Signature& signature : library::signatures()) out.items.push_back({std::string(signature.name), "", std::string(signature.summary), ItemKind::Function, 6});
+                out.items.push_back({root.list.empty() ? root.name : root.list + "." + root.name,
+                                     (*program->types)[root.type].name, root.comment, ItemKind::Variable,
+                                     root.area == image::Area::Program ? 1 : 2});
+        for (const library::Signature& signature : library::signatures())
+            out.items.push_back(
+                {std::string(signature.name), "", std::string(signature.summary), ItemKind::Function, 6});
     } else if (const auto type = typeOfChain(chain, "")) {
         addMembers(*type, out.items);
     } else {
         for (const image::Root& root : program->layout.roots)
-            if (equalsIgnoringCase(root.list, chain.back())) out.items.push_back({root.name, (*program->types)[root.type].name, root.comment, ItemKind::Variable, 1});
+            if (equalsIgnoringCase(root.list, chain.back()))
+                out.items.push_back(
+                    {root.name, (*program->types)[root.type].name, root.comment, ItemKind::Variable, 1});
     }
     filterAndSort(out.items, text.substr(out.replaceBegin, offset - out.replaceBegin));
     return out;
@@ -321,8 +378,11 @@ std::optional<ParameterHelp> CodeModel::parameterHelp(FileId file, std::string_v
             break;
         }
     }
-    if (open == list.tokens.size() || open == 0 || list.tokens[open - 1].kind != TokenKind::Identifier) return std::nullopt;
-    const auto spelled = [&](const lex::Token& token) { return std::string(part.substr(token.begin, token.end - token.begin)); };
+    if (open == list.tokens.size() || open == 0 || list.tokens[open - 1].kind != TokenKind::Identifier)
+        return std::nullopt;
+    const auto spelled = [&](const lex::Token& token) {
+        return std::string(part.substr(token.begin, token.end - token.begin));
+    };
     std::vector<std::string> chain = chainBefore(part, list.tokens[open - 1].begin);
     const std::string name = spelled(list.tokens[open - 1]);
     ParameterHelp help;
@@ -332,29 +392,38 @@ std::optional<ParameterHelp> CodeModel::parameterHelp(FileId file, std::string_v
     const auto& program = m_checked.analysis->program;
     const auto fromFields = [&](types::TypeId block) {
         for (const types::Field& field : (*program->types)[block].fields)
-            if (field.section == types::FieldSection::Input || field.section == types::FieldSection::Output || field.section == types::FieldSection::InOut)
-                help.parameters.push_back({field.name, (*program->types)[field.type].name, field.comment, field.section, false});
+            if (field.section == types::FieldSection::Input || field.section == types::FieldSection::Output ||
+                field.section == types::FieldSection::InOut)
+                help.parameters.push_back(
+                    {field.name, (*program->types)[field.type].name, field.comment, field.section, false});
     };
     const auto fromOwner = [&](const std::string& owner) {
         if (const auto it = m_byOwner.find(foldCase(owner)); it != m_byOwner.end())
             for (const uint32_t index : it->second) {
                 const Symbol& symbol = m_checked.analysis->symbols[index];
-                if (symbol.section == types::FieldSection::Input || symbol.section == types::FieldSection::Output || symbol.section == types::FieldSection::InOut)
-                    help.parameters.push_back({symbol.name, program ? (*program->types)[symbol.type].name : "", symbol.comment, symbol.section, false});
+                if (symbol.section == types::FieldSection::Input || symbol.section == types::FieldSection::Output ||
+                    symbol.section == types::FieldSection::InOut)
+                    help.parameters.push_back({symbol.name, program ? (*program->types)[symbol.type].name : "",
+                                               symbol.comment, symbol.section, false});
             }
     };
     if (const library::Signature* signature = chain.empty() ? library::findSignature(name) : nullptr) {
         for (const library::Parameter& parameter : signature->parameters)
-            help.parameters.push_back({std::string(parameter.name), "", "", parameter.isOutput ? types::FieldSection::Output : types::FieldSection::Input, false});
+            help.parameters.push_back({std::string(parameter.name), "", "",
+                                       parameter.isOutput ? types::FieldSection::Output : types::FieldSection::Input,
+                                       false});
     } else if (program) {
         chain.push_back(name);
         const auto type = typeOfChain(chain, pou);
-        if (type && program->types->kind(*type) == types::TypeKind::Block) fromFields(*type);
-        else if (const Symbol* callee = findVisible(name, pou)) fromOwner(callee->owner.empty() ? callee->name : callee->owner + "." + callee->name);
+        if (type && program->types->kind(*type) == types::TypeKind::Block)
+            fromFields(*type);
+        else if (const Symbol* callee = findVisible(name, pou))
+            fromOwner(callee->owner.empty() ? callee->name : callee->owner + "." + callee->name);
     }
     if (help.parameters.empty()) return std::nullopt;
     for (size_t i = open + 1; i + 1 < list.tokens.size(); ++i)
-        if (list.tokens[i].kind == TokenKind::Identifier && (list.tokens[i + 1].kind == TokenKind::Assign || list.tokens[i + 1].kind == TokenKind::Output))
+        if (list.tokens[i].kind == TokenKind::Identifier &&
+            (list.tokens[i + 1].kind == TokenKind::Assign || list.tokens[i + 1].kind == TokenKind::Output))
             for (ParameterHelp::Parameter& parameter : help.parameters)
                 if (equalsIgnoringCase(parameter.name, spelled(list.tokens[i]))) parameter.isGiven = true;
     return help;
@@ -367,13 +436,16 @@ std::optional<diagnostics::TextEdit> CodeModel::autoDeclare(FileId file, uint32_
     const syntax::Pou* around = nullptr;
     const auto walk = [&](auto&& self, const std::vector<syntax::Decl*>& declarations) -> void {
         for (const syntax::Decl* declaration : declarations) {
-            if (declaration->kind == syntax::DeclKind::Pou && offset >= declaration->pou->range.begin && offset <= declaration->pou->range.end) around = declaration->pou;
+            if (declaration->kind == syntax::DeclKind::Pou && offset >= declaration->pou->range.begin &&
+                offset <= declaration->pou->range.end)
+                around = declaration->pou;
             if (declaration->kind == syntax::DeclKind::Namespace) self(self, declaration->space->declarations);
         }
     };
     walk(walk, analysis.files[file.index()]->declarations);
     if (!around) return std::nullopt;
-    // The type its use suggests: called → a block is unknown; assigned from or to a literal or variable; a condition is BOOL.
+    // The type its use suggests: called → a block is unknown; assigned from or to a literal or variable; a condition is
+    // BOOL.
     std::string type = "INT";
     const lex::TokenList& list = analysis.files[file.index()]->tokens;
     for (size_t i = 0; i + 2 < list.tokens.size(); ++i) {
@@ -383,24 +455,38 @@ std::optional<diagnostics::TextEdit> CodeModel::autoDeclare(FileId file, uint32_
             switch (token.kind) {
             case TokenKind::True:
             case TokenKind::False:
-            case TokenKind::Not: return "BOOL";
-            case TokenKind::RealLiteral: return "REAL";
-            case TokenKind::IntegerLiteral: return "INT";
-            case TokenKind::DurationLiteral: return "TIME";
-            case TokenKind::StringLiteral: return "STRING";
-            case TokenKind::WstringLiteral: return "WSTRING";
+            case TokenKind::Not:
+                return "BOOL";
+            case TokenKind::RealLiteral:
+                return "REAL";
+            case TokenKind::IntegerLiteral:
+                return "INT";
+            case TokenKind::DurationLiteral:
+                return "TIME";
+            case TokenKind::StringLiteral:
+                return "STRING";
+            case TokenKind::WstringLiteral:
+                return "WSTRING";
             case TokenKind::Identifier: {
                 const Symbol* symbol = findVisible(word, pouAt(file, offset));
-                return symbol && symbol->type.isValid() && analysis.program ? (*analysis.program->types)[symbol->type].name : "";
+                return symbol && symbol->type.isValid() && analysis.program
+                           ? (*analysis.program->types)[symbol->type].name
+                           : "";
             }
-            default: return "";
+            default:
+                return "";
             }
         };
         const TokenKind next = list.tokens[i + 1].kind;
         std::string guess;
-        if (next == TokenKind::Assign || (next >= TokenKind::Plus && next <= TokenKind::GreaterEqual)) guess = typeOf(list.tokens[i + 2]);
-        else if (i > 1 && list.tokens[i - 1].kind == TokenKind::Assign) guess = typeOf(list.tokens[i - 2]);
-        else if (next == TokenKind::Then || next == TokenKind::And || next == TokenKind::Or || (i > 0 && (list.tokens[i - 1].kind == TokenKind::And || list.tokens[i - 1].kind == TokenKind::Not || list.tokens[i - 1].kind == TokenKind::If))) guess = "BOOL";
+        if (next == TokenKind::Assign || (next >= TokenKind::Plus && next <= TokenKind::GreaterEqual))
+            guess = typeOf(list.tokens[i + 2]);
+        else if (i > 1 && list.tokens[i - 1].kind == TokenKind::Assign)
+            guess = typeOf(list.tokens[i - 2]);
+        else if (next == TokenKind::Then || next == TokenKind::And || next == TokenKind::Or ||
+                 (i > 0 && (list.tokens[i - 1].kind == TokenKind::And || list.tokens[i - 1].kind == TokenKind::Not ||
+                            list.tokens[i - 1].kind == TokenKind::If)))
+            guess = "BOOL";
         if (!guess.empty()) type = guess;
         break;
     }

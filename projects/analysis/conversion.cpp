@@ -25,8 +25,10 @@ struct Found {
 };
 
 void collect(const std::vector<syntax::Decl*>& declarations, std::vector<Found>& out) {
-    const auto add = [&](const std::string& unit, const syntax::Pou& pou, const syntax::Body& body, SourceRange header, bool isInner) {
-        if (body.language == BodyLanguage::St || body.language == BodyLanguage::Il) out.push_back({unit, &pou, &body, header, isInner});
+    const auto add = [&](const std::string& unit, const syntax::Pou& pou, const syntax::Body& body, SourceRange header,
+                         bool isInner) {
+        if (body.language == BodyLanguage::St || body.language == BodyLanguage::Il)
+            out.push_back({unit, &pou, &body, header, isInner});
     };
     for (const syntax::Decl* decl : declarations) {
         if (decl->space) collect(decl->space->declarations, out);
@@ -34,13 +36,15 @@ void collect(const std::vector<syntax::Decl*>& declarations, std::vector<Found>&
         const syntax::Pou& pou = *decl->pou;
         const std::string name(pou.name.text);
         add(name, pou, pou.body, pou.range, false);
-        for (const syntax::Pou* method : pou.methods) add(name + "." + std::string(method->name.text), *method, method->body, method->range, true);
-        const std::function<void(const std::vector<syntax::ActionDecl*>&)> actions = [&](const std::vector<syntax::ActionDecl*>& list) {
-            for (const syntax::ActionDecl* action : list) {
-                add(name + "." + std::string(action->name.text), pou, action->body, action->range, true);
-                if (action->body.chart) actions(action->body.chart->actions);
-            }
-        };
+        for (const syntax::Pou* method : pou.methods)
+            add(name + "." + std::string(method->name.text), *method, method->body, method->range, true);
+        const std::function<void(const std::vector<syntax::ActionDecl*>&)> actions =
+            [&](const std::vector<syntax::ActionDecl*>& list) {
+                for (const syntax::ActionDecl* action : list) {
+                    add(name + "." + std::string(action->name.text), pou, action->body, action->range, true);
+                    if (action->body.chart) actions(action->body.chart->actions);
+                }
+            };
         actions(pou.actions);
         if (pou.body.chart) actions(pou.body.chart->actions);
     }
@@ -70,17 +74,22 @@ std::string indented(const std::string& lines, const std::string& indent, const 
 }
 
 size_t errorsOf(const driver::Checked& checked) {
-    return static_cast<size_t>(std::count_if(checked.analysis->diagnostics.begin(), checked.analysis->diagnostics.end(), [](const auto& d) { return d.severity == diagnostics::Severity::Error; }));
+    return static_cast<size_t>(std::count_if(checked.analysis->diagnostics.begin(), checked.analysis->diagnostics.end(),
+                                             [](const auto& d) { return d.severity == diagnostics::Severity::Error; }));
 }
 
 /// Where the pragma {language 'IL'} stands that decided the body's language, if one did.
-std::optional<diagnostics::TextEdit> languagePragma(const syntax::SyntaxFile& file, std::string_view text, const Found& found, TextLanguage to) {
+std::optional<diagnostics::TextEdit> languagePragma(const syntax::SyntaxFile& file, std::string_view text,
+                                                    const Found& found, TextLanguage to) {
     for (const lex::Token& token : file.tokens.tokens) {
         if (token.kind != lex::TokenKind::Pragma || token.begin > found.body->range.begin) continue;
-        const uint32_t from = found.pou && !found.isInner && !found.pou->pragmas.empty() ? found.pou->pragmas.front().range.begin : found.header.begin;
+        const uint32_t from = found.pou && !found.isInner && !found.pou->pragmas.empty()
+                                  ? found.pou->pragmas.front().range.begin
+                                  : found.header.begin;
         const std::string inside = foldCase(text.substr(token.begin, token.end - token.begin));
         if (token.begin < from || inside.find("language") == std::string::npos) continue;
-        return diagnostics::TextEdit{{found.body->range.file, token.begin, token.end}, to == TextLanguage::Il ? "{language 'IL'}" : "{language 'ST'}"};
+        return diagnostics::TextEdit{{found.body->range.file, token.begin, token.end},
+                                     to == TextLanguage::Il ? "{language 'IL'}" : "{language 'ST'}"};
     }
     return std::nullopt;
 }
@@ -90,11 +99,17 @@ lower::TypeNamer typesOf(const driver::BuildInput& input, size_t file, const Fou
     driver::BuildInput needed = input;
     needed.keepsEveryResult = false;
     const driver::Checked checked = driver::check(needed);
-    const std::string owner = found.isInner && found.unit.find('.') != std::string::npos && found.pou->kind != syntax::PouKind::Method ? found.unit.substr(0, found.unit.find('.')) : found.unit;
+    const std::string owner =
+        found.isInner && found.unit.find('.') != std::string::npos && found.pou->kind != syntax::PouKind::Method
+            ? found.unit.substr(0, found.unit.find('.'))
+            : found.unit;
     std::map<std::pair<uint32_t, uint32_t>, std::vector<std::string>> names;
     for (const sema::Symbol& symbol : checked.analysis->symbols)
-        if ((symbol.name.starts_with("__il") || symbol.name.starts_with("__at_")) && symbol.declaration.file == FileId(file) && equalsIgnoringCase(symbol.owner, owner) && symbol.type.isValid() && checked.analysis->program)
-            names[{symbol.declaration.begin, symbol.declaration.end}].push_back((*checked.analysis->program->types)[symbol.type].name);
+        if ((symbol.name.starts_with("__il") || symbol.name.starts_with("__at_")) &&
+            symbol.declaration.file == FileId(file) && equalsIgnoringCase(symbol.owner, owner) &&
+            symbol.type.isValid() && checked.analysis->program)
+            names[{symbol.declaration.begin, symbol.declaration.end}].push_back(
+                (*checked.analysis->program->types)[symbol.type].name);
     return [names](SourceRange place, size_t number) {
         const auto it = names.find({place.begin, place.end});
         return it == names.end() || number >= it->second.size() ? std::string() : it->second[number];
@@ -109,12 +124,16 @@ std::vector<BodyPlace> bodiesOf(std::string_view text) {
     std::vector<Found> all;
     collect(file->declarations, all);
     std::vector<BodyPlace> out;
-    for (const Found& found : all) out.push_back({found.unit, found.body->language == BodyLanguage::Il ? TextLanguage::Il : TextLanguage::St, found.header});
-    std::sort(out.begin(), out.end(), [](const BodyPlace& a, const BodyPlace& b) { return a.range.begin < b.range.begin; });
+    for (const Found& found : all)
+        out.push_back(
+            {found.unit, found.body->language == BodyLanguage::Il ? TextLanguage::Il : TextLanguage::St, found.header});
+    std::sort(out.begin(), out.end(),
+              [](const BodyPlace& a, const BodyPlace& b) { return a.range.begin < b.range.begin; });
     return out;
 }
 
-Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view path, std::string_view unit, TextLanguage to) {
+Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view path, std::string_view unit,
+                               TextLanguage to) {
     size_t index = 0;
     while (index < input.files.size() && input.files[index].path != path) ++index;
     if (index == input.files.size()) return Error{"There is no such file in the project", std::string(path)};
@@ -123,15 +142,24 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
     const auto file = parse::parseFile(FileId(index), text, sink);
     std::vector<Found> all;
     collect(file->declarations, all);
-    const auto it = std::find_if(all.begin(), all.end(), [&](const Found& found) { return equalsIgnoringCase(found.unit, unit); });
+    const auto it =
+        std::find_if(all.begin(), all.end(), [&](const Found& found) { return equalsIgnoringCase(found.unit, unit); });
     if (it == all.end()) return Error{"There is no body in ST or IL here", std::string(unit)};
     const Found& found = *it;
     const TextLanguage from = found.body->language == BodyLanguage::Il ? TextLanguage::Il : TextLanguage::St;
-    if (from == to) return Error{std::string(unit) + (to == TextLanguage::St ? " is written in ST already" : " is written in IL already"), ""};
+    if (from == to)
+        return Error{std::string(unit) +
+                         (to == TextLanguage::St ? " is written in ST already" : " is written in IL already"),
+                     ""};
     for (const diagnostics::Diagnostic& d : sink.all())
-        if (d.severity == diagnostics::Severity::Error && d.range.begin >= found.header.begin && d.range.begin <= found.header.end) return Error{"Mend the text first: " + d.message(), std::string(unit)};
+        if (d.severity == diagnostics::Severity::Error && d.range.begin >= found.header.begin &&
+            d.range.begin <= found.header.end)
+            return Error{"Mend the text first: " + d.message(), std::string(unit)};
 
-    const Result<lower::ConvertedBody> converted = to == TextLanguage::St ? lower::instructionListAsSt(*file, *found.pou, *found.body, typesOf(input, index, found), text) : lower::stAsInstructionList(*file, *found.body, text);
+    const Result<lower::ConvertedBody> converted =
+        to == TextLanguage::St
+            ? lower::instructionListAsSt(*file, *found.pou, *found.body, typesOf(input, index, found), text)
+            : lower::stAsInstructionList(*file, *found.body, text);
     if (!converted) return converted.error();
 
     // The new body in place of the old one, as far in as its unit; its variables behind the unit's last section.
@@ -147,24 +175,31 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
     }
     const size_t lineStop = std::min(text.find('\n', old.end), text.size());
     const std::string_view behind = std::string_view(text).substr(old.end, lineStop - old.end);
-    if (!isBlank(behind) && !behind.substr(behind.find_first_not_of(" \t")).starts_with("//") && !behind.substr(behind.find_first_not_of(" \t")).starts_with("(*")) lines += lineEnd + outer;
+    if (!isBlank(behind) && !behind.substr(behind.find_first_not_of(" \t")).starts_with("//") &&
+        !behind.substr(behind.find_first_not_of(" \t")).starts_with("(*"))
+        lines += lineEnd + outer;
     Conversion out;
     out.unit = found.unit;
     if (!converted->declarations.empty()) {
-        const std::string block = outer + "VAR" + lineEnd + indented(converted->declarations, outer + "    ", lineEnd) + lineEnd + outer + "END_VAR" + lineEnd;
+        const std::string block = outer + "VAR" + lineEnd + indented(converted->declarations, outer + "    ", lineEnd) +
+                                  lineEnd + outer + "END_VAR" + lineEnd;
         const bool none = found.pou->sections.empty();
         uint32_t at = none ? found.pou->header.end : found.pou->sections.back()->range.end;
         at = static_cast<uint32_t>(std::min(text.find('\n', at), text.size() - 1) + 1);
         if (at > old.begin) at = begin; // all on one line
-        if (at == begin) lines = block + lines; // one edit: two at one place have no order
-        else out.edits.push_back({{FileId(index), at, at}, block});
+        if (at == begin)
+            lines = block + lines; // one edit: two at one place have no order
+        else
+            out.edits.push_back({{FileId(index), at, at}, block});
     }
     if (auto pragma = languagePragma(*file, text, found, to)) out.edits.push_back(*pragma);
     out.edits.push_back({{FileId(index), begin, old.end}, lines});
-    std::stable_sort(out.edits.begin(), out.edits.end(), [](const auto& a, const auto& b) { return a.range.begin < b.range.begin; });
+    std::stable_sort(out.edits.begin(), out.edits.end(),
+                     [](const auto& a, const auto& b) { return a.range.begin < b.range.begin; });
     const auto apply = [&] {
         out.text = text;
-        for (size_t i = out.edits.size(); i-- > 0;) out.text.replace(out.edits[i].range.begin, out.edits[i].range.length(), out.edits[i].text);
+        for (size_t i = out.edits.size(); i-- > 0;)
+            out.text.replace(out.edits[i].range.begin, out.edits[i].range.length(), out.edits[i].text);
     };
     apply();
     // A list whose first words could be a statement says what it is.
@@ -174,7 +209,8 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
         return std::nullopt;
     };
     if (languageNow() != to) {
-        out.edits.back().text = indent + (to == TextLanguage::Il ? "{language 'IL'}" : "{language 'ST'}") + lineEnd + out.edits.back().text;
+        out.edits.back().text =
+            indent + (to == TextLanguage::Il ? "{language 'IL'}" : "{language 'ST'}") + lineEnd + out.edits.back().text;
         apply();
     }
     driver::BuildInput after = input;
@@ -183,7 +219,8 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
     const driver::Checked checked = driver::check(after);
     if (errorsOf(checked) > errorsBefore)
         for (const diagnostics::Diagnostic& d : checked.analysis->diagnostics)
-            if (d.severity == diagnostics::Severity::Error) return Error{"It has no like in the other language: " + d.message(), found.unit};
+            if (d.severity == diagnostics::Severity::Error)
+                return Error{"It has no like in the other language: " + d.message(), found.unit};
     return out;
 }
 

@@ -1,5 +1,5 @@
-// "Show as ST" and "Show as IL": one body of a project in the other language, as edits of its file. The project is checked before and
-// after, so that what comes out has the right types and compiles. Pure functions; any thread.
+// "Show as ST" and "Show as IL": one body of a project in the other language, as edits of its file. The project is
+// checked before and after, so that what comes out has the right types and compiles. Pure functions; any thread.
 #pragma once
 #include "runtime/base/result.h"
 #include "runtime/compiler/driver/driver.h"
@@ -26,6 +26,7 @@ struct Conversion {
     std::string text;                         // the file after them
 };
 /// The body of `unit` in the other language. The error says what has no like there.
-[[nodiscard]] Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view path, std::string_view unit, TextLanguage to);
+[[nodiscard]] Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view path,
+                                             std::string_view unit, TextLanguage to);
 
 } // namespace plc::analysis

@@ -27,7 +27,8 @@ void listsOf(const syntax::Pou& pou, const Visit& visit) {
     listsOf(pou.body, visit);
     for (const syntax::ActionDecl* action : pou.actions) {
         const auto* chart = pou.body.chart; // lowering adds a chart's actions to the unit's
-        if (!chart || std::find(chart->actions.begin(), chart->actions.end(), action) == chart->actions.end()) listsOf(action->body, visit);
+        if (!chart || std::find(chart->actions.begin(), chart->actions.end(), action) == chart->actions.end())
+            listsOf(action->body, visit);
     }
     for (const syntax::Pou* method : pou.methods) listsOf(*method, visit);
     for (const syntax::Property* property : pou.properties)
@@ -61,11 +62,14 @@ std::vector<AccumulatorPlace> accumulatorPlaces(const syntax::SyntaxFile& file) 
     listsOf(file.declarations, [&](const Block& list) {
         eachInstruction(list, [&](const syntax::Stmt& stmt) {
             if (!stmt.il->result || !stmt.il->op.isValid()) return;
-            const uint32_t at = stmt.il->opensParenthesis && stmt.range.end > stmt.range.begin ? stmt.range.end - 1 : stmt.il->op.range.begin;
+            const uint32_t at = stmt.il->opensParenthesis && stmt.range.end > stmt.range.begin
+                                    ? stmt.range.end - 1
+                                    : stmt.il->op.range.begin;
             out.push_back({at, lower::print(*stmt.il->result)});
         });
     });
-    std::stable_sort(out.begin(), out.end(), [](const AccumulatorPlace& a, const AccumulatorPlace& b) { return a.at < b.at; });
+    std::stable_sort(out.begin(), out.end(),
+                     [](const AccumulatorPlace& a, const AccumulatorPlace& b) { return a.at < b.at; });
     return out;
 }
 
@@ -148,7 +152,8 @@ const std::vector<ListOperator>& listOperators() {
 
 bool isListOperator(std::string_view word) {
     const auto& all = listOperators();
-    return std::any_of(all.begin(), all.end(), [&](const ListOperator& op) { return equalsIgnoringCase(op.name, word); });
+    return std::any_of(all.begin(), all.end(),
+                       [&](const ListOperator& op) { return equalsIgnoringCase(op.name, word); });
 }
 
 std::optional<ListContext> listContextAt(std::string_view text, uint32_t wordBegin) {
@@ -156,13 +161,17 @@ std::optional<ListContext> listContextAt(std::string_view text, uint32_t wordBeg
     const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
     const Block* found = nullptr;
     uint32_t nearest = 0;
-    listsOf(file->declarations, [&](const Block& list) { // the list that began last before the place and is still open there
-        if (list.empty() || list.front()->range.begin > wordBegin || list.front()->range.begin < nearest) return;
-        const std::string between = foldCase(text.substr(list.back()->range.end, wordBegin > list.back()->range.end ? wordBegin - list.back()->range.end : 0));
-        if (between.find("end_") != std::string::npos) return;
-        nearest = list.front()->range.begin;
-        found = &list;
-    });
+    listsOf(file->declarations,
+            [&](const Block& list) { // the list that began last before the place and is still open there
+                if (list.empty() || list.front()->range.begin > wordBegin || list.front()->range.begin < nearest)
+                    return;
+                const std::string between =
+                    foldCase(text.substr(list.back()->range.end,
+                                         wordBegin > list.back()->range.end ? wordBegin - list.back()->range.end : 0));
+                if (between.find("end_") != std::string::npos) return;
+                nearest = list.front()->range.begin;
+                found = &list;
+            });
     if (!found) return std::nullopt;
     ListContext context;
     eachInstruction(*found, [&](const syntax::Stmt& stmt) {
@@ -172,16 +181,23 @@ std::optional<ListContext> listContextAt(std::string_view text, uint32_t wordBeg
     uint32_t begin = wordBegin;
     while (begin > 0 && text[begin - 1] != '\n') --begin;
     std::string_view line = text.substr(begin, wordBegin - begin);
-    if (const size_t colon = line.find(':'); colon != std::string_view::npos && (colon + 1 >= line.size() || line[colon + 1] != '=') && line.find('(') > colon) line.remove_prefix(colon + 1);
+    if (const size_t colon = line.find(':'); colon != std::string_view::npos &&
+                                             (colon + 1 >= line.size() || line[colon + 1] != '=') &&
+                                             line.find('(') > colon)
+        line.remove_prefix(colon + 1);
     const size_t from = line.find_first_not_of(" \t");
     if (from == std::string_view::npos) return context;
     line.remove_prefix(from);
     const std::string word = foldCase(line.substr(0, line.find_first_of(" \t(")));
     const bool bracket = line.find('(') != std::string_view::npos;
     context.place = ListPlace::Operand;
-    if (word.starts_with("jmp")) context.place = ListPlace::Label;
-    else if (word.starts_with("cal") && !bracket) context.place = ListPlace::Instance;
-    else if (!bracket && std::any_of(std::begin(kInputs), std::end(kInputs), [&](std::string_view input) { return equalsIgnoringCase(input, word); })) context.place = ListPlace::Instance;
+    if (word.starts_with("jmp"))
+        context.place = ListPlace::Label;
+    else if (word.starts_with("cal") && !bracket)
+        context.place = ListPlace::Instance;
+    else if (!bracket && std::any_of(std::begin(kInputs), std::end(kInputs),
+                                     [&](std::string_view input) { return equalsIgnoringCase(input, word); }))
+        context.place = ListPlace::Instance;
     return context;
 }
 

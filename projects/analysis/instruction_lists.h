@@ -1,5 +1,6 @@
-// What the editor knows of instruction lists: where the current result of each line lies, which words are operators, and what may stand
-// where the cursor is while a list is being typed. Pure functions over immutable trees and texts; any thread.
+// What the editor knows of instruction lists: where the current result of each line lies, which words are operators,
+// and what may stand where the cursor is while a list is being typed. Pure functions over immutable trees and texts;
+// any thread.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 

@@ -22,20 +22,29 @@ struct LibraryText {
 };
 constexpr LibraryText libraryTexts[] = {
     {"analog", "Analog", "Analog signal processing and the example blocks of IEC 61131-3 Annex F."},
-    {"plant", "Plant", "Processes to control, for the simulation programs of a project. All of them run by the controller's clock, whatever the cycle time."},
+    {"plant", "Plant",
+     "Processes to control, for the simulation programs of a project. All of them run by the controller's clock, "
+     "whatever the cycle time."},
     {"standard", "Standard", "The standard function blocks and functions of IEC 61131-3. Every project has them."},
-    {"toolbox", "Toolbox", "Bit, control, monitoring, filter, conversion, mathematics, operation and valve blocks, with the names, pins and error numbers of the SoMachine Toolbox."},
-    {"util", "Util", "Signal generators, characteristic curve, ramps, statistics, controllers and bit functions, with the names and pins of CODESYS Util. "
-                     "Its BCD functions (BCD_TO_INT, INT_TO_BCD and their kin) are standard functions here."},
-    {"workshop", "Workshop", "Small blocks as books on Structured Text build them: edges, timing, buffers, random numbers, waves."},
+    {"toolbox", "Toolbox",
+     "Bit, control, monitoring, filter, conversion, mathematics, operation and valve blocks, with the names, pins and "
+     "error numbers of the SoMachine Toolbox."},
+    {"util", "Util",
+     "Signal generators, characteristic curve, ramps, statistics, controllers and bit functions, with the names and "
+     "pins of CODESYS Util. "
+     "Its BCD functions (BCD_TO_INT, INT_TO_BCD and their kin) are standard functions here."},
+    {"workshop", "Workshop",
+     "Small blocks as books on Structured Text build them: edges, timing, buffers, random numbers, waves."},
 };
 
 std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
         if (c == '*' || c == '|') out += '\\';
-        if (c == '<') out += "&lt;";
-        else out += c;
+        if (c == '<')
+            out += "&lt;";
+        else
+            out += c;
     }
     return out;
 }
@@ -45,8 +54,10 @@ std::string collapsed(std::string_view text) {
     std::string out;
     for (const char c : text) {
         const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
-        if (!blank) out += c;
-        else if (!out.empty() && out.back() != ' ') out += ' ';
+        if (!blank)
+            out += c;
+        else if (!out.empty() && out.back() != ' ')
+            out += ' ';
     }
     while (!out.empty() && out.back() == ' ') out.pop_back();
     return out;
@@ -83,12 +94,16 @@ std::vector<std::string> aliasesOf(const std::vector<Pragma>& pragmas) {
     for (const Pragma& pragma : pragmas) {
         if (!pragma.isAttribute || !equalsIgnoringCase(pragma.key, "alias")) continue;
         std::istringstream list{std::string(pragma.value)};
-        for (std::string name; std::getline(list, name, ',');) names.push_back(collapsed(name.substr(name.find_first_not_of(' ') == std::string::npos ? 0 : name.find_first_not_of(' '))));
+        for (std::string name; std::getline(list, name, ',');)
+            names.push_back(collapsed(
+                name.substr(name.find_first_not_of(' ') == std::string::npos ? 0 : name.find_first_not_of(' '))));
     }
     return names;
 }
 
-std::string slice(std::string_view text, SourceRange range) { return collapsed(text.substr(range.begin, range.length())); }
+std::string slice(std::string_view text, SourceRange range) {
+    return collapsed(text.substr(range.begin, range.length()));
+}
 
 std::vector<Pin> pinsOf(const std::vector<VarDecl*>& declarations, std::string_view text) {
     std::vector<Pin> pins;
@@ -122,12 +137,14 @@ void writePins(std::ostream& out, std::string_view heading, const std::vector<Pi
 }
 
 bool isHidden(const std::vector<Pragma>& pragmas) {
-    return std::ranges::any_of(pragmas, [](const Pragma& pragma) { return pragma.isAttribute && equalsIgnoringCase(pragma.key, "hide"); });
+    return std::ranges::any_of(
+        pragmas, [](const Pragma& pragma) { return pragma.isAttribute && equalsIgnoringCase(pragma.key, "hide"); });
 }
 
 void writeDoc(std::ostream& out, const DocComment& doc) {
     if (!doc.errors.empty()) out << "**Errors**" << escaped(std::string_view(doc.errors).substr(6)) << "\n\n";
-    if (!doc.example.empty()) out << "**Example**\n\n```iecst\n" << collapsed(std::string_view(doc.example).substr(8)) << "\n```\n\n";
+    if (!doc.example.empty())
+        out << "**Example**\n\n```iecst\n" << collapsed(std::string_view(doc.example).substr(8)) << "\n```\n\n";
     if (!doc.mended.empty()) out << "**Mended**" << escaped(std::string_view(doc.mended).substr(6)) << "\n\n";
 }
 
@@ -158,7 +175,8 @@ void writeType(std::ostream& out, const TypeDecl& type, std::string_view text) {
         writePins(out, "Member", pinsOf(spec.fields, text));
     } else if (spec.kind == TypeSpecKind::Enum) {
         out << "Enumeration. " << escaped(doc.purpose) << " Values:";
-        for (size_t i = 0; i < spec.enumerators.size(); ++i) out << (i ? ", " : " ") << '`' << spec.enumerators[i].name.text << '`';
+        for (size_t i = 0; i < spec.enumerators.size(); ++i)
+            out << (i ? ", " : " ") << '`' << spec.enumerators[i].name.text << '`';
         out << ".\n\n";
     } else {
         out << "Type `" << slice(text, spec.range) << "`. " << escaped(doc.purpose) << "\n\n";
@@ -186,18 +204,30 @@ std::string familyPage(const library::Source& source) {
 
 std::string_view genericName(const library::Parameter& parameter) {
     switch (parameter.generic) {
-    case library::Generic::Fixed: return types::spelling(parameter.fixed);
-    case library::Generic::Any: return "ANY";
-    case library::Generic::AnyElementary: return "ANY_ELEMENTARY";
-    case library::Generic::AnyMagnitude: return "ANY_MAGNITUDE";
-    case library::Generic::AnyNum: return "ANY_NUM";
-    case library::Generic::AnyInt: return "ANY_INT";
-    case library::Generic::AnyReal: return "ANY_REAL";
-    case library::Generic::AnyBit: return "ANY_BIT";
-    case library::Generic::AnyText: return "ANY_CHARS";
-    case library::Generic::AnyDate: return "ANY_DATE";
-    case library::Generic::AnyDuration: return "ANY_DURATION";
-    case library::Generic::AnyNumOrDuration: return "ANY_NUM, ANY_DURATION";
+    case library::Generic::Fixed:
+        return types::spelling(parameter.fixed);
+    case library::Generic::Any:
+        return "ANY";
+    case library::Generic::AnyElementary:
+        return "ANY_ELEMENTARY";
+    case library::Generic::AnyMagnitude:
+        return "ANY_MAGNITUDE";
+    case library::Generic::AnyNum:
+        return "ANY_NUM";
+    case library::Generic::AnyInt:
+        return "ANY_INT";
+    case library::Generic::AnyReal:
+        return "ANY_REAL";
+    case library::Generic::AnyBit:
+        return "ANY_BIT";
+    case library::Generic::AnyText:
+        return "ANY_CHARS";
+    case library::Generic::AnyDate:
+        return "ANY_DATE";
+    case library::Generic::AnyDuration:
+        return "ANY_DURATION";
+    case library::Generic::AnyNumOrDuration:
+        return "ANY_NUM, ANY_DURATION";
     }
     return {};
 }
@@ -210,11 +240,13 @@ void writeFunctions(std::ostream& out) {
         out << "| `" << name << "` | ";
         for (size_t i = 0; i < signature->parameters.size(); ++i) {
             const library::Parameter& parameter = signature->parameters[i];
-            out << (i ? ", " : "") << '`' << parameter.name << "` " << genericName(parameter) << (parameter.isOutput ? " (output)" : "");
+            out << (i ? ", " : "") << '`' << parameter.name << "` " << genericName(parameter)
+                << (parameter.isOutput ? " (output)" : "");
         }
         out << (signature->isExtensible ? ", …" : "") << " | " << escaped(signature->summary) << " |\n";
     }
-    out << "\nConversions go from every elementary type to every other: `INT_TO_REAL`, `TO_STRING`, `TRUNC_INT`, `BCD_TO_UINT`, `WORD_TO_BCD` and so on.\n\n";
+    out << "\nConversions go from every elementary type to every other: `INT_TO_REAL`, `TO_STRING`, `TRUNC_INT`, "
+           "`BCD_TO_UINT`, `WORD_TO_BCD` and so on.\n\n";
 }
 
 std::string libraryPage(const LibraryText& about) {
@@ -232,11 +264,14 @@ std::string libraryPage(const LibraryText& about) {
 
 std::string indexPage() {
     std::ostringstream out;
-    out << "# Libraries\n\nA project names its libraries in `project.json`, for example `\"libraries\": [\"toolbox\", \"util\"]`; the standard is always there. "
+    out << "# Libraries\n\nA project names its libraries in `project.json`, for example `\"libraries\": [\"toolbox\", "
+           "\"util\"]`; the standard is always there. "
            "Where two libraries have the same name, the namespace tells them apart: `Util.PID`, `Analog.PID`.\n\n"
-           "`stepwise doc library` writes these pages from the comments in the libraries' own ST texts.\n\n| Library | Namespace | What is in it |\n|---|---|---|\n";
+           "`stepwise doc library` writes these pages from the comments in the libraries' own ST texts.\n\n| Library | "
+           "Namespace | What is in it |\n|---|---|---|\n";
     for (const LibraryText& about : libraryTexts)
-        out << "| [" << about.library << "](" << about.library << ".md) | `" << about.title << "` | " << about.purpose << " |\n";
+        out << "| [" << about.library << "](" << about.library << ".md) | `" << about.title << "` | " << about.purpose
+            << " |\n";
     return out.str();
 }
 
@@ -251,7 +286,8 @@ std::string readWhole(const std::filesystem::path& path) {
 
 std::vector<ReferencePage> libraryReference() {
     std::vector<ReferencePage> pages{{"README.md", indexPage()}};
-    for (const LibraryText& about : libraryTexts) pages.push_back({std::string(about.library) + ".md", libraryPage(about)});
+    for (const LibraryText& about : libraryTexts)
+        pages.push_back({std::string(about.library) + ".md", libraryPage(about)});
     return pages;
 }
 

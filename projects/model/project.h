@@ -9,16 +9,16 @@
 namespace plc::projects {
 
 struct Project {
-    std::string folder;                    // absolute; empty for loose ST files
+    std::string folder; // absolute; empty for loose ST files
     std::string name;
-    std::vector<std::string> libraries;    // lower case: "toolbox"
-    std::string startPanel;                // panel file name without ".panel.json"
-    std::vector<std::string> languages;    // BCP 47, ordered; empty = {"en"}
-    std::vector<std::string> fallback;     // chain of languages
+    std::vector<std::string> libraries; // lower case: "toolbox"
+    std::string startPanel;             // panel file name without ".panel.json"
+    std::vector<std::string> languages; // BCP 47, ordered; empty = {"en"}
+    std::vector<std::string> fallback;  // chain of languages
     std::string font = "Noto Sans";
-    std::string languageVariable;          // path, may be empty
-    std::string calendarStart;             // "DT#…", empty = DT#2000-01-01-00:00:00
-    nlohmann::ordered_json json;           // the file as read: unknown fields are kept in place
+    std::string languageVariable;            // path, may be empty
+    std::string calendarStart;               // "DT#…", empty = DT#2000-01-01-00:00:00
+    nlohmann::ordered_json json;             // the file as read: unknown fields are kept in place
     std::vector<driver::SourceFile> sources; // src/*.st by name; path relative to the folder ("src/main.st")
     std::vector<driver::SourceFile> tests;   // tests/*.st
     std::vector<std::string> panels, traces; // file names

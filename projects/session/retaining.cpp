@@ -1,5 +1,5 @@
-// When RETAIN and PERSISTENT values go to and come from disk: restored before the first scan, saved at a stop, a fault, at intervals and at
-// the end. The helper thread saves from the published snapshot, so the scan never waits for a disk.
+// When RETAIN and PERSISTENT values go to and come from disk: restored before the first scan, saved at a stop, a fault,
+// at intervals and at the end. The helper thread saves from the published snapshot, so the scan never waits for a disk.
 #include "projects/session/session_state.h"
 #include "runtime/controller/retain.h"
 
@@ -14,7 +14,9 @@ void Session::State::loadRetained() {
     }
     const controller::RetainOutcome outcome = controller::restoreRetained(controller, *leaves);
     if (outcome.lost.empty()) return;
-    shared.retainProblem = std::to_string(outcome.lost.size()) + " retained values do not fit the program any more: " + outcome.lost.front() + (outcome.lost.size() > 1 ? ", …" : "");
+    shared.retainProblem = std::to_string(outcome.lost.size()) +
+                           " retained values do not fit the program any more: " + outcome.lost.front() +
+                           (outcome.lost.size() > 1 ? ", …" : "");
 }
 
 Result<void> Session::State::saveRetained(const image::Layout& layout, std::span<const std::byte> image) const {

@@ -1,4 +1,5 @@
-// The scan thread: drains commands at scan boundaries, paces the scans, publishes what they made, serves commands at a breakpoint (D8).
+// The scan thread: drains commands at scan boundaries, paces the scans, publishes what they made, serves commands at a
+// breakpoint (D8).
 #include "projects/session/session_state.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ using controller::EventKind;
 using PlcState = controller::State;
 
 namespace {
-constexpr int64_t kPublishEvery = 5'000'000, kShareEvery = 5'000'000, kStatisticsEvery = 100'000'000, kLoadWindow = 250'000'000;
+constexpr int64_t kPublishEvery = 5'000'000, kShareEvery = 5'000'000, kStatisticsEvery = 100'000'000,
+                  kLoadWindow = 250'000'000;
 constexpr size_t kEventsKept = 100'000;
 } // namespace
 
@@ -33,11 +35,14 @@ void Session::State::post(When when, std::function<void()> run) {
 
 bool Session::State::scansAreWanted() const {
     switch (controller.state()) {
-    case PlcState::Running: return true;
+    case PlcState::Running:
+        return true;
     case PlcState::Paused:
-    case PlcState::Halted: return false;
+    case PlcState::Halted:
+        return false;
     case PlcState::Stopped:
-    case PlcState::Fault: return controller.hasSimulation() && !controller.simulationFault(); // the plant goes on
+    case PlcState::Fault:
+        return controller.hasSimulation() && !controller.simulationFault(); // the plant goes on
     }
     return false;
 }
@@ -54,12 +59,15 @@ void Session::State::run() {
             load.store(0, std::memory_order_relaxed);
             busyNs = 0;
             loadSince = wallNow();
-            if (commands.isEmpty() && deferred.empty() && !isQuitting.load(std::memory_order_acquire)) wakeUp.wait(controller.state() == PlcState::Running ? 0 : 1'000'000'000);
+            if (commands.isEmpty() && deferred.empty() && !isQuitting.load(std::memory_order_acquire))
+                wakeUp.wait(controller.state() == PlcState::Running ? 0 : 1'000'000'000);
             continue;
         }
         const bool isStopped = controller.state() != PlcState::Running; // only the plant: at its own pace
-        if (mode.pace == Pace::Fastest && !isStopped) scanFast();
-        else scanInRealTime(wallNow(), mode.pace == Pace::Factor && !isStopped ? mode.factor : 1.0);
+        if (mode.pace == Pace::Fastest && !isStopped)
+            scanFast();
+        else
+            scanInRealTime(wallNow(), mode.pace == Pace::Factor && !isStopped ? mode.factor : 1.0);
     }
     publish();
 }
@@ -112,7 +120,8 @@ void Session::State::scanFast() {
     const int64_t last = std::max<int64_t>(lastScanNs.load(std::memory_order_relaxed), 100);
     const auto batch = std::clamp<int64_t>(1'000'000 / last, 1, 256);
     int64_t done = 0;
-    while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() && !isQuitting.load(std::memory_order_relaxed)) {
+    while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() &&
+           !isQuitting.load(std::memory_order_relaxed)) {
         if (!writes.isEmpty()) writes.apply(controller, true, newRefusals);
         (void)controller.scan();
         ++done;
@@ -141,7 +150,8 @@ void Session::State::afterScans(int64_t begin, int64_t end) {
     busyNs += end - begin;
     if (loadSince == 0) loadSince = begin;
     if (end - loadSince >= kLoadWindow) {
-        load.store(std::min(1.0, static_cast<double>(busyNs) / static_cast<double>(end - loadSince)), std::memory_order_relaxed);
+        load.store(std::min(1.0, static_cast<double>(busyNs) / static_cast<double>(end - loadSince)),
+                   std::memory_order_relaxed);
         busyNs = 0;
         loadSince = end;
     }
@@ -169,7 +179,9 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
                 writes.apply(controller, false, newRefusals);
             } else {
                 leavesScan = command->when == When::Leave;
-                if (!leavesScan) newRefusals.push_back("the online change waits for the end of the scan that stands at a breakpoint");
+                if (!leavesScan)
+                    newRefusals.push_back(
+                        "the online change waits for the end of the scan that stands at a breakpoint");
                 deferred.push_back(std::move(*command));
             }
         }
@@ -215,8 +227,10 @@ void Session::State::publish() {
 
 void Session::State::share(bool mayWait) {
     std::unique_lock lock(mutex, std::defer_lock);
-    if (mayWait) lock.lock();
-    else if (!lock.try_lock()) return; // at the next boundary
+    if (mayWait)
+        lock.lock();
+    else if (!lock.try_lock())
+        return; // at the next boundary
     putShared();
 }
 

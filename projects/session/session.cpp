@@ -12,7 +12,8 @@ namespace plc::session {
 using controller::EventKind;
 using PlcState = controller::State;
 
-Session::State::State(driver::Built first, Settings s) : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
+Session::State::State(driver::Built first, Settings s)
+    : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
     adopt(std::make_shared<const driver::Built>(std::move(first)));
     loadRetained();
     controller.addObserver(*this);
@@ -42,7 +43,8 @@ void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
     });
 }
 
-Session::Session(driver::Built built, Settings settings) : m(std::make_unique<State>(std::move(built), std::move(settings))) {}
+Session::Session(driver::Built built, Settings settings)
+    : m(std::make_unique<State>(std::move(built), std::move(settings))) {}
 
 Session::~Session() {
     m->isQuitting.store(true, std::memory_order_release);
@@ -84,7 +86,7 @@ controller::Controller& Session::controller() {
 }
 
 void Session::runHere(const std::function<bool(const controller::Controller&)>& stop) {
-    PLC_ASSERT(!m->thread.joinable(), return);
+    PLC_ASSERT(!m->thread.joinable(), return );
     m->isQueueing.store(true, std::memory_order_release);
     m->controller.start();
     for (;;) {
@@ -113,7 +115,9 @@ void Session::startThread(RunMode mode) {
     m->worker = std::make_unique<Worker>([s] { s->tick(); });
     m->debugger = std::make_unique<debug::Debugger>(
         m->controller,
-        [s](const std::string& text, const std::string& instance) { return s->versions->expression(*s->current.load(), text, instance); },
+        [s](const std::string& text, const std::string& instance) {
+            return s->versions->expression(*s->current.load(), text, instance);
+        },
         [s](const debug::Halt& halt) { return s->serveHalt(halt); });
     m->debugger->setBreakpoints(m->breakpoints);
     m->lastRetainSave = wallNow();
@@ -146,8 +150,10 @@ void Session::start() {
 
 void Session::pause() {
     m->post(When::Now, [s = m.get()] {
-        if (s->isHalted) s->pausesAfterScan = true;
-        else s->controller.pause();
+        if (s->isHalted)
+            s->pausesAfterScan = true;
+        else
+            s->controller.pause();
     });
 }
 
@@ -182,22 +188,26 @@ void Session::write(std::string path, types::Value value) {
 }
 
 void Session::press(std::string path, types::Value pressed, types::Value released) {
-    m->post(When::Now, [s = m.get(), path = std::move(path), pressed = std::move(pressed), released = std::move(released)]() mutable {
+    m->post(When::Now, [s = m.get(), path = std::move(path), pressed = std::move(pressed),
+                        released = std::move(released)]() mutable {
         s->writes.press(std::move(path), std::move(pressed), std::move(released));
-        if (!s->isQueueing.load()) s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
+        if (!s->isQueueing.load())
+            s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
     });
 }
 
 void Session::release(std::string path) {
     m->post(When::Now, [s = m.get(), path = std::move(path)]() mutable {
         s->writes.release(std::move(path));
-        if (!s->isQueueing.load()) s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
+        if (!s->isQueueing.load())
+            s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
     });
 }
 
 void Session::force(std::string path, types::Value value) {
     m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)] {
-        if (const Result<void> done = s->controller.force(path, value); !done) s->newRefusals.push_back(done.error().text());
+        if (const Result<void> done = s->controller.force(path, value); !done)
+            s->newRefusals.push_back(done.error().text());
     });
 }
 
@@ -320,7 +330,8 @@ Result<void> Session::resumeFrom(history::Position position) {
 
 void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
     std::vector<debug::Breakpoint> wanted;
-    for (Breakpoint& b : breakpoints) wanted.push_back({b.file, b.line, std::move(b.condition), b.hitCount, std::move(b.instance), b.isEnabled});
+    for (Breakpoint& b : breakpoints)
+        wanted.push_back({b.file, b.line, std::move(b.condition), b.hitCount, std::move(b.instance), b.isEnabled});
     m->post(When::Now, [s = m.get(), wanted = std::move(wanted)]() mutable {
         s->breakpoints = wanted; // kept for the debugger that startThread makes
         if (s->debugger) s->debugger->setBreakpoints(std::move(wanted));
@@ -338,9 +349,13 @@ void Session::resume() {
 void Session::step(StepKind kind) {
     m->post(When::Now, [s = m.get(), kind] {
         if (!s->debugger) return;
-        s->debugger->step(kind == StepKind::In ? debug::Step::In : kind == StepKind::Over ? debug::Step::Over : debug::Step::Out);
-        if (s->isHalted) s->goesOn = true;
-        else s->controller.start();
+        s->debugger->step(kind == StepKind::In     ? debug::Step::In
+                          : kind == StepKind::Over ? debug::Step::Over
+                                                   : debug::Step::Out);
+        if (s->isHalted)
+            s->goesOn = true;
+        else
+            s->controller.start();
     });
 }
 
@@ -348,15 +363,18 @@ void Session::runTo(FileId file, uint32_t line) {
     m->post(When::Now, [s = m.get(), file, line] {
         if (!s->debugger) return;
         s->debugger->runTo(file, line);
-        if (s->isHalted) s->goesOn = true;
-        else s->controller.start();
+        if (s->isHalted)
+            s->goesOn = true;
+        else
+            s->controller.start();
     });
 }
 
 std::vector<HaltFrame> Session::haltFrames() const {
     std::vector<HaltFrame> frames;
     const std::lock_guard lock(m->mutex);
-    for (const controller::FaultFrame& f : m->shared.frames) frames.push_back({f.function, f.instance, f.range, f.functionIndex, f.instanceOffset, f.frameOffset});
+    for (const controller::FaultFrame& f : m->shared.frames)
+        frames.push_back({f.function, f.instance, f.range, f.functionIndex, f.instanceOffset, f.frameOffset});
     return frames;
 }
 
@@ -376,11 +394,14 @@ std::vector<std::pair<std::string, types::Value>> Session::frameVariables(size_t
     latest(now);
     if (!now.isHalted || !now.program) return {};
     std::vector<std::pair<std::string, types::Value>> variables;
-    for (debug::FrameVariable& variable : debug::frameVariables(*now.program, now.image, wanted)) variables.emplace_back(std::move(variable.name), std::move(variable.value));
+    for (debug::FrameVariable& variable : debug::frameVariables(*now.program, now.image, wanted))
+        variables.emplace_back(std::move(variable.name), std::move(variable.value));
     return variables;
 }
 
-Result<expression::Expression> Session::expression(const std::string& text, const std::string& scope) const { return m->versions->expression(built(), text, scope); }
+Result<expression::Expression> Session::expression(const std::string& text, const std::string& scope) const {
+    return m->versions->expression(built(), text, scope);
+}
 
 history::Recompile Session::recompile(const std::string& text, const std::string& scope) const {
     return [versions = m->versions, text, scope](const image::CompiledProgram& program) {

@@ -1,6 +1,6 @@
-// A project that is built and can run: controller, history and debugger together, on a scan thread of their own or stepped by the
-// caller. Command line, `stepwise test`, panel player and studio all use this (D9). The functions may be called from any thread
-// unless they say otherwise; they post to the scan thread and read published snapshots (D8).
+// A project that is built and can run: controller, history and debugger together, on a scan thread of their own or
+// stepped by the caller. Command line, `stepwise test`, panel player and studio all use this (D9). The functions may be
+// called from any thread unless they say otherwise; they post to the scan thread and read published snapshots (D8).
 #pragma once
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/controller/controller.h"
@@ -22,9 +22,9 @@ struct RunMode {
 
 struct Status {
     controller::State state = controller::State::Stopped;
-    uint64_t scans = 0;           // finished scans
-    Nanoseconds time{};           // of the last scan
-    double load = 0;              // share of wall time spent in scans, 0..1
+    uint64_t scans = 0; // finished scans
+    Nanoseconds time{}; // of the last scan
+    double load = 0;    // share of wall time spent in scans, 0..1
     int64_t lastScanNs = 0;
     std::optional<controller::Fault> fault, simulationFault;
     history::Position position = 0; // newest recorded
@@ -42,9 +42,9 @@ struct HaltFrame {
 struct Breakpoint {
     FileId file;
     uint32_t line = 1;
-    std::string condition;   // ST expression, seen from the POU; empty = always
-    uint32_t hitCount = 0;   // stop at the n-th hit; 0 = every
-    std::string instance;    // only this instance path; empty = any
+    std::string condition; // ST expression, seen from the POU; empty = always
+    uint32_t hitCount = 0; // stop at the n-th hit; 0 = every
+    std::string instance;  // only this instance path; empty = any
     bool isEnabled = true;
 };
 
@@ -63,7 +63,7 @@ enum class StepKind : uint8_t { In, Over, Out };
 struct Settings {
     controller::Settings controller;
     size_t historyBudget = size_t(256) << 20;
-    std::string retainFile;                   // empty: no retain on disk
+    std::string retainFile; // empty: no retain on disk
     Nanoseconds retainInterval{60'000'000'000};
     bool record = true;
 };
@@ -80,14 +80,14 @@ public:
     [[nodiscard]] Status status() const;
 
     // --- caller-stepped (command line, tests): no scan thread
-    [[nodiscard]] controller::Controller& controller();     // only while no scan thread runs
+    [[nodiscard]] controller::Controller& controller(); // only while no scan thread runs
     /// Writes the retain file named in the settings (also done by the scan thread at stop and at the interval).
     Result<void> saveRetained() const;
     /// Runs scans in the calling thread until `stop` returns true (asked after each scan) or the state leaves Running.
     void runHere(const std::function<bool(const controller::Controller&)>& stop);
 
     // --- scan thread (studio, panel)
-    void startThread(RunMode mode);  // start() included
+    void startThread(RunMode mode); // start() included
     void setMode(RunMode mode);
     void start();
     void pause();
@@ -130,7 +130,8 @@ public:
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
 
     /// Cached by text, scope and program version; any thread.
-    [[nodiscard]] Result<expression::Expression> expression(const std::string& text, const std::string& scope = {}) const;
+    [[nodiscard]] Result<expression::Expression> expression(const std::string& text,
+                                                            const std::string& scope = {}) const;
     /// For History::series over online changes.
     [[nodiscard]] history::Recompile recompile(const std::string& text, const std::string& scope = {}) const;
 

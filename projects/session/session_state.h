@@ -1,5 +1,5 @@
-// What a Session keeps, for the files that implement it. Three kinds of members: constant or thread-safe, the scan thread's own, and
-// `shared`, copies of what seldom changes behind a mutex that the scan thread only ever tries.
+// What a Session keeps, for the files that implement it. Three kinds of members: constant or thread-safe, the scan
+// thread's own, and `shared`, copies of what seldom changes behind a mutex that the scan thread only ever tries.
 #pragma once
 #include "projects/session/session.h"
 #include "projects/session/versions.h"
@@ -16,9 +16,9 @@ namespace plc::session {
 
 /// How a command gets along with a scan that stands at a breakpoint.
 enum class When : uint8_t {
-    Now,       // served while halted
-    Boundary,  // waits for the end of the scan
-    Leave,     // abandons the halted scan, then runs
+    Now,      // served while halted
+    Boundary, // waits for the end of the scan
+    Leave,    // abandons the halted scan, then runs
 };
 struct Command {
     When when = When::Now;
@@ -73,7 +73,7 @@ struct Session::State final : controller::ScanObserver {
     double anchoredFactor = 0;
     bool needsAnchor = true;
     bool isHalted = false, goesOn = false, leavesScan = false, pausesAfterScan = false;
-    bool savesRetain = false; // once the snapshot that shall be saved is published
+    bool savesRetain = false;  // once the snapshot that shall be saved is published
     bool sharedIsStale = true; // something below or in the controller has to get into `shared`
     std::vector<controller::Event> newEvents;
     std::vector<std::string> newRefusals;

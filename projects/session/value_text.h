@@ -7,6 +7,7 @@
 namespace plc::session {
 
 /// For a variable of `type`; the error names `path` and says what is wrong (not a value of the type, out of its range).
-[[nodiscard]] Result<types::Value> parseValue(const driver::Checked& checked, types::TypeId type, const std::string& text, const std::string& path);
+[[nodiscard]] Result<types::Value> parseValue(const driver::Checked& checked, types::TypeId type,
+                                              const std::string& text, const std::string& path);
 
 } // namespace plc::session

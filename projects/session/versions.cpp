@@ -20,12 +20,14 @@ std::shared_ptr<const driver::Built> Versions::of(const image::CompiledProgram* 
     return nullptr;
 }
 
-void Versions::keepOnly(const std::vector<std::shared_ptr<const image::CompiledProgram>>& programs, const driver::Built* current) {
+void Versions::keepOnly(const std::vector<std::shared_ptr<const image::CompiledProgram>>& programs,
+                        const driver::Built* current) {
     std::vector<std::shared_ptr<const driver::Built>> dropped; // destroyed outside the lock
     const std::lock_guard lock(m_mutex);
     for (size_t i = 0; i + kKeptVersions < m_versions.size();) {
         const auto& built = m_versions[i];
-        const bool isRecorded = std::any_of(programs.begin(), programs.end(), [&](const auto& p) { return p == built->program; });
+        const bool isRecorded =
+            std::any_of(programs.begin(), programs.end(), [&](const auto& p) { return p == built->program; });
         if (isRecorded || built.get() == current) {
             ++i;
             continue;
@@ -36,7 +38,8 @@ void Versions::keepOnly(const std::vector<std::shared_ptr<const image::CompiledP
     }
 }
 
-Result<expression::Expression> Versions::expression(const driver::Built& built, const std::string& text, const std::string& scope) {
+Result<expression::Expression> Versions::expression(const driver::Built& built, const std::string& text,
+                                                    const std::string& scope) {
     const Key key{built.program.get(), text, scope};
     {
         const std::lock_guard lock(m_mutex);

@@ -1,5 +1,5 @@
-// The versions of the program that a session has run, and the expressions compiled for them. Shared by the session and by the closures it
-// hands out; any thread.
+// The versions of the program that a session has run, and the expressions compiled for them. Shared by the session and
+// by the closures it hands out; any thread.
 #pragma once
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/history/history.h"
@@ -15,8 +15,10 @@ public:
     void add(std::shared_ptr<const driver::Built> built);
     [[nodiscard]] std::shared_ptr<const driver::Built> of(const image::CompiledProgram* program) const;
     /// Forgets versions that nothing recorded needs any more; the newest few stay.
-    void keepOnly(const std::vector<std::shared_ptr<const image::CompiledProgram>>& programs, const driver::Built* current);
-    [[nodiscard]] Result<expression::Expression> expression(const driver::Built& built, const std::string& text, const std::string& scope);
+    void keepOnly(const std::vector<std::shared_ptr<const image::CompiledProgram>>& programs,
+                  const driver::Built* current);
+    [[nodiscard]] Result<expression::Expression> expression(const driver::Built& built, const std::string& text,
+                                                            const std::string& scope);
 
 private:
     struct Key {

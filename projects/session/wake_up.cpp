@@ -9,7 +9,7 @@
 
 namespace plc::session {
 
-WakeUp::WakeUp() : m_event(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) { PLC_ASSERT(m_event >= 0, return); }
+WakeUp::WakeUp() : m_event(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) { PLC_ASSERT(m_event >= 0, return ); }
 WakeUp::~WakeUp() { ::close(m_event); }
 
 void WakeUp::signal() {

@@ -1,4 +1,5 @@
-// Lets the scan thread sleep until a time or until somebody posted a command. Owned by the session; signal() from any thread.
+// Lets the scan thread sleep until a time or until somebody posted a command. Owned by the session; signal() from any
+// thread.
 #pragma once
 #include <cstdint>
 

@@ -1,5 +1,5 @@
-// The session's helper thread: optimises programs, saves the retain file, forgets old versions. Jobs run one after the other; `tick` is
-// called about twenty times a second in between.
+// The session's helper thread: optimises programs, saves the retain file, forgets old versions. Jobs run one after the
+// other; `tick` is called about twenty times a second in between.
 #pragma once
 #include <condition_variable>
 #include <deque>

@@ -30,9 +30,11 @@ void WriteQueue::sortIn(const image::Layout& layout, Request request, std::vecto
     }
     request.place = *place;
     const auto sharesBytes = [&](const image::Place& other) { return overlap(*layout.types, other, *place); };
-    auto lane = std::find_if(m_lanes.begin(), m_lanes.end(), [&](const Lane& l) { return std::any_of(l.places.begin(), l.places.end(), sharesBytes); });
+    auto lane = std::find_if(m_lanes.begin(), m_lanes.end(),
+                             [&](const Lane& l) { return std::any_of(l.places.begin(), l.places.end(), sharesBytes); });
     if (lane == m_lanes.end()) lane = m_lanes.insert(m_lanes.end(), Lane{});
-    if (std::find(lane->places.begin(), lane->places.end(), *place) == lane->places.end()) lane->places.push_back(*place);
+    if (std::find(lane->places.begin(), lane->places.end(), *place) == lane->places.end())
+        lane->places.push_back(*place);
     lane->waiting.push_back(std::move(request));
 }
 
@@ -51,7 +53,8 @@ void WriteQueue::rebind(const image::CompiledProgram& program, std::vector<std::
 void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
     if (isEmpty()) return;
     if (&controller.program() != m_program) rebind(controller.program(), refusals);
-    for (; !m_fresh.empty(); m_fresh.pop_front()) sortIn(controller.program().layout, std::move(m_fresh.front()), refusals);
+    for (; !m_fresh.empty(); m_fresh.pop_front())
+        sortIn(controller.program().layout, std::move(m_fresh.front()), refusals);
     const uint64_t next = controller.nextScan();
     for (Lane& lane : m_lanes) {
         while (!lane.waiting.empty() && (!areScansComing || lane.writtenBefore != next)) {
@@ -60,11 +63,15 @@ void WriteQueue::apply(controller::Controller& controller, bool areScansComing, 
             lane.writtenBefore = next;
         }
     }
-    std::erase_if(m_lanes, [&](const Lane& lane) { return lane.waiting.empty() && (!areScansComing || lane.writtenBefore != next); });
+    std::erase_if(m_lanes, [&](const Lane& lane) {
+        return lane.waiting.empty() && (!areScansComing || lane.writtenBefore != next);
+    });
 }
 
-bool WriteQueue::carryOut(Request& request, controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
-    const auto held = std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == request.place; });
+bool WriteQueue::carryOut(Request& request, controller::Controller& controller, bool areScansComing,
+                          std::vector<std::string>& refusals) {
+    const auto held =
+        std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == request.place; });
     types::Value value = request.value;
     if (request.kind == Kind::Release) {
         if (held == m_held.end()) return true; // the press was refused
@@ -73,8 +80,10 @@ bool WriteQueue::carryOut(Request& request, controller::Controller& controller, 
     }
     if (held != m_held.end()) m_held.erase(held);
     const Result<void> done = controller.write(request.path, value);
-    if (!done) refusals.push_back(done.error().text());
-    else if (request.kind == Kind::Press) m_held.push_back({request.path, request.place, request.released, controller.cyclicRuns()});
+    if (!done)
+        refusals.push_back(done.error().text());
+    else if (request.kind == Kind::Press)
+        m_held.push_back({request.path, request.place, request.released, controller.cyclicRuns()});
     return true;
 }
 

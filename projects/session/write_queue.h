@@ -1,5 +1,5 @@
-// Writes that wait for their scan: writes to one variable keep their order, one per scan, and the release of a momentary button waits until
-// every cyclic task has run once with the press. Scan thread.
+// Writes that wait for their scan: writes to one variable keep their order, one per scan, and the release of a
+// momentary button waits until every cyclic task has run once with the press. Scan thread.
 #pragma once
 #include "runtime/controller/controller.h"
 
@@ -9,11 +9,16 @@ namespace plc::session {
 
 class WriteQueue {
 public:
-    void write(std::string path, types::Value value) { m_fresh.push_back({Kind::Write, std::move(path), {}, std::move(value), {}}); }
-    void press(std::string path, types::Value pressed, types::Value released) { m_fresh.push_back({Kind::Press, std::move(path), {}, std::move(pressed), std::move(released)}); }
+    void write(std::string path, types::Value value) {
+        m_fresh.push_back({Kind::Write, std::move(path), {}, std::move(value), {}});
+    }
+    void press(std::string path, types::Value pressed, types::Value released) {
+        m_fresh.push_back({Kind::Press, std::move(path), {}, std::move(pressed), std::move(released)});
+    }
     void release(std::string path) { m_fresh.push_back({Kind::Release, std::move(path), {}, {}, {}}); }
     [[nodiscard]] bool isEmpty() const { return m_fresh.empty() && m_lanes.empty(); }
-    /// At a scan boundary: carries out what may be. `areScansComing`: else nothing has to wait. Refusals go to `refusals`.
+    /// At a scan boundary: carries out what may be. `areScansComing`: else nothing has to wait. Refusals go to
+    /// `refusals`.
     void apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals);
 
 private:
@@ -39,7 +44,8 @@ private:
     void sortIn(const image::Layout& layout, Request request, std::vector<std::string>& refusals);
     void rebind(const image::CompiledProgram& program, std::vector<std::string>& refusals);
     /// False: it has to wait.
-    [[nodiscard]] bool carryOut(Request& request, controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals);
+    [[nodiscard]] bool carryOut(Request& request, controller::Controller& controller, bool areScansComing,
+                                std::vector<std::string>& refusals);
 
     std::deque<Request> m_fresh;
     std::vector<Lane> m_lanes;

@@ -22,7 +22,8 @@ Result<std::string> readFile(const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) return Error{"This is a folder, a file is needed", path};
     struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && (S_ISCHR(known.st_mode) || S_ISBLK(known.st_mode))) return Error{"This is a device, a file is needed", path};
+    if (::stat(path.c_str(), &known) == 0 && (S_ISCHR(known.st_mode) || S_ISBLK(known.st_mode)))
+        return Error{"This is a device, a file is needed", path};
     std::ifstream in(path, std::ios::binary);
     if (!in) return Error{std::string("The file can not be read: ") + std::strerror(errno), path};
     std::ostringstream text;
@@ -36,7 +37,8 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
         if (const auto old = readFile(path); old && *old == content) return {};
     }
     struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"This is not a file that can be replaced; name another one", path};
+    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
+        return Error{"This is not a file that can be replaced; name another one", path};
     // A link is followed, so that the file it names is exchanged and the link stays.
     std::error_code ignored;
     const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
@@ -44,12 +46,15 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     const auto fail = [&](const char* what) -> Error {
         const int code = errno;
         ::unlink(temporary.c_str());
-        const std::string remedy = code == ENOSPC ? "; free some space and save again" : code == EACCES ? "; check the permissions of the folder" : "";
+        const std::string remedy = code == ENOSPC   ? "; free some space and save again"
+                                   : code == EACCES ? "; check the permissions of the folder"
+                                                    : "";
         return {std::string(what) + ": " + std::strerror(code) + remedy, path};
     };
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) return fail("The file can not be written");
-    if (std::error_code none; fs::exists(target, none)) fs::permissions(temporary, fs::status(target, none).permissions(), none);
+    if (std::error_code none; fs::exists(target, none))
+        fs::permissions(temporary, fs::status(target, none).permissions(), none);
     for (size_t done = 0; done < content.size();) {
         const ssize_t n = ::write(file, content.data() + done, content.size() - done);
         if (n < 0 && errno == EINTR) continue;
@@ -96,7 +101,8 @@ std::vector<std::string> filesIn(const fs::path& folder, std::string_view ending
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         const std::string name = entry.path().filename().string();
-        if (entry.is_regular_file(ignored) && name.size() > ending.size() && name.ends_with(ending) && name[0] != '.') out.push_back(name);
+        if (entry.is_regular_file(ignored) && name.size() > ending.size() && name.ends_with(ending) && name[0] != '.')
+            out.push_back(name);
     }
     std::sort(out.begin(), out.end());
     return out;
@@ -145,7 +151,9 @@ Result<Project> openFolder(const fs::path& folder) {
         const auto text = readFile(file.string());
         if (!text) return text.error();
         JsonText<Json> json = readJson<Json>(*text);
-        if (!json.isGood()) return Error{"project.json is not valid JSON; look for a missing comma, quote or bracket", file.string() + ":" + std::to_string(json.line)};
+        if (!json.isGood())
+            return Error{"project.json is not valid JSON; look for a missing comma, quote or bracket",
+                         file.string() + ":" + std::to_string(json.line)};
         project.json = std::move(json.value);
         if (!project.json.is_object()) return Error{"project.json must hold one JSON object", file.string()};
     } else {
@@ -174,7 +182,8 @@ Result<Project> openFolder(const fs::path& folder) {
         project.font = stringField(hmi, "font", project.font);
         project.languageVariable = stringField(hmi, "languageVariable");
     }
-    if (json.contains("settings") && json["settings"].is_object()) project.calendarStart = stringField(json["settings"], "calendarStart");
+    if (json.contains("settings") && json["settings"].is_object())
+        project.calendarStart = stringField(json["settings"], "calendarStart");
     if (project.languages.empty()) project.languages = {"en"};
     if (auto done = readSources(folder, "src", project.sources); !done) return done.error();
     if (project.sources.empty())
@@ -196,7 +205,8 @@ Result<Project> openProject(const std::vector<std::string>& paths) {
     if (paths.empty()) return Error{"Name a project folder or ST files", ""};
     std::error_code ignored;
     fs::path first = paths.front();
-    if (paths.size() == 1 && first.filename() == "project.json") first = first.parent_path().empty() ? "." : first.parent_path();
+    if (paths.size() == 1 && first.filename() == "project.json")
+        first = first.parent_path().empty() ? "." : first.parent_path();
     if (paths.size() == 1 && fs::is_directory(first, ignored)) return openFolder(first);
     Project project;
     project.name = fs::path(paths.front()).stem().string();

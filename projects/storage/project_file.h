@@ -1,5 +1,5 @@
-// Projects on disk: open a folder, or loose ST files; atomic save (temporary file, fsync, rename). Loading and saving our own file
-// changes no byte. Functions, any thread.
+// Projects on disk: open a folder, or loose ST files; atomic save (temporary file, fsync, rename). Loading and saving
+// our own file changes no byte. Functions, any thread.
 #pragma once
 #include "projects/model/project.h"
 #include "runtime/base/result.h"
@@ -11,7 +11,8 @@ namespace plc::projects {
 /// The texts of panels, alarms, operator texts and traces as they are on disk now (Project::companions).
 [[nodiscard]] std::vector<std::string> readCompanions(const std::string& folder);
 [[nodiscard]] Result<std::string> readFile(const std::string& path);
-/// All or nothing: the old file or the new one, never a mixture, whatever happens in between. A file with equal content is not written.
+/// All or nothing: the old file or the new one, never a mixture, whatever happens in between. A file with equal content
+/// is not written.
 Result<void> writeFileAtomically(const std::string& path, std::string_view content);
 Result<void> saveProjectFile(const Project& project);
 

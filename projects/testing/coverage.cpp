@@ -33,8 +33,10 @@ std::vector<PouCoverage> Coverage::perPou() const {
         PouCoverage coverage{pou, files[pou], 0, 0, {}};
         for (const auto& [line, ran] : byLine) {
             ++coverage.lines;
-            if (ran) ++coverage.covered;
-            else coverage.missed.push_back(line);
+            if (ran)
+                ++coverage.covered;
+            else
+                coverage.missed.push_back(line);
         }
         out.push_back(std::move(coverage));
     }

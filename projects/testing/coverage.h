@@ -1,4 +1,5 @@
-// Which lines of which POU ran, from the quick tier's sites. One thread; attach to each test's controller, collect after it.
+// Which lines of which POU ran, from the quick tier's sites. One thread; attach to each test's controller, collect
+// after it.
 #pragma once
 #include "projects/testing/test_run.h"
 #include "runtime/image/program.h"

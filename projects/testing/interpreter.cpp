@@ -13,7 +13,8 @@ using syntax::Stmt;
 using syntax::StmtKind;
 using types::Value;
 
-Interpreter::Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test, const driver::Built& built, session::Session& session)
+Interpreter::Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test,
+                         const driver::Built& built, session::Session& session)
     : m_project(project), m_program(program), m_test(test), m_built(built), m_session(session) {}
 
 void Interpreter::run(TestResult& result) {
@@ -39,7 +40,9 @@ Interpreter::Flow Interpreter::fail(const Stmt& at, std::string message, std::st
     return Flow::Stop;
 }
 
-Result<expression::Expression> Interpreter::compile(std::string_view text) { return m_session.expression(std::string(text), m_test.instance); }
+Result<expression::Expression> Interpreter::compile(std::string_view text) {
+    return m_session.expression(std::string(text), m_test.instance);
+}
 
 std::optional<Value> Interpreter::evaluate(const Expr* expression, const Stmt& at) {
     const auto compiled = compile(textOf(expression));
@@ -88,25 +91,41 @@ Interpreter::Flow Interpreter::statement(const Stmt& at) {
     }
     switch (at.kind) {
     case StmtKind::Empty:
-    case StmtKind::Label: return Flow::Next;
-    case StmtKind::Assign: return assign(at, false);
-    case StmtKind::Force: return assign(at, true);
-    case StmtKind::Release: return releaseForce(at);
-    case StmtKind::Assert: return assertion(at);
-    case StmtKind::Run: return runScans(at);
-    case StmtKind::Compare: return compare(at);
-    case StmtKind::If: return branches(at);
-    case StmtKind::Case: return caseOf(at);
-    case StmtKind::For: return countedLoop(at);
+    case StmtKind::Label:
+        return Flow::Next;
+    case StmtKind::Assign:
+        return assign(at, false);
+    case StmtKind::Force:
+        return assign(at, true);
+    case StmtKind::Release:
+        return releaseForce(at);
+    case StmtKind::Assert:
+        return assertion(at);
+    case StmtKind::Run:
+        return runScans(at);
+    case StmtKind::Compare:
+        return compare(at);
+    case StmtKind::If:
+        return branches(at);
+    case StmtKind::Case:
+        return caseOf(at);
+    case StmtKind::For:
+        return countedLoop(at);
     case StmtKind::While:
-    case StmtKind::Repeat: return loop(at);
-    case StmtKind::Exit: return Flow::Exit;
-    case StmtKind::Continue: return Flow::Continue;
-    case StmtKind::Return: return Flow::Stop;
-    case StmtKind::Block: return block(at.body);
+    case StmtKind::Repeat:
+        return loop(at);
+    case StmtKind::Exit:
+        return Flow::Exit;
+    case StmtKind::Continue:
+        return Flow::Continue;
+    case StmtKind::Return:
+        return Flow::Stop;
+    case StmtKind::Block:
+        return block(at.body);
     case StmtKind::Call:
     case StmtKind::Jump:
-    case StmtKind::Il: break;
+    case StmtKind::Il:
+        break;
     }
     return fail(at, "This statement is not possible in a TEST together with RUN or ASSERT around it");
 }
@@ -115,7 +134,8 @@ Interpreter::Flow Interpreter::action(const Stmt& at, const std::string& name) {
     controller::Controller& controller = m_session.controller();
     const image::CompiledProgram& program = controller.program();
     const auto place = program.layout.find(m_test.instance);
-    const auto it = std::find_if(program.functions.begin(), program.functions.end(), [&](const image::FunctionInfo& f) { return f.name == name; });
+    const auto it = std::find_if(program.functions.begin(), program.functions.end(),
+                                 [&](const image::FunctionInfo& f) { return f.name == name; });
     if (!place || it == program.functions.end()) return fail(at, "The code of this statement is missing");
     if (controller.runFunction(static_cast<uint32_t>(it - program.functions.begin()), place->offset)) return Flow::Next;
     return fail(at, "Fault in the test: " + (controller.fault() ? controller.fault()->message : std::string()));
@@ -162,7 +182,8 @@ Interpreter::Flow Interpreter::caseOf(const Stmt& at) {
     for (const syntax::CaseArm& arm : at.arms)
         for (const syntax::CaseLabel& label : arm.labels) {
             const std::string selector = "(" + std::string(textOf(at.value)) + ")";
-            const std::string text = label.high ? selector + " >= " + std::string(textOf(label.low)) + " AND " + selector + " <= " + std::string(textOf(label.high))
+            const std::string text = label.high ? selector + " >= " + std::string(textOf(label.low)) + " AND " +
+                                                      selector + " <= " + std::string(textOf(label.high))
                                                 : selector + " = " + std::string(textOf(label.low));
             const auto compiled = compile(text);
             if (!compiled) return fail(at, text + ": " + compiled.error().message);
@@ -205,7 +226,8 @@ Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
     const auto place = controller.program().layout.find(path);
     if (!place) return fail(at, place.error().message);
     for (int64_t i = from->integer(); step > 0 ? i <= to->integer() : i >= to->integer(); i += step) {
-        if (auto written = controller.write(path, Value{place->type, i}); !written) return fail(at, written.error().message);
+        if (auto written = controller.write(path, Value{place->type, i}); !written)
+            return fail(at, written.error().message);
         const Flow flow = block(at.body);
         if (flow == Flow::Exit) break;
         if (flow == Flow::Stop) return flow;
@@ -252,7 +274,9 @@ Interpreter::Flow Interpreter::runScans(const Stmt& at) {
         if (!oneScan(at)) return Flow::Stop;
         if (until->isTrue(controller.image())) return Flow::Next;
     }
-    return fail(at, std::string(textOf(at.value)) + " did not become true within " + types::durationText(length->integer()), explain(*at.value));
+    return fail(at,
+                std::string(textOf(at.value)) + " did not become true within " + types::durationText(length->integer()),
+                explain(*at.value));
 }
 
 /// "Main.n is 3, expected 5" for a comparison, the operands' values for anything else.
@@ -263,10 +287,13 @@ std::string Interpreter::explain(const Expr& expression) {
         const auto outcome = compiled->evaluate(m_session.controller().image());
         return outcome.hasValue() ? types::toText(compiled->types(), outcome.value) : outcome.reason;
     };
-    const auto isComparison = [](lex::TokenKind op) { return op >= lex::TokenKind::Equal && op <= lex::TokenKind::GreaterEqual; };
+    const auto isComparison = [](lex::TokenKind op) {
+        return op >= lex::TokenKind::Equal && op <= lex::TokenKind::GreaterEqual;
+    };
     if (expression.kind == syntax::ExprKind::Binary && expression.base && expression.right) {
         if (isComparison(expression.op))
-            return std::string(textOf(expression.base)) + " is " + show(expression.base) + ", expected " + std::string(lex::spelling(expression.op)) + " " + show(expression.right);
+            return std::string(textOf(expression.base)) + " is " + show(expression.base) + ", expected " +
+                   std::string(lex::spelling(expression.op)) + " " + show(expression.right);
         const std::string left = explain(*expression.base), right = explain(*expression.right);
         return left.empty() ? right : right.empty() ? left : left + "; " + right;
     }
@@ -285,7 +312,8 @@ Interpreter::Flow Interpreter::failAssertion(const Stmt& at, std::string detail)
     std::string message(textOf(at.value));
     if (at.to) {
         const auto said = evaluate(at.to, at);
-        if (said && std::holds_alternative<std::string>(said->data)) message = latin1ToUtf8(std::get<std::string>(said->data)) + " (" + message + ")";
+        if (said && std::holds_alternative<std::string>(said->data))
+            message = latin1ToUtf8(std::get<std::string>(said->data)) + " (" + message + ")";
     }
     return fail(at, "ASSERT failed: " + message, std::move(detail));
 }
@@ -301,7 +329,9 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
     }
     std::string file = m_project.folder + "/tests/" + name;
     if (!file.ends_with(".rec")) file += ".rec";
-    const auto rebuild = [](const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries) -> std::shared_ptr<const image::CompiledProgram> {
+    const auto rebuild =
+        [](const std::vector<std::pair<std::string, std::string>>& sources,
+           const std::vector<std::string>& libraries) -> std::shared_ptr<const image::CompiledProgram> {
         driver::BuildInput input;
         for (const auto& [path, text] : sources) input.files.push_back({path, text});
         input.libraries = libraries;
@@ -313,7 +343,9 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
     const history::History& now = m_session.history();
     const auto was = then.statistics(), is = now.statistics();
     const history::Position common = std::min(was.end - was.first, is.end - is.first);
-    if (was.scans != is.scans) return fail(at, "The recording " + name + " has " + std::to_string(was.scans) + " scans, this run " + std::to_string(is.scans));
+    if (was.scans != is.scans)
+        return fail(at, "The recording " + name + " has " + std::to_string(was.scans) + " scans, this run " +
+                            std::to_string(is.scans));
     for (history::Position i = 0; i < common; ++i) {
         std::shared_ptr<const image::CompiledProgram> oldProgram, newProgram;
         const auto oldImage = then.seek(was.first + i, &oldProgram), newImage = now.seek(is.first + i, &newProgram);
@@ -321,15 +353,24 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
         for (const image::Root& root : oldProgram->layout.roots) {
             if (root.isHidden || root.constant || root.name.starts_with("Test__")) continue;
             std::string difference;
-            oldProgram->layout.forEachLeaf(root.list.empty() ? root.name : root.list + "." + root.name, {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
-                const auto other = newProgram->layout.find(path);
-                if (!other) return true;
-                const Value before = types::readValue(*oldProgram->layout.types, place.type, std::span(oldImage).subspan(place.offset), place.bit);
-                const Value after = types::readValue(*newProgram->layout.types, other->type, std::span(newImage).subspan(other->offset), other->bit);
-                const bool close = std::holds_alternative<double>(before.data) && std::holds_alternative<double>(after.data) ? std::abs(before.real() - after.real()) <= tolerance : before.data == after.data;
-                if (!close) difference = path + " is " + types::toText(*newProgram->layout.types, after) + ", recorded " + types::toText(*oldProgram->layout.types, before) + " in scan " + std::to_string(i);
-                return close;
-            });
+            oldProgram->layout.forEachLeaf(
+                root.list.empty() ? root.name : root.list + "." + root.name, {root.type, root.offset, root.bit},
+                [&](const std::string& path, const image::Place& place) {
+                    const auto other = newProgram->layout.find(path);
+                    if (!other) return true;
+                    const Value before = types::readValue(*oldProgram->layout.types, place.type,
+                                                          std::span(oldImage).subspan(place.offset), place.bit);
+                    const Value after = types::readValue(*newProgram->layout.types, other->type,
+                                                         std::span(newImage).subspan(other->offset), other->bit);
+                    const bool close =
+                        std::holds_alternative<double>(before.data) && std::holds_alternative<double>(after.data)
+                            ? std::abs(before.real() - after.real()) <= tolerance
+                            : before.data == after.data;
+                    if (!close)
+                        difference = path + " is " + types::toText(*newProgram->layout.types, after) + ", recorded " +
+                                     types::toText(*oldProgram->layout.types, before) + " in scan " + std::to_string(i);
+                    return close;
+                });
             if (!difference.empty()) return fail(at, "The run differs from the recording " + name, difference);
         }
     }

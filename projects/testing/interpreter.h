@@ -1,5 +1,5 @@
-// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE and RELEASE act, everything else runs as compiled code.
-// One thread; one object per test.
+// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE and RELEASE act, everything else runs as
+// compiled code. One thread; one object per test.
 #pragma once
 #include "projects/session/session.h"
 #include "projects/testing/test_program.h"
@@ -9,7 +9,8 @@ namespace plc::testing {
 
 class Interpreter {
 public:
-    Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test, const driver::Built& built, session::Session& session);
+    Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test,
+                const driver::Built& built, session::Session& session);
     void run(TestResult& result);
 
 private:
@@ -33,7 +34,8 @@ private:
     [[nodiscard]] std::optional<types::Value> evaluate(const syntax::Expr* expression, const syntax::Stmt& at);
     [[nodiscard]] Result<expression::Expression> compile(std::string_view text);
     [[nodiscard]] std::optional<bool> condition(const syntax::Expr* expression, const syntax::Stmt& at);
-    [[nodiscard]] std::string pathOf(std::string_view target) const; // a variable of the test gets its instance in front
+    [[nodiscard]] std::string
+    pathOf(std::string_view target) const; // a variable of the test gets its instance in front
     [[nodiscard]] bool oneScan(const syntax::Stmt& at);
     [[nodiscard]] std::string explain(const syntax::Expr& expression);
     Flow fail(const syntax::Stmt& at, std::string message, std::string detail = {});

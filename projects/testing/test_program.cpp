@@ -12,7 +12,8 @@ using syntax::StmtKind;
 namespace {
 
 bool isStandard(const Expr& callee) {
-    return callee.kind == ExprKind::NameRef && (library::findSignature(callee.name.text) || library::findConversion(callee.name.text));
+    return callee.kind == ExprKind::NameRef &&
+           (library::findSignature(callee.name.text) || library::findConversion(callee.name.text));
 }
 
 /// A variable as layout and history name it: names, members, bits and constant indices.
@@ -20,14 +21,17 @@ bool isPlainPath(const Expr* target) {
     if (!target) return false;
     switch (target->kind) {
     case ExprKind::NameRef:
-    case ExprKind::Address: return true;
+    case ExprKind::Address:
+        return true;
     case ExprKind::Member:
-    case ExprKind::Bit: return isPlainPath(target->base);
+    case ExprKind::Bit:
+        return isPlainPath(target->base);
     case ExprKind::Index:
         for (const syntax::Argument& argument : target->arguments)
             if (!argument.value || argument.value->kind != ExprKind::Literal) return false;
         return isPlainPath(target->base);
-    default: return false;
+    default:
+        return false;
     }
 }
 
@@ -37,10 +41,14 @@ bool isCarriedOutHere(const Stmt& statement) {
     case StmtKind::Assert:
     case StmtKind::Force:
     case StmtKind::Release:
-    case StmtKind::Compare: return true;
-    case StmtKind::Assign: return statement.op == lex::TokenKind::Assign && isPlainPath(statement.target) && !needsCode(statement.value) && statement.value && statement.value->kind != ExprKind::AssignChain &&
-                                  statement.value->kind != ExprKind::ArrayInit && statement.value->kind != ExprKind::StructInit;
-    default: return false;
+    case StmtKind::Compare:
+        return true;
+    case StmtKind::Assign:
+        return statement.op == lex::TokenKind::Assign && isPlainPath(statement.target) && !needsCode(statement.value) &&
+               statement.value && statement.value->kind != ExprKind::AssignChain &&
+               statement.value->kind != ExprKind::ArrayInit && statement.value->kind != ExprKind::StructInit;
+    default:
+        return false;
     }
 }
 
@@ -81,7 +89,8 @@ TestProgram::TestProgram(const projects::Project& project) : m_input(project.bui
     m_input.files.push_back({"tests", ""});
     for (size_t file = 0; file < m_files.size(); ++file)
         for (const syntax::Decl* declaration : m_files[file]->declarations) {
-            if (declaration->kind == syntax::DeclKind::Test) planTest(*declaration->test, file);
+            if (declaration->kind == syntax::DeclKind::Test)
+                planTest(*declaration->test, file);
             else if (declaration->kind != syntax::DeclKind::Using) { // helpers of the tests: types, functions, blocks
                 copy(declaration->range, file, m_input.files[m_madeFile].text);
                 m_input.files[m_madeFile].text += "\n";
@@ -115,7 +124,8 @@ void TestProgram::planTest(const syntax::TestDecl& test, size_t file) {
     m_tests.push_back(planned);
 }
 
-void TestProgram::planStatements(const syntax::Block& block, std::string& text, const std::string& blockName, size_t file) {
+void TestProgram::planStatements(const syntax::Block& block, std::string& text, const std::string& blockName,
+                                 size_t file) {
     for (const Stmt* statement : block) {
         const bool asserts = statement->kind == StmtKind::Assert && needsCode(statement->value) && m_assertions < 1000;
         if (statement->kind == StmtKind::Empty || (isCarriedOutHere(*statement) && !asserts)) continue;
@@ -156,7 +166,8 @@ SourceRange TestProgram::originalOf(SourceRange made, bool& isTestFile) const {
     for (const CopiedPiece& piece : m_pieces)
         if (made.begin >= piece.madeBegin && made.begin <= piece.madeBegin + piece.length) {
             const uint32_t begin = piece.originalBegin + (made.begin - piece.madeBegin);
-            return {FileId(piece.testFile), begin, std::max(begin, std::min(begin + made.length(), piece.originalBegin + piece.length))};
+            return {FileId(piece.testFile), begin,
+                    std::max(begin, std::min(begin + made.length(), piece.originalBegin + piece.length))};
         }
     return {FileId(size_t(0)), 0, 0};
 }

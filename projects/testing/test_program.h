@@ -1,5 +1,6 @@
-// Turns the TESTs of a project into a program that can be built: per test a hidden block with the test's variables, and one action
-// for each piece of ordinary ST; the rest is a list of steps. Ranges of the made text lead back to the test file. Values; one thread.
+// Turns the TESTs of a project into a program that can be built: per test a hidden block with the test's variables, and
+// one action for each piece of ordinary ST; the rest is a list of steps. Ranges of the made text lead back to the test
+// file. Values; one thread.
 #pragma once
 #include "projects/model/project.h"
 #include "runtime/compiler/parse/parser.h"
@@ -13,15 +14,15 @@ namespace plc::testing {
 /// What a statement of a test becomes.
 struct Step {
     const syntax::Stmt* statement = nullptr;
-    std::string action;          // not empty: run this action of the test's block
+    std::string action; // not empty: run this action of the test's block
 };
 
 struct PlannedTest {
     const syntax::TestDecl* test = nullptr;
-    size_t fileIndex = 0;        // index into TestProgram::testFiles
+    size_t fileIndex = 0; // index into TestProgram::testFiles
     std::string title;
-    std::string instance;        // global variable that holds the test's block
-    std::string block;           // its type
+    std::string instance; // global variable that holds the test's block
+    std::string block;    // its type
 };
 
 /// A piece of made text that was copied from a test file.
@@ -39,7 +40,8 @@ public:
     [[nodiscard]] const diagnostics::Sink& problems() const { return m_problems; }
     /// "" when the statement is carried out here, else the action that runs it.
     [[nodiscard]] std::string actionOf(const syntax::Stmt& statement) const;
-    /// Where the action of an ASSERT that calls the program's own functions leaves its result, relative to the test's block.
+    /// Where the action of an ASSERT that calls the program's own functions leaves its result, relative to the test's
+    /// block.
     [[nodiscard]] std::string assertionResult(const syntax::Stmt& statement) const;
     /// Leads a range of the made file back to the test file; others are returned as they are.
     [[nodiscard]] SourceRange originalOf(SourceRange made, bool& isTestFile) const;

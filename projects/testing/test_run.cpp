@@ -15,8 +15,10 @@ namespace {
 
 bool matchesPattern(std::string_view text, std::string_view pattern) {
     if (pattern.empty()) return text.empty();
-    if (pattern[0] == '*') return matchesPattern(text, pattern.substr(1)) || (!text.empty() && matchesPattern(text.substr(1), pattern));
-    return !text.empty() && (pattern[0] == '?' || pattern[0] == text[0]) && matchesPattern(text.substr(1), pattern.substr(1));
+    if (pattern[0] == '*')
+        return matchesPattern(text, pattern.substr(1)) || (!text.empty() && matchesPattern(text.substr(1), pattern));
+    return !text.empty() && (pattern[0] == '?' || pattern[0] == text[0]) &&
+           matchesPattern(text.substr(1), pattern.substr(1));
 }
 
 bool isWanted(const std::string& title, const std::string& filter) {
@@ -37,7 +39,8 @@ void renderDiagnostics(const TestProgram& program, const driver::Checked* checke
         bool isTestFile = false;
         each.range = program.originalOf(each.range, isTestFile);
         each.fixes.clear();
-        report.diagnostics.push_back(diagnostics::renderText(isTestFile ? program.testSources() : *checked->sources, each, colours));
+        report.diagnostics.push_back(
+            diagnostics::renderText(isTestFile ? program.testSources() : *checked->sources, each, colours));
         report.hasErrors = true;
     }
 }
@@ -51,7 +54,8 @@ std::string fileNameOf(std::string title) {
 } // namespace
 
 size_t Report::failed() const {
-    return static_cast<size_t>(std::count_if(results.begin(), results.end(), [](const TestResult& result) { return !result.passed(); }));
+    return static_cast<size_t>(
+        std::count_if(results.begin(), results.end(), [](const TestResult& result) { return !result.passed(); }));
 }
 
 Result<Report> runTests(const projects::Project& project, const Options& options) {
@@ -65,7 +69,8 @@ Result<Report> runTests(const projects::Project& project, const Options& options
     report.buildMs = built.checkMs + built.codeMs;
     renderDiagnostics(program, &built.checked, options.colours, report);
     if (report.hasErrors) return report;
-    if (!built.program) return Error{built.failure.empty() ? "There is no program to test" : built.failure, project.name};
+    if (!built.program)
+        return Error{built.failure.empty() ? "There is no program to test" : built.failure, project.name};
     if (!options.coverage)
         if (auto optimised = driver::optimise(built); !optimised) return optimised.error();
 

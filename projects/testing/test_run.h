@@ -1,5 +1,6 @@
-// `stepwise test`: TESTs are ST (tests/*.st), each from a cold start, in virtual time. Ordinary statements become actions of a
-// hidden block beside the program, RUN, ASSERT, FORCE… are carried out here between scans. Functions; one thread.
+// `stepwise test`: TESTs are ST (tests/*.st), each from a cold start, in virtual time. Ordinary statements become
+// actions of a hidden block beside the program, RUN, ASSERT, FORCE… are carried out here between scans. Functions; one
+// thread.
 #pragma once
 #include "projects/model/project.h"
 #include "runtime/base/result.h"
@@ -52,10 +53,10 @@ struct Report {
 };
 
 struct Options {
-    std::string filter;           // substring of the title, without case; * and ? as in file names
+    std::string filter; // substring of the title, without case; * and ? as in file names
     bool coverage = false;
     bool colours = false;
-    std::string recordingFolder;  // where a failing test leaves its recording; empty = none
+    std::string recordingFolder; // where a failing test leaves its recording; empty = none
     std::function<void(const TestResult&)> progress;
     std::function<void(session::Session&)> finished; // after each test, with the recording of its scans
 };

@@ -14,7 +14,10 @@ class Arena {
 public:
     Arena() = default;
     Arena(Arena&& other) noexcept { swap(other); }
-    Arena& operator=(Arena&& other) noexcept { swap(other); return *this; }
+    Arena& operator=(Arena&& other) noexcept {
+        swap(other);
+        return *this;
+    }
     Arena(const Arena&) = delete;
     Arena& operator=(const Arena&) = delete;
     ~Arena() {

@@ -1,5 +1,6 @@
-// One writer takes things out of a shared structure while readers may still look at them: readers pin an epoch, the writer frees what
-// it took out two epochs ago. Owned by the structure. Pinning is lock-free and any thread may do it; the other functions belong to the writer.
+// One writer takes things out of a shared structure while readers may still look at them: readers pin an epoch, the
+// writer frees what it took out two epochs ago. Owned by the structure. Pinning is lock-free and any thread may do it;
+// the other functions belong to the writer.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -33,10 +34,12 @@ public:
 
     [[nodiscard]] Pin pin() const { return Pin(*this); }
     [[nodiscard]] uint64_t current() const { return m_epoch.load(std::memory_order_relaxed); }
-    /// Enters the next epoch when no reader is left in the one before this; what was taken out in epoch e is free once current() ≥ e + 2.
+    /// Enters the next epoch when no reader is left in the one before this; what was taken out in epoch e is free once
+    /// current() ≥ e + 2.
     void tryAdvance() {
         const uint64_t epoch = m_epoch.load(std::memory_order_relaxed);
-        if (m_readers[(epoch + 1) & 1].load(std::memory_order_seq_cst) == 0) m_epoch.store(epoch + 1, std::memory_order_seq_cst);
+        if (m_readers[(epoch + 1) & 1].load(std::memory_order_seq_cst) == 0)
+            m_epoch.store(epoch + 1, std::memory_order_seq_cst);
     }
 
 private:

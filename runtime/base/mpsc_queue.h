@@ -1,5 +1,5 @@
-// Commands from any thread to one: producers push without locks, the owner pops in the order in which pushes took effect. Owned by the
-// consumer, which outlives the producers.
+// Commands from any thread to one: producers push without locks, the owner pops in the order in which pushes took
+// effect. Owned by the consumer, which outlives the producers.
 #pragma once
 #include <atomic>
 #include <optional>
@@ -13,7 +13,8 @@ public:
     MpscQueue(const MpscQueue&) = delete;
     MpscQueue& operator=(const MpscQueue&) = delete;
     ~MpscQueue() {
-        while (pop()) {}
+        while (pop()) {
+        }
         delete m_tail;
     }
     /// Any thread.

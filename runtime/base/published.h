@@ -1,4 +1,5 @@
-// The newest value of something, from one writer to any number of readers, neither ever waiting for the other. Owned by the writer's side.
+// The newest value of something, from one writer to any number of readers, neither ever waiting for the other. Owned by
+// the writer's side.
 #pragma once
 #include <array>
 #include <atomic>
@@ -21,7 +22,8 @@ public:
     /// Writer: what begin() gave is the newest now.
     void publish() { m_newest.store(m_open, std::memory_order_seq_cst); }
 
-    /// Any thread: calls read(value) with the newest value, which stays as it is meanwhile; false when nothing was published yet.
+    /// Any thread: calls read(value) with the newest value, which stays as it is meanwhile; false when nothing was
+    /// published yet.
     template <class Read> bool read(Read&& readValue) const {
         for (;;) {
             const uint32_t newest = m_newest.load(std::memory_order_seq_cst);

@@ -1,5 +1,6 @@
-// Reads JSON that came from outside (a project, panel, set-up or alarm file): nothing it may hold makes an exception, and lists
-// nested deeper than any of our files are refused, because what walks a value does so by recursion. Function, any thread.
+// Reads JSON that came from outside (a project, panel, set-up or alarm file): nothing it may hold makes an exception,
+// and lists nested deeper than any of our files are refused, because what walks a value does so by recursion. Function,
+// any thread.
 #pragma once
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -18,7 +19,9 @@ template <class Json> struct JsonText {
 template <class Json> [[nodiscard]] JsonText<Json> readJson(std::string_view text) {
     struct TooDeep {};
     const auto lineAt = [&](size_t byte) {
-        return static_cast<int>(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
+        return static_cast<int>(1 + std::count(text.begin(),
+                                               text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())),
+                                               '\n'));
     };
     const auto watchDepth = [](int depth, typename Json::parse_event_t, Json&) {
         if (depth > kDeepestJson) throw TooDeep();

@@ -9,8 +9,8 @@
 namespace plc {
 
 struct Error {
-    std::string message;   // one sentence in the user's words, with the remedy where there is one
-    std::string place;     // "file:line" or a path; empty when the message says it all
+    std::string message; // one sentence in the user's words, with the remedy where there is one
+    std::string place;   // "file:line" or a path; empty when the message says it all
     std::string text() const { return place.empty() ? message : place + ": " + message; }
 };
 

@@ -20,7 +20,8 @@ char32_t foldCharacter(char32_t c) {
         return c | 1;
     }
     const bool isEven = (c & 1) == 0;
-    if ((c >= 0x1DE && c <= 0x1EF) || (c >= 0x1F8 && c <= 0x21F) || (c >= 0x222 && c <= 0x233)) return isEven ? c + 1 : c;
+    if ((c >= 0x1DE && c <= 0x1EF) || (c >= 0x1F8 && c <= 0x21F) || (c >= 0x222 && c <= 0x233))
+        return isEven ? c + 1 : c;
     if (c >= 0x1CD && c <= 0x1DC) return isEven ? c : c + 1;
     if (c == 0x386) return 0x3AC;
     if (c >= 0x388 && c <= 0x38A) return c + 37;
@@ -30,13 +31,15 @@ char32_t foldCharacter(char32_t c) {
     if (c >= 0x391 && c <= 0x3AB && c != 0x3A2) return c + 32;
     if (c >= 0x410 && c <= 0x42F) return c + 32;
     if (c >= 0x400 && c <= 0x40F) return c + 80;
-    if ((c >= 0x460 && c <= 0x481) || (c >= 0x48A && c <= 0x4BF) || (c >= 0x4D0 && c <= 0x52F)) return isEven ? c + 1 : c; // Cyrillic beyond Russian
+    if ((c >= 0x460 && c <= 0x481) || (c >= 0x48A && c <= 0x4BF) || (c >= 0x4D0 && c <= 0x52F))
+        return isEven ? c + 1 : c; // Cyrillic beyond Russian
     if (c >= 0x4C1 && c <= 0x4CE) return isEven ? c : c + 1;
     if (c >= 0x531 && c <= 0x556) return c + 48;     // Armenian
     if (c >= 0x1C90 && c <= 0x1CBF) return c - 3008; // Georgian
     if (c == 0x1E9E) return 0xDF;
-    if (c >= 0x1E00 && c <= 0x1EFF && !(c >= 0x1E96 && c <= 0x1E9F)) return isEven ? c + 1 : c; // Latin with marks, Vietnamese
-    if (c >= 0xFF21 && c <= 0xFF3A) return c + 32;   // full width
+    if (c >= 0x1E00 && c <= 0x1EFF && !(c >= 0x1E96 && c <= 0x1E9F))
+        return isEven ? c + 1 : c;                 // Latin with marks, Vietnamese
+    if (c >= 0xFF21 && c <= 0xFF3A) return c + 32; // full width
     return c;
 }
 
@@ -205,8 +208,8 @@ bool isNameLetter(char32_t c) {
     if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) return true;
     if (c < 0xC0) return c == 0xAA || c == 0xB5 || c == 0xBA;
     if (c == 0xD7 || c == 0xF7 || c == 0xFFFD || c == 0xFEFF) return false;
-    if (c >= 0x2000 && c <= 0x2BFF) return false;   // punctuation, arrows, mathematical and box symbols
-    if (c >= 0x3000 && c <= 0x3004) return false;   // CJK punctuation
+    if (c >= 0x2000 && c <= 0x2BFF) return false; // punctuation, arrows, mathematical and box symbols
+    if (c >= 0x3000 && c <= 0x3004) return false; // CJK punctuation
     return !(c >= 0x3008 && c <= 0x3020) && !(c >= 0xFF00 && c <= 0xFF20);
 }
 

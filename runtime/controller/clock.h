@@ -1,5 +1,5 @@
-// Where the controller reads how long things took (D6). Programs never see it. A clock is read on the scan thread; tests hand in
-// one that they move themselves.
+// Where the controller reads how long things took (D6). Programs never see it. A clock is read on the scan thread;
+// tests hand in one that they move themselves.
 #pragma once
 #include <cstdint>
 

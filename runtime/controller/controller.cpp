@@ -9,13 +9,17 @@
 
 namespace plc::controller {
 
-Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Settings settings) : m(std::make_unique<State_>(settings)) {
+Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Settings settings)
+    : m(std::make_unique<State_>(settings)) {
     State_* state = m.get();
     m->exit.self = state;
     m->exit.refill = [](void* self) {
         auto& s = *static_cast<State_*>(self);
-        // Virtual time: the budget of the whole task run was given at once. Real time: look at the clock every now and then.
-        if (!s.isRealTime || s.clock->nowNs() - s.taskStart > s.watchdogNs() * std::max<uint32_t>(1, s.task ? s.task->watchdogSensitivity : 1)) return false;
+        // Virtual time: the budget of the whole task run was given at once. Real time: look at the clock every now and
+        // then.
+        if (!s.isRealTime || s.clock->nowNs() - s.taskStart >
+                                 s.watchdogNs() * std::max<uint32_t>(1, s.task ? s.task->watchdogSensitivity : 1))
+            return false;
         s.context->loopBudget = 100'000;
         return true;
     };
@@ -49,7 +53,9 @@ State Controller::state() const { return m->isHalted ? State::Halted : m->state;
 const std::optional<Fault>& Controller::fault() const { return m->fault; }
 const std::optional<Fault>& Controller::simulationFault() const { return m->simulationFault; }
 std::span<const std::byte> Controller::image() const { return m->image.span(); }
-std::span<const uint8_t> Controller::dirtyPages() const { return m->isAllDirty ? std::span<const uint8_t>() : std::span<const uint8_t>(m->dirtyPages); }
+std::span<const uint8_t> Controller::dirtyPages() const {
+    return m->isAllDirty ? std::span<const uint8_t>() : std::span<const uint8_t>(m->dirtyPages);
+}
 uint64_t Controller::nextScan() const { return m->scan; }
 Nanoseconds Controller::nextDue() const { return Nanoseconds(m->schedule.nextDue()); }
 Nanoseconds Controller::lastTime() const { return Nanoseconds(std::max<int64_t>(0, m->time)); }
@@ -62,7 +68,9 @@ void Controller::useQuickCode(bool wanted) { m->wantsQuick = wanted; }
 void Controller::abandonScan() { m->wantsAbandon = true; }
 void Controller::setHalted(bool isHalted) { m->isHalted = isHalted; }
 void Controller::report(EventKind kind, std::string text) { m->report(kind, std::move(text)); }
-std::vector<FaultFrame> Controller::callPath(uint32_t site) const { return callPathOf(*m->program, *m->context, site, m->entry); }
+std::vector<FaultFrame> Controller::callPath(uint32_t site) const {
+    return callPathOf(*m->program, *m->context, site, m->entry);
+}
 
 // ---------------------------------------------------------------- program and image
 
@@ -145,7 +153,9 @@ bool Controller::State_::initialise(std::span<std::byte> bytes) {
     std::memcpy(bytes.data(), initial.data(), known);
     std::memset(bytes.data() + known, 0, bytes.size() - known);
     const image::Code* start = currentCode();
-    if (!program->initializer || !start || program->initializer >= start->entries.size() || !start->entries[program->initializer]) return true;
+    if (!program->initializer || !start || program->initializer >= start->entries.size() ||
+        !start->entries[program->initializer])
+        return true;
     isRealTime = false;
     task = nullptr;
     prepareContext(bytes.data());
@@ -169,7 +179,9 @@ void Controller::State_::makeOutputsSafe() {
 
 bool Controller::runFunction(uint32_t function, uint32_t instance) {
     // Optimised code has entries for what tasks call only; the quick code has one for each function without parameters.
-    const auto has = [&](const image::Code* code) { return code && function != 0 && function < code->entries.size() && code->entries[function]; };
+    const auto has = [&](const image::Code* code) {
+        return code && function != 0 && function < code->entries.size() && code->entries[function];
+    };
     const image::Code* code = m->currentCode();
     if (!has(code)) code = m->program->quick.get();
     if (!has(code)) return false;
@@ -219,11 +231,16 @@ void Controller::reset(ResetKind kind) {
     m->keepSafeOutputs();
     const types::TypeTable& types = *m->layout().types;
     const auto keep = [&](const image::Place& place) {
-        if (place.bit < 0) std::memcpy(m->image.get() + place.offset, before.get() + place.offset, types[place.type].size);
-        else types::writeValue(types, place.type, types::readValue(types, place.type, before.span().subspan(place.offset), place.bit), m->image.span().subspan(place.offset), place.bit);
+        if (place.bit < 0)
+            std::memcpy(m->image.get() + place.offset, before.get() + place.offset, types[place.type].size);
+        else
+            types::writeValue(types, place.type,
+                              types::readValue(types, place.type, before.span().subspan(place.offset), place.bit),
+                              m->image.span().subspan(place.offset), place.bit);
     };
     if (kind != ResetKind::Origin) {
-        forEachRetained(m->layout(), kind == ResetKind::Cold, [&](const std::string&, const image::Place& place) { keep(place); });
+        forEachRetained(m->layout(), kind == ResetKind::Cold,
+                        [&](const std::string&, const image::Place& place) { keep(place); });
         for (const image::Root& root : m->layout().roots)
             if (root.isSimulation) keep({root.type, root.offset, root.bit});
         const image::AreaRange& inputs = m->layout().inputs;
@@ -351,8 +368,11 @@ Fault Controller::State_::describeFault(bool isSimulation) const {
     f.code = context->fault;
     f.message = faultMessage(*context);
     if (f.code == image::FaultCode::Watchdog) {
-        if (isRealTime) f.message = "the task ran longer than its watchdog of " + types::durationText(watchdogNs());
-        else f.message = "more than " + std::to_string(settings.loopBudgetPerScan) + " loop passes and calls in one run of the task; is there a loop without an end?";
+        if (isRealTime)
+            f.message = "the task ran longer than its watchdog of " + types::durationText(watchdogNs());
+        else
+            f.message = "more than " + std::to_string(settings.loopBudgetPerScan) +
+                        " loop passes and calls in one run of the task; is there a loop without an end?";
     }
     f.task = task ? task->name : std::string();
     f.calls = callPathOf(*program, *context, context->faultSite, entry);

@@ -1,5 +1,6 @@
-// The controller: runs compiled programs scan by scan on one image (D1, D6, D8). A Controller belongs to one thread, the scan
-// thread, which calls its functions; other threads talk to it through controller/scan_thread.h. Time comes from a Clock handed in.
+// The controller: runs compiled programs scan by scan on one image (D1, D6, D8). A Controller belongs to one thread,
+// the scan thread, which calls its functions; other threads talk to it through controller/scan_thread.h. Time comes
+// from a Clock handed in.
 #pragma once
 #include "runtime/controller/clock.h"
 #include "runtime/expression/expression.h"
@@ -16,24 +17,28 @@ namespace plc::controller {
 using Nanoseconds = std::chrono::nanoseconds;
 
 enum class State : uint8_t { Stopped, Running, Paused, Halted /* at a breakpoint */, Fault };
-enum class ResetKind : uint8_t { Warm /* retain kept */, Cold /* retain initialised, persistent kept */, Origin /* everything, plant too */ };
+enum class ResetKind : uint8_t {
+    Warm /* retain kept */,
+    Cold /* retain initialised, persistent kept */,
+    Origin /* everything, plant too */
+};
 
 /// Where a fault happened, in the user's terms.
 struct FaultFrame {
-    std::string function;  // "Main.Fill"
-    std::string instance;  // path of THIS, "" for functions
+    std::string function; // "Main.Fill"
+    std::string instance; // path of THIS, "" for functions
     SourceRange range;
     uint32_t instanceOffset = 0, frameOffset = 0, functionIndex = 0;
 };
 struct Fault {
     image::FaultCode code = image::FaultCode::None;
-    std::string message;   // "index 7 lies outside 1..5"
+    std::string message; // "index 7 lies outside 1..5"
     std::string task;
     SourceRange range;
     std::vector<FaultFrame> calls; // innermost first
     uint64_t scan = 0;
     Nanoseconds time{};
-    bool isSimulation = false;     // the plant's, not the PLC's
+    bool isSimulation = false; // the plant's, not the PLC's
 };
 [[nodiscard]] std::string_view name(image::FaultCode code); // "division by zero"
 
@@ -42,8 +47,8 @@ struct TaskStatistics {
     uint64_t count = 0, overruns = 0;
     int64_t lastNs = 0, minNs = 0, maxNs = 0;
     double meanNs = 0;
-    int64_t jitterNs = 0;                 // greatest deviation of start from its due time
-    std::vector<uint32_t> histogram;      // execution time: powers of two from 1 µs
+    int64_t jitterNs = 0;            // greatest deviation of start from its due time
+    std::vector<uint32_t> histogram; // execution time: powers of two from 1 µs
 };
 
 struct Forced {
@@ -53,7 +58,22 @@ struct Forced {
 };
 
 /// Events for the log and the chart's markers.
-enum class EventKind : uint8_t { Started, Stopped, Paused, Fault, Reset, Write, Force, Release, OnlineChange, Breakpoint, RetainSaved, RetainRestored, SkippedScans, WentBack };
+enum class EventKind : uint8_t {
+    Started,
+    Stopped,
+    Paused,
+    Fault,
+    Reset,
+    Write,
+    Force,
+    Release,
+    OnlineChange,
+    Breakpoint,
+    RetainSaved,
+    RetainRestored,
+    SkippedScans,
+    WentBack
+};
 struct Event {
     EventKind kind{};
     uint64_t scan = 0;
@@ -61,7 +81,8 @@ struct Event {
     std::string text;
 };
 
-/// Observer of each finished scan (history, alarms). Called on the scan thread: no locks, no allocation in the steady state.
+/// Observer of each finished scan (history, alarms). Called on the scan thread: no locks, no allocation in the steady
+/// state.
 class ScanObserver {
 public:
     virtual ~ScanObserver() = default;
@@ -72,13 +93,13 @@ public:
 
 struct OnlineChangeReport {
     std::vector<std::string> kept, initialised, lost, nulled; // paths (roots and members, arrays summed up)
-    std::string refusal;                                      // not empty: the new program could not enter, the old one goes on
+    std::string refusal; // not empty: the new program could not enter, the old one goes on
 };
 
 struct Settings {
     Nanoseconds freewheelingInterval{1'000'000};
     Nanoseconds defaultWatchdog{1'000'000'000};
-    int64_t loopBudgetPerScan = 200'000'000; // virtual time: loop passes and calls of one task run
+    int64_t loopBudgetPerScan = 200'000'000;           // virtual time: loop passes and calls of one task run
     int64_t calendarStartNs = 946'684'800'000'000'000; // DT#2000-01-01-00:00:00
     Clock* clock = nullptr; // measures tasks and the watchdog of real time; nullptr = the machine's steady clock
 };
@@ -88,28 +109,29 @@ public:
     explicit Controller(std::shared_ptr<const image::CompiledProgram> program, Settings settings = {});
     ~Controller();
 
-    void addObserver(ScanObserver& observer);   // must outlive the controller
+    void addObserver(ScanObserver& observer); // must outlive the controller
     [[nodiscard]] const image::CompiledProgram& program() const;
     [[nodiscard]] std::shared_ptr<const image::CompiledProgram> sharedProgram() const;
     [[nodiscard]] State state() const;
     [[nodiscard]] const std::optional<Fault>& fault() const;
     [[nodiscard]] const std::optional<Fault>& simulationFault() const;
     [[nodiscard]] std::span<const std::byte> image() const;
-    /// For observers inside scanFinished: which pages (image::kDirtyPage) may have changed since the scan before; empty = any.
+    /// For observers inside scanFinished: which pages (image::kDirtyPage) may have changed since the scan before; empty
+    /// = any.
     [[nodiscard]] std::span<const uint8_t> dirtyPages() const;
-    [[nodiscard]] uint64_t nextScan() const;      // number of the scan to come
-    [[nodiscard]] Nanoseconds nextDue() const;    // PLC time at which at least one task is due
-    [[nodiscard]] Nanoseconds lastTime() const;   // time of the last scan
-    [[nodiscard]] uint64_t skippedScans() const;  // instants that passed unused because the machine was late
-    [[nodiscard]] bool hasSimulation() const;     // scans make sense in Stopped and Fault too
+    [[nodiscard]] uint64_t nextScan() const;     // number of the scan to come
+    [[nodiscard]] Nanoseconds nextDue() const;   // PLC time at which at least one task is due
+    [[nodiscard]] Nanoseconds lastTime() const;  // time of the last scan
+    [[nodiscard]] uint64_t skippedScans() const; // instants that passed unused because the machine was late
+    [[nodiscard]] bool hasSimulation() const;    // scans make sense in Stopped and Fault too
 
-    void start();   // Stopped → Running (initial values were applied at construction or reset)
-    void pause();   // Running → Paused; a scan in Paused is a single scan
-    void stop();    // outputs go to their initial values (safe state)
+    void start(); // Stopped → Running (initial values were applied at construction or reset)
+    void pause(); // Running → Paused; a scan in Paused is a single scan
+    void stop();  // outputs go to their initial values (safe state)
     void reset(ResetKind kind);
-    /// One scan at nextDue(), or in real time at the last instant up to `at` (nothing when that lies before nextDue(); tasks overdue by
-    /// more than a period skip, and are counted). In Stopped and Fault only
-    /// the simulation programs and forces act. Returns false when the scan faulted.
+    /// One scan at nextDue(), or in real time at the last instant up to `at` (nothing when that lies before nextDue();
+    /// tasks overdue by more than a period skip, and are counted). In Stopped and Fault only the simulation programs
+    /// and forces act. Returns false when the scan faulted.
     bool scan(std::optional<Nanoseconds> at = std::nullopt);
 
     // Variables, between scans or while halted. Writes are applied at once when called on the scan thread.
@@ -124,10 +146,11 @@ public:
     /// Exchanges the program at the scan boundary; values move by path and type, references by what they pointed to.
     OnlineChangeReport changeProgram(std::shared_ptr<const image::CompiledProgram> program);
     /// Puts a recorded image of `program` back (time travel): the next scan continues from it.
-    void resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image, uint64_t scan, Nanoseconds time);
+    void resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image,
+                    uint64_t scan, Nanoseconds time);
 
-    /// Runs one function without parameters on an instance, outside a scan, under the same guards (statements of tests). False with
-    /// fault() set when it faulted. `function` indexes CompiledProgram::functions.
+    /// Runs one function without parameters on an instance, outside a scan, under the same guards (statements of
+    /// tests). False with fault() set when it faulted. `function` indexes CompiledProgram::functions.
     bool runFunction(uint32_t function, uint32_t instance);
 
     // Retain (controller/retain.h reads and writes the file).
@@ -144,10 +167,11 @@ public:
     void useQuickCode(bool wanted);
     [[nodiscard]] std::span<uint8_t> siteFlags();
     using SiteHook = std::function<void(uint32_t site, uint32_t instance, uint32_t frame)>;
-    void setSiteHook(SiteHook hook); // runs on the scan thread, inside the scan; may block (halted) and may call abandonScan
+    void
+    setSiteHook(SiteHook hook); // runs on the scan thread, inside the scan; may block (halted) and may call abandonScan
     [[nodiscard]] image::RuntimeContext& context();
-    /// From inside the site hook: the scan is left as soon as the hook returns (reset, stop, going back, closing). It then counts as
-    /// not made, and the state is Stopped.
+    /// From inside the site hook: the scan is left as soon as the hook returns (reset, stop, going back, closing). It
+    /// then counts as not made, and the state is Stopped.
     void abandonScan();
     /// From inside the site hook: state() says Halted until it is called with false.
     void setHalted(bool isHalted);

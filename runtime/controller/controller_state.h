@@ -29,7 +29,8 @@ private:
 };
 
 struct Controller::State_ {
-    explicit State_(Settings s) : settings(s), clock(s.clock ? s.clock : &steadyClock), context(std::make_unique<image::RuntimeContext>()) {}
+    explicit State_(Settings s)
+        : settings(s), clock(s.clock ? s.clock : &steadyClock), context(std::make_unique<image::RuntimeContext>()) {}
 
     Settings settings;
     SteadyClock steadyClock;
@@ -50,14 +51,14 @@ struct Controller::State_ {
     State state = State::Stopped;
     bool isHalted = false;
     std::optional<Fault> fault, simulationFault;
-    uint64_t scan = 0;     // number of the next scan
-    int64_t time = -1;     // of the last scan; -1 = none yet
+    uint64_t scan = 0; // number of the next scan
+    int64_t time = -1; // of the last scan; -1 = none yet
     uint64_t skipped = 0;
-    bool firstPending = true;           // the next scan of the PLC is the first after a start or reset
+    bool firstPending = true; // the next scan of the PLC is the first after a start or reset
     bool simulationFirstPending = true;
     bool wantsQuick = false;
     bool wantsAbandon = false;
-    bool isRealTime = false;            // of this scan
+    bool isRealTime = false; // of this scan
 
     // The task part that runs now.
     const image::Code* code = nullptr;
@@ -86,7 +87,9 @@ struct Controller::State_ {
     void report(EventKind kind, std::string text);
     void applyForces() { forces.apply(image.get(), dirtyPages); }
 
-    [[nodiscard]] int64_t watchdogNs() const { return task && task->watchdog.count() > 0 ? task->watchdog.count() : settings.defaultWatchdog.count(); }
+    [[nodiscard]] int64_t watchdogNs() const {
+        return task && task->watchdog.count() > 0 ? task->watchdog.count() : settings.defaultWatchdog.count();
+    }
 };
 
 /// The flags of reserved[2] in the image's header: what a recorded image must know to be continued.

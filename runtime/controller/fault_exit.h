@@ -1,5 +1,5 @@
-// The one way out of generated code on a fault (D5): a jump back to the scan's entry. Owned by the controller, scan thread only. No
-// frame between run() and a fault may own anything with a destructor.
+// The one way out of generated code on a fault (D5): a jump back to the scan's entry. Owned by the controller, scan
+// thread only. No frame between run() and a fault may own anything with a destructor.
 #pragma once
 #include "runtime/image/runtime_context.h"
 

@@ -6,17 +6,28 @@ using image::FaultCode;
 
 std::string_view name(FaultCode code) {
     switch (code) {
-    case FaultCode::None: return "no fault";
-    case FaultCode::DivisionByZero: return "division by zero";
-    case FaultCode::IndexOutOfRange: return "index out of range";
-    case FaultCode::NullReference: return "null reference";
-    case FaultCode::ForeignReference: return "foreign reference";
-    case FaultCode::MissingInOut: return "missing VAR_IN_OUT";
-    case FaultCode::StringIndex: return "string index out of range";
-    case FaultCode::Watchdog: return "watchdog";
-    case FaultCode::StackOverflow: return "stack overflow";
-    case FaultCode::AbstractCall: return "call of an abstract method";
-    case FaultCode::Stopped: return "scan abandoned";
+    case FaultCode::None:
+        return "no fault";
+    case FaultCode::DivisionByZero:
+        return "division by zero";
+    case FaultCode::IndexOutOfRange:
+        return "index out of range";
+    case FaultCode::NullReference:
+        return "null reference";
+    case FaultCode::ForeignReference:
+        return "foreign reference";
+    case FaultCode::MissingInOut:
+        return "missing VAR_IN_OUT";
+    case FaultCode::StringIndex:
+        return "string index out of range";
+    case FaultCode::Watchdog:
+        return "watchdog";
+    case FaultCode::StackOverflow:
+        return "stack overflow";
+    case FaultCode::AbstractCall:
+        return "call of an abstract method";
+    case FaultCode::Stopped:
+        return "scan abandoned";
     }
     return {};
 }
@@ -24,21 +35,32 @@ std::string_view name(FaultCode code) {
 std::string faultMessage(const image::RuntimeContext& context) {
     const auto number = [&](int i) { return std::to_string(context.faultDetail[i]); };
     switch (context.fault) {
-    case FaultCode::None: return {};
-    case FaultCode::DivisionByZero: return "division by zero";
+    case FaultCode::None:
+        return {};
+    case FaultCode::DivisionByZero:
+        return "division by zero";
     case FaultCode::IndexOutOfRange:
-        if (context.faultDetail[2] < context.faultDetail[1]) return "index " + number(0) + " is asked of an array without elements";
+        if (context.faultDetail[2] < context.faultDetail[1])
+            return "index " + number(0) + " is asked of an array without elements";
         return "index " + number(0) + " lies outside " + number(1) + ".." + number(2);
-    case FaultCode::NullReference: return "the reference is NULL";
-    case FaultCode::ForeignReference: return "the reference does not point to a variable of its type";
-    case FaultCode::MissingInOut: return "a VAR_IN_OUT is not connected to a variable";
+    case FaultCode::NullReference:
+        return "the reference is NULL";
+    case FaultCode::ForeignReference:
+        return "the reference does not point to a variable of its type";
+    case FaultCode::MissingInOut:
+        return "a VAR_IN_OUT is not connected to a variable";
     case FaultCode::StringIndex:
-        if (context.faultDetail[2] < context.faultDetail[1]) return "character " + number(0) + " is asked of an empty text";
+        if (context.faultDetail[2] < context.faultDetail[1])
+            return "character " + number(0) + " is asked of an empty text";
         return "character " + number(0) + " lies outside " + number(1) + ".." + number(2) + " of the text";
-    case FaultCode::Watchdog: return "the watchdog stopped a task that would not end";
-    case FaultCode::StackOverflow: return "calls are nested too deeply; is there a recursion without an end?";
-    case FaultCode::AbstractCall: return "the method that was called has no body";
-    case FaultCode::Stopped: return "the scan was abandoned";
+    case FaultCode::Watchdog:
+        return "the watchdog stopped a task that would not end";
+    case FaultCode::StackOverflow:
+        return "calls are nested too deeply; is there a recursion without an end?";
+    case FaultCode::AbstractCall:
+        return "the method that was called has no body";
+    case FaultCode::Stopped:
+        return "the scan was abandoned";
     }
     return {};
 }
@@ -62,7 +84,8 @@ FaultFrame frameOf(const image::CompiledProgram& program, const image::CallRecor
 
 } // namespace
 
-std::vector<FaultFrame> callPathOf(const image::CompiledProgram& program, const image::RuntimeContext& context, uint32_t site, image::CallRecord entry) {
+std::vector<FaultFrame> callPathOf(const image::CompiledProgram& program, const image::RuntimeContext& context,
+                                   uint32_t site, image::CallRecord entry) {
     std::vector<image::CallRecord> records; // outermost first
     const uint32_t depth = std::min(context.depth, image::kMaximumDepth);
     entry.site = 0;
@@ -71,7 +94,8 @@ std::vector<FaultFrame> callPathOf(const image::CompiledProgram& program, const 
 
     std::vector<FaultFrame> path;
     // A function that was inlined has no record of its own; its site still tells its name.
-    if (site && site < program.sites.size() && program.sites[site].function != records.back().function && program.sites[site].function != 0) {
+    if (site && site < program.sites.size() && program.sites[site].function != records.back().function &&
+        program.sites[site].function != 0) {
         image::CallRecord inlined;
         inlined.function = program.sites[site].function;
         path.push_back(frameOf(program, inlined, site));

@@ -17,15 +17,21 @@ namespace {
 
 Error doesNotFit(const TypeTable& types, const Value& value, TypeId type) {
     Value plain = value;
-    const bool known = types::isElementary(types.kind(value.type)) && value.type.index() <= static_cast<size_t>(TypeKind::Wchar);
+    const bool known =
+        types::isElementary(types.kind(value.type)) && value.type.index() <= static_cast<size_t>(TypeKind::Wchar);
     std::string shown = "the value";
-    if (known || std::holds_alternative<std::string>(plain.data)) shown = types::toText(types, plain);
-    else if (std::holds_alternative<int64_t>(plain.data)) shown = std::to_string(plain.integer());
-    else if (std::holds_alternative<double>(plain.data)) shown = shortestReal(plain.real());
+    if (known || std::holds_alternative<std::string>(plain.data))
+        shown = types::toText(types, plain);
+    else if (std::holds_alternative<int64_t>(plain.data))
+        shown = std::to_string(plain.integer());
+    else if (std::holds_alternative<double>(plain.data))
+        shown = shortestReal(plain.real());
     return Error{shown + " does not fit a variable of type " + types[type].name, {}};
 }
 
-bool isTimeLike(Family f) { return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime; }
+bool isTimeLike(Family f) {
+    return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime;
+}
 
 /// The family the value says it has; Other when its type is none or declared (then its shape alone counts).
 Family claimed(const TypeTable& types, const Value& value) {
@@ -41,16 +47,21 @@ Result<Value> integerInto(const TypeTable& types, const Value& value, int64_t nu
         return Value{type, number};
     }
     if (family == Family::Real) {
-        const double real = isUnsignedBig ? static_cast<double>(static_cast<uint64_t>(number)) : static_cast<double>(number);
+        const double real =
+            isUnsignedBig ? static_cast<double>(static_cast<uint64_t>(number)) : static_cast<double>(number);
         return Value{type, kind == TypeKind::Real ? static_cast<double>(static_cast<float>(real)) : real};
     }
     if (isTimeLike(family)) return Value{type, number};
     const auto [low, high] = TypeTable::integerRange(kind);
-    const bool fits = isUnsignedBig ? static_cast<uint64_t>(number) <= high : number < 0 ? number >= low : static_cast<uint64_t>(number) <= high;
+    const bool fits = isUnsignedBig ? static_cast<uint64_t>(number) <= high
+                      : number < 0  ? number >= low
+                                    : static_cast<uint64_t>(number) <= high;
     // A negative number into a bit string or unsigned of 64 bits would change its meaning.
     if (!fits) return doesNotFit(types, value, type);
     const Type& t = types[type];
-    if (t.kind == TypeKind::Subrange && (number < t.low || number > t.high)) return Error{std::to_string(number) + " lies outside " + std::to_string(t.low) + ".." + std::to_string(t.high), {}};
+    if (t.kind == TypeKind::Subrange && (number < t.low || number > t.high))
+        return Error{std::to_string(number) + " lies outside " + std::to_string(t.low) + ".." + std::to_string(t.high),
+                     {}};
     return Value{type, number};
 }
 
@@ -83,7 +94,10 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
     } else {
         return doesNotFit(types, value, type);
     }
-    if (length > t.capacity) return Error{"the text has " + std::to_string(length) + " characters, the variable holds " + std::to_string(t.capacity), {}};
+    if (length > t.capacity)
+        return Error{"the text has " + std::to_string(length) + " characters, the variable holds " +
+                         std::to_string(t.capacity),
+                     {}};
     return out;
 }
 
@@ -107,9 +121,12 @@ Result<Value> partsInto(const TypeTable& types, const Value& value, TypeId type)
         count = 1;
         for (const types::Dimension& d : t.dimensions) count *= d.count();
     }
-    if (parts->size() != count) return Error{t.name + " has " + std::to_string(count) + " parts, the value has " + std::to_string(parts->size()), {}};
+    if (parts->size() != count)
+        return Error{
+            t.name + " has " + std::to_string(count) + " parts, the value has " + std::to_string(parts->size()), {}};
     for (size_t i = 0; i < parts->size(); ++i)
-        if (Result<void> good = add((*parts)[i], t.kind == TypeKind::Array ? t.element : t.fields[i].type); !good) return good.error();
+        if (Result<void> good = add((*parts)[i], t.kind == TypeKind::Array ? t.element : t.fields[i].type); !good)
+            return good.error();
     return Value{type, std::move(out)};
 }
 
@@ -127,12 +144,16 @@ Result<Value> fitted(const TypeTable& types, const Value& value, TypeId type) {
         return Error{"a reference can only be written NULL from outside", {}};
     }
     if (target == Family::Character) {
-        if (const auto* text = std::get_if<std::string>(&value.data); text && text->size() == 1) return Value{type, int64_t(static_cast<unsigned char>((*text)[0]))};
-        if (const auto* text = std::get_if<std::u16string>(&value.data); text && text->size() == 1 && ((*text)[0] <= 0xff || kind == TypeKind::Wchar)) return Value{type, int64_t((*text)[0])};
+        if (const auto* text = std::get_if<std::string>(&value.data); text && text->size() == 1)
+            return Value{type, int64_t(static_cast<unsigned char>((*text)[0]))};
+        if (const auto* text = std::get_if<std::u16string>(&value.data);
+            text && text->size() == 1 && ((*text)[0] <= 0xff || kind == TypeKind::Wchar))
+            return Value{type, int64_t((*text)[0])};
     }
     const Family source = claimed(types, value);
     const bool sourceIsTime = isTimeLike(source);
-    if ((sourceIsTime || (isTimeLike(target) && source != Family::Other)) && source != target) return doesNotFit(types, value, type);
+    if ((sourceIsTime || (isTimeLike(target) && source != Family::Other)) && source != target)
+        return doesNotFit(types, value, type);
     if (const auto* number = std::get_if<int64_t>(&value.data)) {
         const bool isUnsignedBig = *number < 0 && (source == Family::Unsigned || source == Family::Bits);
         return integerInto(types, value, *number, isUnsignedBig, type);
@@ -144,7 +165,8 @@ Result<Value> fitted(const TypeTable& types, const Value& value, TypeId type) {
             if (std::isinf(single) && !std::isinf(*real)) return doesNotFit(types, value, type);
             return Value{type, single};
         }
-        if (target == Family::Bool || isTimeLike(target) || std::nearbyint(*real) != *real || std::fabs(*real) > 9.2e18) return doesNotFit(types, value, type);
+        if (target == Family::Bool || isTimeLike(target) || std::nearbyint(*real) != *real || std::fabs(*real) > 9.2e18)
+            return doesNotFit(types, value, type);
         return integerInto(types, value, static_cast<int64_t>(*real), false, type);
     }
     return doesNotFit(types, value, type);

@@ -19,16 +19,21 @@ const Forced* Forces::overlapping(const types::TypeTable& types, const image::Pl
 }
 
 void Forces::addPatch(const types::TypeTable& types, const Forced& forced) {
-    Patch patch{forced.place.offset, forced.place.bit >= 0 ? 1 : types[forced.place.type].size, static_cast<uint32_t>(m_bytes.size()), forced.place.bit};
+    Patch patch{forced.place.offset, forced.place.bit >= 0 ? 1 : types[forced.place.type].size,
+                static_cast<uint32_t>(m_bytes.size()), forced.place.bit};
     m_bytes.resize(m_bytes.size() + patch.size);
-    types::writeValue(types, forced.place.type, forced.value, std::span(m_bytes).subspan(patch.begin, patch.size), patch.bit);
+    types::writeValue(types, forced.place.type, forced.value, std::span(m_bytes).subspan(patch.begin, patch.size),
+                      patch.bit);
     m_patches.push_back(patch);
 }
 
 void Forces::set(const types::TypeTable& types, Forced forced) {
-    const auto old = std::find_if(m_list.begin(), m_list.end(), [&](const Forced& f) { return f.place == forced.place; });
-    if (old != m_list.end()) *old = std::move(forced);
-    else m_list.push_back(std::move(forced));
+    const auto old =
+        std::find_if(m_list.begin(), m_list.end(), [&](const Forced& f) { return f.place == forced.place; });
+    if (old != m_list.end())
+        *old = std::move(forced);
+    else
+        m_list.push_back(std::move(forced));
     m_patches.clear();
     m_bytes.clear();
     for (const Forced& f : m_list) addPatch(types, f);
@@ -50,7 +55,8 @@ void Forces::clear() {
 
 void markWritten(std::span<uint8_t> dirtyPages, uint32_t offset, uint32_t size) {
     const uint32_t last = (offset + std::max(1u, size) - 1) / image::kDirtyPage;
-    for (uint32_t page = offset / image::kDirtyPage; page <= last && page < dirtyPages.size(); ++page) dirtyPages[page] = 1;
+    for (uint32_t page = offset / image::kDirtyPage; page <= last && page < dirtyPages.size(); ++page)
+        dirtyPages[page] = 1;
 }
 
 void Forces::apply(std::byte* image, std::span<uint8_t> dirtyPages) const {

@@ -22,7 +22,9 @@ using types::TypeKind;
 
 namespace {
 
-bool isReferenceKind(TypeKind kind) { return kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface; }
+bool isReferenceKind(TypeKind kind) {
+    return kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface;
+}
 
 class Carrier {
 public:
@@ -50,14 +52,19 @@ public:
         }
         m_isQuiet = false;
         for (const Root& root : m_from.roots)
-            if (!root.isHidden && !root.constant && oldRoots.count(key(root))) m_report.lost.push_back(Layout::pathOf(root));
+            if (!root.isHidden && !root.constant && oldRoots.count(key(root)))
+                m_report.lost.push_back(Layout::pathOf(root));
         return std::move(m_report);
     }
 
 private:
-    static std::string key(const Root& root) { return foldCase(root.space + "/" + root.list + "/" + (root.name.empty() ? root.address : root.name)); }
+    static std::string key(const Root& root) {
+        return foldCase(root.space + "/" + root.list + "/" + (root.name.empty() ? root.address : root.name));
+    }
 
-    void copyArea(const image::AreaRange& from, const image::AreaRange& to) { std::memcpy(m_fresh.data() + to.begin, m_old.data() + from.begin, std::min(from.size, to.size)); }
+    void copyArea(const image::AreaRange& from, const image::AreaRange& to) {
+        std::memcpy(m_fresh.data() + to.begin, m_old.data() + from.begin, std::min(from.size, to.size));
+    }
 
     // ------------------------------------------------------------ reports
 
@@ -93,31 +100,43 @@ private:
     bool compare(TypeId oldId, TypeId newId) {
         const Type& a = m_fromTypes[oldId];
         const Type& b = m_toTypes[newId];
-        if (a.kind != b.kind || a.size != b.size || isReferenceKind(a.kind) || a.kind == TypeKind::OpenArray) return false;
+        if (a.kind != b.kind || a.size != b.size || isReferenceKind(a.kind) || a.kind == TypeKind::OpenArray)
+            return false;
         switch (a.kind) {
         case TypeKind::String:
-        case TypeKind::Wstring: return a.capacity == b.capacity;
+        case TypeKind::Wstring:
+            return a.capacity == b.capacity;
         case TypeKind::Enum:
-            return a.name == b.name && m_fromTypes.storageKind(oldId) == m_toTypes.storageKind(newId)
-                && std::equal(a.enumerators.begin(), a.enumerators.end(), b.enumerators.begin(), b.enumerators.end(),
-                              [](const types::Enumerator& x, const types::Enumerator& y) { return x.value == y.value && equalsIgnoringCase(x.name, y.name); });
-        case TypeKind::Subrange: return a.low == b.low && a.high == b.high && areIdentical(a.element, b.element);
+            return a.name == b.name && m_fromTypes.storageKind(oldId) == m_toTypes.storageKind(newId) &&
+                   std::equal(a.enumerators.begin(), a.enumerators.end(), b.enumerators.begin(), b.enumerators.end(),
+                              [](const types::Enumerator& x, const types::Enumerator& y) {
+                                  return x.value == y.value && equalsIgnoringCase(x.name, y.name);
+                              });
+        case TypeKind::Subrange:
+            return a.low == b.low && a.high == b.high && areIdentical(a.element, b.element);
         case TypeKind::Array:
-            return std::equal(a.dimensions.begin(), a.dimensions.end(), b.dimensions.begin(), b.dimensions.end(),
-                              [](const Dimension& x, const Dimension& y) { return x.low == y.low && x.high == y.high; })
-                && areIdentical(a.element, b.element);
+            return std::equal(
+                       a.dimensions.begin(), a.dimensions.end(), b.dimensions.begin(), b.dimensions.end(),
+                       [](const Dimension& x, const Dimension& y) { return x.low == y.low && x.high == y.high; }) &&
+                   areIdentical(a.element, b.element);
         case TypeKind::Struct:
         case TypeKind::Union:
         case TypeKind::Block:
             if (a.kind == TypeKind::Block && (a.blockNumber != b.blockNumber || !isSameBlock(a, b))) return false;
-            return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(), [&](const Field& x, const Field& y) {
-                return x.offset == y.offset && x.bit == y.bit && x.section == y.section && !y.constant && y.section != FieldSection::InOut && equalsIgnoringCase(x.name, y.name)
-                    && (y.section == FieldSection::External || areIdentical(x.type, y.type));
-            });
-        default: return true; // elementary
+            return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
+                              [&](const Field& x, const Field& y) {
+                                  return x.offset == y.offset && x.bit == y.bit && x.section == y.section &&
+                                         !y.constant && y.section != FieldSection::InOut &&
+                                         equalsIgnoringCase(x.name, y.name) &&
+                                         (y.section == FieldSection::External || areIdentical(x.type, y.type));
+                              });
+        default:
+            return true; // elementary
         }
     }
-    static bool isSameBlock(const Type& a, const Type& b) { return equalsIgnoringCase(a.name, b.name) && equalsIgnoringCase(a.space, b.space); }
+    static bool isSameBlock(const Type& a, const Type& b) {
+        return equalsIgnoringCase(a.name, b.name) && equalsIgnoringCase(a.space, b.space);
+    }
 
     // ------------------------------------------------------------ values
 
@@ -126,16 +145,21 @@ private:
         std::memcpy(&value, m_old.data() + offset, sizeof value);
         return value;
     }
-    void copy(uint32_t from, uint32_t to, uint32_t size) { std::memcpy(m_fresh.data() + to, m_old.data() + from, size); }
+    void copy(uint32_t from, uint32_t to, uint32_t size) {
+        std::memcpy(m_fresh.data() + to, m_old.data() + from, size);
+    }
 
     void carryBitOr(const Place& from, const Place& to, std::string& path) {
         if (from.bit < 0 && to.bit < 0) return carry(from.type, from.offset, to.type, to.offset, path);
-        if (m_fromTypes.storageKind(from.type) != TypeKind::Bool || m_toTypes.storageKind(to.type) != TypeKind::Bool) return retyped(path);
+        if (m_fromTypes.storageKind(from.type) != TypeKind::Bool || m_toTypes.storageKind(to.type) != TypeKind::Bool)
+            return retyped(path);
         const auto byte = static_cast<uint8_t>(m_old[from.offset]);
         const bool value = from.bit < 0 ? byte != 0 : (byte >> from.bit & 1) != 0;
         std::byte& target = m_fresh[to.offset];
-        if (to.bit < 0) target = std::byte(value);
-        else target = (target & ~std::byte(1u << to.bit)) | std::byte(unsigned(value) << to.bit);
+        if (to.bit < 0)
+            target = std::byte(value);
+        else
+            target = (target & ~std::byte(1u << to.bit)) | std::byte(unsigned(value) << to.bit);
         kept(path);
     }
 
@@ -148,19 +172,28 @@ private:
         }
         if (a.kind != b.kind) return retyped(path);
         switch (b.kind) {
-        case TypeKind::Enum: return carryEnum(a, b, oldId, newId, from, to, path);
-        case TypeKind::Subrange: return carrySubrange(b, oldId, newId, from, to, path);
-        case TypeKind::String: return carryText<char>(b, from, to, path, a.capacity);
-        case TypeKind::Wstring: return carryText<char16_t>(b, from, to, path, a.capacity);
-        case TypeKind::Array: return summedUp(path, [&] { carryArray(a, b, from, to, path); });
-        case TypeKind::Struct: return summedUp(path, [&] { carryFields(a, b, from, to, path); });
+        case TypeKind::Enum:
+            return carryEnum(a, b, oldId, newId, from, to, path);
+        case TypeKind::Subrange:
+            return carrySubrange(b, oldId, newId, from, to, path);
+        case TypeKind::String:
+            return carryText<char>(b, from, to, path, a.capacity);
+        case TypeKind::Wstring:
+            return carryText<char16_t>(b, from, to, path, a.capacity);
+        case TypeKind::Array:
+            return summedUp(path, [&] { carryArray(a, b, from, to, path); });
+        case TypeKind::Struct:
+            return summedUp(path, [&] { carryFields(a, b, from, to, path); });
         case TypeKind::Block:
             if (!isSameBlock(a, b)) return retyped(path); // another block's state means nothing
             return summedUp(path, [&] { carryFields(a, b, from, to, path); });
         case TypeKind::Pointer:
         case TypeKind::Reference:
-        case TypeKind::Interface: return carryReference(b.kind == TypeKind::Interface ? oldId : a.element, b.kind == TypeKind::Interface ? newId : b.element, from, to, path);
-        default: return retyped(path); // a union of another shape
+        case TypeKind::Interface:
+            return carryReference(b.kind == TypeKind::Interface ? oldId : a.element,
+                                  b.kind == TypeKind::Interface ? newId : b.element, from, to, path);
+        default:
+            return retyped(path); // a union of another shape
         }
     }
 
@@ -184,8 +217,10 @@ private:
             if (field.section == FieldSection::External || field.constant) continue;
             path += "." + field.name;
             m_isQuiet = wasQuiet || field.isPrivate;
-            const auto old = std::find_if(a.fields.begin(), a.fields.end(), [&](const Field& f) { return equalsIgnoringCase(f.name, field.name); });
-            if (old == a.fields.end() || old->section == FieldSection::External || (old->section == FieldSection::InOut) != (field.section == FieldSection::InOut)) {
+            const auto old = std::find_if(a.fields.begin(), a.fields.end(),
+                                          [&](const Field& f) { return equalsIgnoringCase(f.name, field.name); });
+            if (old == a.fields.end() || old->section == FieldSection::External ||
+                (old->section == FieldSection::InOut) != (field.section == FieldSection::InOut)) {
                 if (field.section != FieldSection::InOut) initialised(path);
             } else if (field.section == FieldSection::InOut) {
                 carrySlot(*old, field, from + old->offset, to + field.offset, path);
@@ -195,15 +230,19 @@ private:
             path.resize(length);
         }
         for (const Field& field : a.fields) {
-            if (field.section == FieldSection::External || field.section == FieldSection::InOut || field.constant) continue;
+            if (field.section == FieldSection::External || field.section == FieldSection::InOut || field.constant)
+                continue;
             m_isQuiet = wasQuiet || field.isPrivate;
-            const bool stays = std::any_of(b.fields.begin(), b.fields.end(), [&](const Field& f) { return equalsIgnoringCase(f.name, field.name); });
+            const bool stays = std::any_of(b.fields.begin(), b.fields.end(),
+                                           [&](const Field& f) { return equalsIgnoringCase(f.name, field.name); });
             if (!stays) lost(path + "." + field.name);
         }
         m_isQuiet = wasQuiet;
     }
 
-    static std::string rangeText(int64_t low, int64_t high) { return "[" + std::to_string(low) + (low == high ? "" : ".." + std::to_string(high)) + "]"; }
+    static std::string rangeText(int64_t low, int64_t high) {
+        return "[" + std::to_string(low) + (low == high ? "" : ".." + std::to_string(high)) + "]";
+    }
 
     void carryArray(const Type& a, const Type& b, uint32_t from, uint32_t to, std::string& path) {
         if (a.dimensions.size() != b.dimensions.size()) return retyped(path);
@@ -212,13 +251,15 @@ private:
         std::vector<Dimension> common;
         bool isEmpty = false;
         for (size_t d = 0; d < b.dimensions.size(); ++d) {
-            common.push_back({std::max(a.dimensions[d].low, b.dimensions[d].low), std::min(a.dimensions[d].high, b.dimensions[d].high)});
+            common.push_back({std::max(a.dimensions[d].low, b.dimensions[d].low),
+                              std::min(a.dimensions[d].high, b.dimensions[d].high)});
             isEmpty = isEmpty || common.back().count() == 0;
         }
         if (isEmpty) return retyped(path);
         const auto number = [](const Type& array, const std::vector<int64_t>& index) {
             uint64_t n = 0;
-            for (size_t d = 0; d < index.size(); ++d) n = n * array.dimensions[d].count() + static_cast<uint64_t>(index[d] - array.dimensions[d].low);
+            for (size_t d = 0; d < index.size(); ++d)
+                n = n * array.dimensions[d].count() + static_cast<uint64_t>(index[d] - array.dimensions[d].low);
             return static_cast<uint32_t>(n);
         };
         const bool areSame = areIdentical(a.element, b.element);
@@ -253,7 +294,8 @@ private:
         reportRanges(a, b, common, areSame, path);
     }
 
-    void reportRanges(const Type& a, const Type& b, const std::vector<Dimension>& common, bool areSame, const std::string& path) {
+    void reportRanges(const Type& a, const Type& b, const std::vector<Dimension>& common, bool areSame,
+                      const std::string& path) {
         if (common.size() > 1) {
             for (size_t d = 0; d < common.size(); ++d) {
                 if (b.dimensions[d].count() > common[d].count()) return initialised(path);
@@ -272,12 +314,16 @@ private:
         if (before.high > stays.high) lost(path + rangeText(stays.high + 1, before.high));
     }
 
-    void carryEnum(const Type& a, const Type& b, TypeId oldId, TypeId newId, uint32_t from, uint32_t to, const std::string& path) {
+    void carryEnum(const Type& a, const Type& b, TypeId oldId, TypeId newId, uint32_t from, uint32_t to,
+                   const std::string& path) {
         if (!equalsIgnoringCase(a.name, b.name)) return retyped(path);
         const int64_t value = types::readValue(m_fromTypes, m_fromTypes.storage(oldId), m_old.subspan(from)).integer();
-        const auto old = std::find_if(a.enumerators.begin(), a.enumerators.end(), [&](const types::Enumerator& e) { return e.value == value; });
+        const auto old = std::find_if(a.enumerators.begin(), a.enumerators.end(),
+                                      [&](const types::Enumerator& e) { return e.value == value; });
         if (old == a.enumerators.end()) return retyped(path);
-        const auto now = std::find_if(b.enumerators.begin(), b.enumerators.end(), [&](const types::Enumerator& e) { return equalsIgnoringCase(e.name, old->name); });
+        const auto now = std::find_if(b.enumerators.begin(), b.enumerators.end(), [&](const types::Enumerator& e) {
+            return equalsIgnoringCase(e.name, old->name);
+        });
         if (now == b.enumerators.end()) return retyped(path);
         const TypeId storage = m_toTypes.storage(newId);
         types::writeValue(m_toTypes, storage, types::Value{storage, now->value}, m_fresh.subspan(to));
@@ -293,7 +339,8 @@ private:
         kept(path);
     }
 
-    template <class Character> void carryText(const Type& b, uint32_t from, uint32_t to, const std::string& path, uint32_t oldCapacity) {
+    template <class Character>
+    void carryText(const Type& b, uint32_t from, uint32_t to, const std::string& path, uint32_t oldCapacity) {
         uint32_t length = 0;
         while (length < oldCapacity && oldWord<Character>(from + length * uint32_t(sizeof(Character))) != 0) ++length;
         if (length > b.capacity) return retyped(path);
@@ -311,12 +358,14 @@ private:
         const std::string path = m_from.pathAt(offset, oldWanted);
         const Result<Place> before = m_from.find(path);
         const Result<Place> after = m_to.find(path);
-        if (path.empty() || !before || !after || before->bit >= 0 || after->bit >= 0 || offset < before->offset) return 0;
+        if (path.empty() || !before || !after || before->bit >= 0 || after->bit >= 0 || offset < before->offset)
+            return 0;
         const uint32_t within = offset - before->offset;
         const Type& a = m_fromTypes[before->type];
         const Type& b = m_toTypes[after->type];
         const bool isSameType = a.kind == b.kind && equalsIgnoringCase(a.name, b.name);
-        const bool isWanted = within == 0 && (after->type == newWanted || m_toTypes.isDerivedFrom(after->type, newWanted));
+        const bool isWanted =
+            within == 0 && (after->type == newWanted || m_toTypes.isDerivedFrom(after->type, newWanted));
         if (!(isSameType || isWanted) || within >= b.size) return 0;
         return after->offset + within;
     }
@@ -326,8 +375,10 @@ private:
         const auto target = oldWord<uint64_t>(from);
         const uint64_t now = translated(target, oldTarget, newTarget);
         std::memcpy(m_fresh.data() + to, &now, sizeof now);
-        if (target != 0 && now == 0) nulled(path);
-        else kept(path);
+        if (target != 0 && now == 0)
+            nulled(path);
+        else
+            kept(path);
     }
 
     /// The slot of a VAR_IN_OUT: an offset, for ARRAY[*] followed by the bounds.
@@ -335,7 +386,8 @@ private:
         const bool isOpen = m_toTypes.kind(b.type) == TypeKind::OpenArray;
         const auto target = oldWord<uint64_t>(from);
         uint64_t now = 0;
-        if (!isOpen && m_fromTypes.kind(a.type) != TypeKind::OpenArray && equalsIgnoringCase(m_fromTypes[a.type].name, m_toTypes[b.type].name))
+        if (!isOpen && m_fromTypes.kind(a.type) != TypeKind::OpenArray &&
+            equalsIgnoringCase(m_fromTypes[a.type].name, m_toTypes[b.type].name))
             now = translated(target, a.type, b.type);
         // ARRAY[*] is bound again by the next call; until then it is not connected, since its bounds may have changed.
         std::memset(m_fresh.data() + to, 0, isOpen ? m_toTypes[b.type].size : 8);
@@ -357,6 +409,9 @@ private:
 
 } // namespace
 
-OnlineChangeReport carryOver(const Layout& from, std::span<const std::byte> old, const Layout& to, std::span<std::byte> fresh) { return Carrier(from, old, to, fresh).run(); }
+OnlineChangeReport carryOver(const Layout& from, std::span<const std::byte> old, const Layout& to,
+                             std::span<std::byte> fresh) {
+    return Carrier(from, old, to, fresh).run();
+}
 
 } // namespace plc::controller

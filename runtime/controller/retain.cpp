@@ -62,7 +62,9 @@ bool parseHex(std::string_view text, std::vector<std::byte>& bytes) {
     return true;
 }
 
-Error fileError(const std::string& what, const std::string& file) { return Error{what + ": " + std::strerror(errno), file}; }
+Error fileError(const std::string& what, const std::string& file) {
+    return Error{what + ": " + std::strerror(errno), file};
+}
 
 } // namespace
 
@@ -71,7 +73,8 @@ std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<
     forEachRetained(layout, false, [&](const std::string& path, const image::Place& place) {
         layout.forEachLeaf(path, place, [&](const std::string& leaf, const image::Place& at) {
             if (isReference(*layout.types, at.type)) return true;
-            const std::span<const std::byte> bytes = image.subspan(at.offset, at.bit >= 0 ? 1 : (*layout.types)[at.type].size);
+            const std::span<const std::byte> bytes =
+                image.subspan(at.offset, at.bit >= 0 ? 1 : (*layout.types)[at.type].size);
             RetainedLeaf entry{leaf, typeText(*layout.types, at.type, bytes), {bytes.begin(), bytes.end()}};
             if (at.bit >= 0) entry.bytes = {std::byte(static_cast<unsigned>(bytes[0]) >> at.bit & 1)};
             leaves.push_back(std::move(entry));
@@ -83,7 +86,8 @@ std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<
 
 Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>& leaves) {
     struct stat known {};
-    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"This is not a file that can be replaced; name another one", file};
+    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
+        return Error{"This is not a file that can be replaced; name another one", file};
     std::string text(kFirstLine);
     text += "\n";
     for (const RetainedLeaf& leaf : leaves) text += leaf.path + "\t" + leaf.type + "\t" + hex(leaf.bytes) + "\n";
@@ -117,7 +121,8 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
 
 Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
     struct stat known {};
-    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"the retain file is not a file", file};
+    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
+        return Error{"the retain file is not a file", file};
     std::ifstream in(file, std::ios::binary);
     if (!in) {
         if (::access(file.c_str(), F_OK) != 0) return std::vector<RetainedLeaf>{};
@@ -128,7 +133,9 @@ Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
     const std::string text = buffer.str();
     const Error damaged{"the retain file is damaged; the program starts with its initial values", file};
     const size_t end = text.rfind("end ");
-    if (text.compare(0, kFirstLine.size(), kFirstLine) != 0 || end == std::string::npos || end == 0 || text[end - 1] != '\n') return damaged;
+    if (text.compare(0, kFirstLine.size(), kFirstLine) != 0 || end == std::string::npos || end == 0 ||
+        text[end - 1] != '\n')
+        return damaged;
     char sum[16];
     std::snprintf(sum, sizeof sum, "%08x", checksum(std::string_view(text).substr(0, end)));
     if (text.compare(end + 4, 8, sum) != 0) return damaged;
@@ -154,13 +161,18 @@ Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
 namespace {
 
 /// The leaf's value as the variable takes it; none when it has another type now.
-std::optional<types::Value> valueFor(const types::TypeTable& types, const image::Place& place, const RetainedLeaf& leaf) {
+std::optional<types::Value> valueFor(const types::TypeTable& types, const image::Place& place,
+                                     const RetainedLeaf& leaf) {
     const size_t size = place.bit >= 0 ? 1 : types[place.type].size;
     const size_t hash = leaf.type.find('#');
-    if (isReference(types, place.type) || leaf.bytes.size() != size || !equalsIgnoringCase(leaf.type.substr(0, hash), spelled(types, place.type))) return std::nullopt;
-    if (types.kind(place.type) != types::TypeKind::Enum || hash == std::string::npos) return types::readValue(types, place.type, leaf.bytes, place.bit >= 0 ? 0 : -1);
+    if (isReference(types, place.type) || leaf.bytes.size() != size ||
+        !equalsIgnoringCase(leaf.type.substr(0, hash), spelled(types, place.type)))
+        return std::nullopt;
+    if (types.kind(place.type) != types::TypeKind::Enum || hash == std::string::npos)
+        return types::readValue(types, place.type, leaf.bytes, place.bit >= 0 ? 0 : -1);
     for (const types::Enumerator& e : types[place.type].enumerators)
-        if (equalsIgnoringCase(e.name, std::string_view(leaf.type).substr(hash + 1))) return types::Value{place.type, e.value};
+        if (equalsIgnoringCase(e.name, std::string_view(leaf.type).substr(hash + 1)))
+            return types::Value{place.type, e.value};
     return std::nullopt;
 }
 
@@ -174,8 +186,10 @@ RetainOutcome restoreRetained(Controller& controller, const std::vector<Retained
     for (const RetainedLeaf& leaf : leaves) {
         const Result<image::Place> place = layout.find(leaf.path);
         std::optional<types::Value> value = place ? valueFor(types, *place, leaf) : std::nullopt;
-        if (value) values.emplace_back(leaf.path, std::move(*value));
-        else outcome.lost.push_back(leaf.path);
+        if (value)
+            values.emplace_back(leaf.path, std::move(*value));
+        else
+            outcome.lost.push_back(leaf.path);
     }
     outcome.restored = controller.restoreRetained(values);
     controller.report(EventKind::RetainRestored, std::to_string(outcome.restored));

@@ -1,5 +1,6 @@
-// The retain file: RETAIN and PERSISTENT values by path and type, so that an edited program takes back what still fits. Written
-// atomically (a new file takes the old one's name when it is complete). Scan thread, or any thread with a copy of the values.
+// The retain file: RETAIN and PERSISTENT values by path and type, so that an edited program takes back what still fits.
+// Written atomically (a new file takes the old one's name when it is complete). Scan thread, or any thread with a copy
+// of the values.
 #pragma once
 #include "runtime/controller/controller.h"
 

@@ -13,7 +13,8 @@ namespace {
 
 class RetainedPlaces {
 public:
-    RetainedPlaces(const image::Layout& layout, bool persistentOnly, const std::function<void(const std::string&, const image::Place&)>& visit)
+    RetainedPlaces(const image::Layout& layout, bool persistentOnly,
+                   const std::function<void(const std::string&, const image::Place&)>& visit)
         : m_layout(layout), m_types(*layout.types), m_persistentOnly(persistentOnly), m_visit(visit) {}
 
     void run() {
@@ -21,13 +22,17 @@ public:
             if (root.constant) continue;
             const image::Place place{root.type, root.offset, root.bit};
             std::string path = image::Layout::pathOf(root);
-            if (isWanted(root.retain, root.persistent)) m_visit(path, place);
-            else inside(path, root.type, root.offset);
+            if (isWanted(root.retain, root.persistent))
+                m_visit(path, place);
+            else
+                inside(path, root.type, root.offset);
         }
     }
 
 private:
-    [[nodiscard]] bool isWanted(bool retain, bool persistent) const { return persistent || (retain && !m_persistentOnly); }
+    [[nodiscard]] bool isWanted(bool retain, bool persistent) const {
+        return persistent || (retain && !m_persistentOnly);
+    }
 
     /// Whether something within a variable of the type is retained by its own declaration.
     bool hasRetained(TypeId id) {
@@ -37,11 +42,13 @@ private:
         bool has = false;
         if (type.kind == TypeKind::Array) has = hasRetained(type.element);
         if (type.kind == TypeKind::Struct || type.kind == TypeKind::Block)
-            for (const Field& field : type.fields) has = has || isWanted(field.retain, field.persistent) || (isVariable(field) && hasRetained(field.type));
+            for (const Field& field : type.fields)
+                has = has || isWanted(field.retain, field.persistent) || (isVariable(field) && hasRetained(field.type));
         return m_known[id.value] = has;
     }
     [[nodiscard]] static bool isVariable(const Field& field) {
-        return field.section != types::FieldSection::InOut && field.section != types::FieldSection::External && !field.constant;
+        return field.section != types::FieldSection::InOut && field.section != types::FieldSection::External &&
+               !field.constant;
     }
 
     void inside(std::string& path, TypeId id, uint32_t offset) {
@@ -60,9 +67,12 @@ private:
         for (const Field& field : type.fields) {
             if (!isVariable(field)) continue;
             path += "." + field.name;
-            const image::Place place{field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type, offset + field.offset, field.bit};
-            if (isWanted(field.retain, field.persistent)) m_visit(path, place);
-            else inside(path, field.type, place.offset);
+            const image::Place place{field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type,
+                                     offset + field.offset, field.bit};
+            if (isWanted(field.retain, field.persistent))
+                m_visit(path, place);
+            else
+                inside(path, field.type, place.offset);
             path.resize(length);
         }
     }
@@ -76,7 +86,8 @@ private:
 
 } // namespace
 
-void forEachRetained(const image::Layout& layout, bool persistentOnly, const std::function<void(const std::string&, const image::Place&)>& visit) {
+void forEachRetained(const image::Layout& layout, bool persistentOnly,
+                     const std::function<void(const std::string&, const image::Place&)>& visit) {
     RetainedPlaces(layout, persistentOnly, visit).run();
 }
 

@@ -32,7 +32,8 @@ void Schedule::setTasks(const std::vector<image::Task>& tasks, Nanoseconds freew
         hasCyclic = hasCyclic || run.interval > 0;
         m_hasEvents = m_hasEvents || isEvent(run);
         m_hasSimulation = m_hasSimulation || task.isSimulation;
-        const auto old = std::find_if(before.begin(), before.end(), [&](const auto& s) { return s.first.name == task.name; });
+        const auto old =
+            std::find_if(before.begin(), before.end(), [&](const auto& s) { return s.first.name == task.name; });
         if (old != before.end()) {
             run.statistics = std::move(old->first);
             run.runs = old->second;
@@ -41,7 +42,8 @@ void Schedule::setTasks(const std::vector<image::Task>& tasks, Nanoseconds freew
         run.statistics.histogram.resize(kHistogramSize);
         m_runs.push_back(std::move(run));
     }
-    std::stable_sort(m_runs.begin(), m_runs.end(), [](const TaskRun& a, const TaskRun& b) { return a.task->priority < b.task->priority; });
+    std::stable_sort(m_runs.begin(), m_runs.end(),
+                     [](const TaskRun& a, const TaskRun& b) { return a.task->priority < b.task->priority; });
     m_baseInterval = hasCyclic ? 0 : std::max<int64_t>(1, freewheelingInterval.count());
 }
 
@@ -100,8 +102,12 @@ uint64_t Schedule::begin(int64_t instant, int64_t at, bool everything) {
             run.statistics.overruns += advance(run.due, run.interval);
             run.lateness = at - (run.due - run.interval);
             break;
-        case image::TaskKind::Event: run.isDue = run.isPending; break;
-        case image::TaskKind::Freewheeling: run.isDue = true; break;
+        case image::TaskKind::Event:
+            run.isDue = run.isPending;
+            break;
+        case image::TaskKind::Freewheeling:
+            run.isDue = true;
+            break;
         }
     }
     findNextDue();
@@ -137,7 +143,8 @@ void Schedule::sampleTriggers(const std::byte* image, bool plcRuns) {
     }
 }
 
-// Pending edges are kept in the image, by number of the event task, so that a recorded scan holds all that the next one needs.
+// Pending edges are kept in the image, by number of the event task, so that a recorded scan holds all that the next one
+// needs.
 void Schedule::restoreTriggers(const std::byte* image) {
     const auto& header = *reinterpret_cast<const image::ImageHeader*>(image);
     size_t number = 0;

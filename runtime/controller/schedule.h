@@ -1,6 +1,6 @@
-// Which task is due when (D11: a scan is one pass at an instant at which at least one task is due). Owned by the controller, scan
-// thread only. Due times lie on each task's own grid from time 0, so they follow from the time of the last scan alone: that is what
-// makes going back in time exact.
+// Which task is due when (D11: a scan is one pass at an instant at which at least one task is due). Owned by the
+// controller, scan thread only. Due times lie on each task's own grid from time 0, so they follow from the time of the
+// last scan alone: that is what makes going back in time exact.
 #pragma once
 #include "runtime/controller/controller.h"
 
@@ -28,7 +28,8 @@ public:
     [[nodiscard]] int64_t nextDue() const { return m_nextDue; }
     /// Latest instant up to `at` at which a task is due (nextDue() ≤ at).
     [[nodiscard]] int64_t lastInstant(int64_t at) const;
-    /// Marks what is due at `instant`; `everything`: the first scan after a start, all cyclic tasks run. Returns skipped instants.
+    /// Marks what is due at `instant`; `everything`: the first scan after a start, all cyclic tasks run. Returns
+    /// skipped instants.
     uint64_t begin(int64_t instant, int64_t at, bool everything);
     /// The most urgent due task that has not run in this scan, plant or not; null when none is left.
     [[nodiscard]] TaskRun* next(bool isSimulation);

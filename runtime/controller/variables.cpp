@@ -15,7 +15,9 @@ std::string shownWrite(const image::Layout& layout, std::string_view path, const
 /// A constant, or a part of one.
 bool isConstant(const image::Layout& layout, const image::Place& place) {
     for (const image::Root& root : layout.roots)
-        if (root.constant && root.bit < 0 && place.offset >= root.offset && place.offset < root.offset + (*layout.types)[root.type].size) return true;
+        if (root.constant && root.bit < 0 && place.offset >= root.offset &&
+            place.offset < root.offset + (*layout.types)[root.type].size)
+            return true;
     return false;
 }
 
@@ -38,7 +40,8 @@ Result<void> Controller::write(std::string_view path, const types::Value& value)
 
 Result<void> Controller::write(image::Place place, const types::Value& value) {
     const types::TypeTable& types = *m->layout().types;
-    if (const Forced* forced = m->forces.overlapping(types, place)) return Error{forced->path + " is forced; release it before writing", {}};
+    if (const Forced* forced = m->forces.overlapping(types, place))
+        return Error{forced->path + " is forced; release it before writing", {}};
     if (isConstant(m->layout(), place)) return Error{"a constant can not be written", {}};
     const Result<types::Value> fit = fitted(types, value, place.type);
     if (!fit) return fit.error();
@@ -106,14 +109,16 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
     for (std::string& path : m->forces.rebind(program->layout)) result.lost.push_back("force of " + path);
     m->applyForces();
     m->schedule.restoreTriggers(m->image.get());
-    for (TaskRun& run : m->schedule.runs()) run.isPending = std::find(pending.begin(), pending.end(), run.task->name) != pending.end();
+    for (TaskRun& run : m->schedule.runs())
+        run.isPending = std::find(pending.begin(), pending.end(), run.task->name) != pending.end();
     m->simulationFault.reset(); // the plant may be what was mended
     for (ScanObserver* observer : m->observers) observer->programChanged(m->program);
     m->report(EventKind::OnlineChange, {});
     return result;
 }
 
-void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image, uint64_t scan, Nanoseconds time) {
+void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> program, std::span<const std::byte> image,
+                            uint64_t scan, Nanoseconds time) {
     m->isAllDirty = true;
     const bool isOther = program != m->program;
     m->time = time.count();
@@ -151,8 +156,10 @@ std::vector<std::pair<std::string, types::Value>> Controller::retained(bool pers
     forEachRetained(layout, persistentOnly, [&](const std::string& path, const image::Place& place) {
         layout.forEachLeaf(path, place, [&](const std::string& leaf, const image::Place& at) {
             const types::TypeKind kind = layout.types->kind(at.type);
-            const bool isReference = kind == types::TypeKind::Pointer || kind == types::TypeKind::Reference || kind == types::TypeKind::Interface;
-            if (!isReference) values.emplace_back(leaf, types::readValue(*layout.types, at.type, image().subspan(at.offset), at.bit));
+            const bool isReference = kind == types::TypeKind::Pointer || kind == types::TypeKind::Reference ||
+                                     kind == types::TypeKind::Interface;
+            if (!isReference)
+                values.emplace_back(leaf, types::readValue(*layout.types, at.type, image().subspan(at.offset), at.bit));
             return true;
         });
     });
@@ -166,8 +173,9 @@ size_t Controller::restoreRetained(std::span<const std::pair<std::string, types:
     for (const auto& [path, value] : values) {
         const Result<image::Place> place = m->layout().find(path);
         if (!place) continue;
-        const bool isSameKind = !types::isElementary(types.kind(value.type)) || value.type.index() > static_cast<size_t>(types::TypeKind::Wchar)
-            || types.storage(place->type) == value.type;
+        const bool isSameKind = !types::isElementary(types.kind(value.type)) ||
+                                value.type.index() > static_cast<size_t>(types::TypeKind::Wchar) ||
+                                types.storage(place->type) == value.type;
         const Result<types::Value> fit = fitted(types, value, place->type);
         if (!isSameKind || !fit) continue;
         types::writeValue(types, place->type, *fit, m->image.span().subspan(place->offset), place->bit);

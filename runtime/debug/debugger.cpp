@@ -6,8 +6,12 @@ namespace plc::debug {
 
 namespace {
 
-image::CallRecord entryOf(const image::RuntimeContext& context) { return context.depth > 0 ? context.calls[0] : image::CallRecord{}; }
-bool isSameEntry(const image::CallRecord& a, const image::CallRecord& b) { return a.function == b.function && a.instance == b.instance; }
+image::CallRecord entryOf(const image::RuntimeContext& context) {
+    return context.depth > 0 ? context.calls[0] : image::CallRecord{};
+}
+bool isSameEntry(const image::CallRecord& a, const image::CallRecord& b) {
+    return a.function == b.function && a.instance == b.instance;
+}
 
 } // namespace
 
@@ -77,11 +81,15 @@ void Debugger::runTo(FileId file, uint32_t line) {
 bool Debugger::stepEnds(uint32_t site) const {
     const image::RuntimeContext& context = m_controller.context();
     switch (m_mode) {
-    case Mode::Free: return false;
-    case Mode::In: return true;
-    case Mode::ToLine: return std::find(m_target.begin(), m_target.end(), site) != m_target.end();
+    case Mode::Free:
+        return false;
+    case Mode::In:
+        return true;
+    case Mode::ToLine:
+        return std::find(m_target.begin(), m_target.end(), site) != m_target.end();
     case Mode::Over:
-    case Mode::Out: break;
+    case Mode::Out:
+        break;
     }
     // A step stays in its task's program; when that has ended, it halts at its first statement in the next scan.
     if (!isSameEntry(entryOf(context), m_fromEntry)) return false;
@@ -92,7 +100,8 @@ bool Debugger::stepEnds(uint32_t site) const {
 bool Debugger::conditionHolds(Active& active, uint32_t site, uint32_t instance, std::string& problem) {
     const Breakpoint& breakpoint = m_breakpoints[active.index];
     if (breakpoint.condition.empty()) return true;
-    auto known = std::find_if(active.conditions.begin(), active.conditions.end(), [&](const auto& entry) { return entry.first == instance; });
+    auto known = std::find_if(active.conditions.begin(), active.conditions.end(),
+                              [&](const auto& entry) { return entry.first == instance; });
     if (known == active.conditions.end()) {
         const image::CompiledProgram& program = m_controller.program();
         const image::FunctionInfo& function = program.functions[program.sites[site].function];

@@ -1,5 +1,5 @@
-// Breakpoints, stepping and halting. Belongs to the scan thread with the Controller it watches; the thread's owner says through `onHalt`
-// how commands are served while it stands.
+// Breakpoints, stepping and halting. Belongs to the scan thread with the Controller it watches; the thread's owner says
+// through `onHalt` how commands are served while it stands.
 #pragma once
 #include "runtime/controller/controller.h"
 #include "runtime/debug/sites.h"
@@ -9,9 +9,9 @@ namespace plc::debug {
 struct Breakpoint {
     FileId file;
     uint32_t line = 1;
-    std::string condition;  // ST expression, seen from the instance; empty = always
-    uint32_t hitCount = 0;  // halts at the n-th hit and each later one; 0 = every
-    std::string instance;   // only this instance path; empty = any
+    std::string condition; // ST expression, seen from the instance; empty = always
+    uint32_t hitCount = 0; // halts at the n-th hit and each later one; 0 = every
+    std::string instance;  // only this instance path; empty = any
     bool isEnabled = true;
 };
 
@@ -20,8 +20,8 @@ enum class Step : uint8_t { In, Over, Out };
 /// Why and where the scan stands.
 struct Halt {
     uint32_t site = 0;
-    std::optional<size_t> breakpoint; // index into the list; none: a step or run to cursor
-    std::string problem;              // a condition that can not be evaluated, in words
+    std::optional<size_t> breakpoint;           // index into the list; none: a step or run to cursor
+    std::string problem;                        // a condition that can not be evaluated, in words
     std::vector<controller::FaultFrame> frames; // innermost first
 };
 
@@ -51,7 +51,7 @@ public:
 private:
     enum class Mode : uint8_t { Free, In, Over, Out, ToLine };
     struct Active {
-        size_t index = 0;           // in m_breakpoints
+        size_t index = 0; // in m_breakpoints
         uint32_t hits = 0;
         std::optional<uint32_t> instance; // its offset
         std::vector<uint32_t> sites;
@@ -73,8 +73,8 @@ private:
     bool m_isHalted = false;
 
     Mode m_mode = Mode::Free;
-    std::vector<uint32_t> m_target;   // ToLine
-    uint32_t m_fromDepth = 0;         // where the step began
+    std::vector<uint32_t> m_target; // ToLine
+    uint32_t m_fromDepth = 0;       // where the step began
     uint64_t m_fromScan = 0;
     image::CallRecord m_fromEntry;
 };

@@ -12,7 +12,8 @@ SitesOfLine sitesOfLine(const image::CompiledProgram& program, FileId file, uint
     for (uint32_t site = 1; site < program.sites.size(); ++site) {
         const SourceRange& range = program.sites[site].range;
         if (range.file != file || range.begin < from) continue;
-        const bool isBetter = found.sites.empty() || range.begin < best.begin || (range.begin == best.begin && range.end < best.end);
+        const bool isBetter =
+            found.sites.empty() || range.begin < best.begin || (range.begin == best.begin && range.end < best.end);
         if (isBetter) {
             best = range;
             found.sites.clear();

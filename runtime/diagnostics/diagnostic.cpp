@@ -23,28 +23,39 @@ const Entry& entry(Kind kind) { return kEntries[static_cast<size_t>(kind)]; }
 std::string jsonString(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\') (out += '\\') += c;
-        else if (c == '\n') out += "\\n";
-        else if (c == '\t') out += "\\t";
-        else if (c == '\r') out += "\\r";
-        else if (static_cast<unsigned char>(c) < 0x20) { out += "\\u00"; out += "0123456789abcdef"[c >> 4]; out += "0123456789abcdef"[c & 15]; }
-        else out += c;
+        if (c == '"' || c == '\\')
+            (out += '\\') += c;
+        else if (c == '\n')
+            out += "\\n";
+        else if (c == '\t')
+            out += "\\t";
+        else if (c == '\r')
+            out += "\\r";
+        else if (static_cast<unsigned char>(c) < 0x20) {
+            out += "\\u00";
+            out += "0123456789abcdef"[c >> 4];
+            out += "0123456789abcdef"[c & 15];
+        } else
+            out += c;
     }
     return out + '"';
 }
 std::string_view severityName(Severity severity) {
     switch (severity) {
-    case Severity::Error: return "error";
-    case Severity::Warning: return "warning";
-    case Severity::Info: return "info";
+    case Severity::Error:
+        return "error";
+    case Severity::Warning:
+        return "warning";
+    case Severity::Info:
+        return "info";
     }
     return {};
 }
 std::string rangeJson(const SourceSet& sources, SourceRange range) {
     const SourceText& file = sources[range.file];
     const LineColumn begin = file.lineColumn(range.begin), end = file.lineColumn(range.end);
-    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) + ",\"endLine\":" + std::to_string(end.line) +
-           ",\"endColumn\":" + std::to_string(end.column) + "}";
+    return "{\"line\":" + std::to_string(begin.line) + ",\"column\":" + std::to_string(begin.column) +
+           ",\"endLine\":" + std::to_string(end.line) + ",\"endColumn\":" + std::to_string(end.column) + "}";
 }
 } // namespace
 
@@ -80,16 +91,22 @@ Diagnostic& Sink::emit(SourceRange range, Kind kind, std::vector<std::string> ar
 
 void Sink::sort() {
     const auto key = [](const Diagnostic& d) { return std::tuple(d.range.file, d.range.begin, d.range.end, d.kind); };
-    std::stable_sort(m_all.begin(), m_all.end(), [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+    std::stable_sort(m_all.begin(), m_all.end(),
+                     [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
     m_all.erase(std::unique(m_all.begin(), m_all.end(),
-                            [&](const Diagnostic& a, const Diagnostic& b) { return key(a) == key(b) && a.arguments == b.arguments; }),
+                            [&](const Diagnostic& a, const Diagnostic& b) {
+                                return key(a) == key(b) && a.arguments == b.arguments;
+                            }),
                 m_all.end());
 }
 
 std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colours) {
     const auto colour = [&](std::string_view code) { return colours ? std::string(code) : std::string(); };
-    const std::string_view tint = d.severity == Severity::Error ? "\033[1;31m" : d.severity == Severity::Warning ? "\033[1;33m" : "\033[1;36m";
-    const std::string head = colour(tint) + std::string(severityName(d.severity)) + " " + std::string(codeOf(d.kind)) + colour("\033[0m") + ": " + d.message() + "\n";
+    const std::string_view tint = d.severity == Severity::Error     ? "\033[1;31m"
+                                  : d.severity == Severity::Warning ? "\033[1;33m"
+                                                                    : "\033[1;36m";
+    const std::string head = colour(tint) + std::string(severityName(d.severity)) + " " + std::string(codeOf(d.kind)) +
+                             colour("\033[0m") + ": " + d.message() + "\n";
     if (!d.range.file.isValid()) return head;
     const SourceText& file = sources[d.range.file];
     const LineColumn at = file.lineColumn(d.range.begin);
@@ -99,8 +116,10 @@ std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colou
     out += "  " + number + " | " + line + "\n  " + std::string(number.size(), ' ') + " | ";
     const uint32_t lineBegin = file.lineBegin(at.line);
     for (uint32_t i = lineBegin; i < d.range.begin && i < lineBegin + line.size(); ++i) {
-        if (line[i - lineBegin] == '\t') out += '\t';
-        else if ((static_cast<unsigned char>(line[i - lineBegin]) & 0xC0) != 0x80) out += ' ';
+        if (line[i - lineBegin] == '\t')
+            out += '\t';
+        else if ((static_cast<unsigned char>(line[i - lineBegin]) & 0xC0) != 0x80)
+            out += ' ';
     }
     size_t marks = 0;
     for (uint32_t i = d.range.begin; i < d.range.end && i < lineBegin + line.size(); ++i)
@@ -114,13 +133,15 @@ std::string renderJson(const SourceSet& sources, const Diagnostic& d) {
     std::string out = "{\"file\":";
     out += d.range.file.isValid() ? jsonString(sources[d.range.file].path()) : "null";
     if (d.range.file.isValid()) out += ",\"range\":" + rangeJson(sources, d.range);
-    out += ",\"code\":" + jsonString(codeOf(d.kind)) + ",\"severity\":" + jsonString(severityName(d.severity)) + ",\"message\":" + jsonString(d.message());
+    out += ",\"code\":" + jsonString(codeOf(d.kind)) + ",\"severity\":" + jsonString(severityName(d.severity)) +
+           ",\"message\":" + jsonString(d.message());
     out += ",\"fixes\":[";
     for (size_t i = 0; i < d.fixes.size(); ++i) {
         out += (i ? ",{" : "{") + std::string("\"title\":") + jsonString(d.fixes[i].title) + ",\"edits\":[";
         for (size_t k = 0; k < d.fixes[i].edits.size(); ++k) {
             const TextEdit& edit = d.fixes[i].edits[k];
-            out += (k ? ",{" : "{") + std::string("\"range\":") + rangeJson(sources, edit.range) + ",\"text\":" + jsonString(edit.text) + "}";
+            out += (k ? ",{" : "{") + std::string("\"range\":") + rangeJson(sources, edit.range) +
+                   ",\"text\":" + jsonString(edit.text) + "}";
         }
         out += "]}";
     }

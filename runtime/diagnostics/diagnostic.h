@@ -41,14 +41,14 @@ struct Diagnostic {
     SourceRange range;
     std::vector<std::string> arguments;
     std::vector<Fix> fixes;
-    std::vector<Related> related; // "first declared here"
+    std::vector<Related> related;              // "first declared here"
     [[nodiscard]] std::string message() const; // English, arguments filled in
 };
 
-[[nodiscard]] std::string_view codeOf(Kind kind);        // "P2004"
-[[nodiscard]] std::string_view templateOf(Kind kind);    // for translation
-[[nodiscard]] std::string_view nameOf(Kind kind);        // "LossyAssignment"
-[[nodiscard]] Severity severityOf(Kind kind);            // the kind's own; a project may change it
+[[nodiscard]] std::string_view codeOf(Kind kind);     // "P2004"
+[[nodiscard]] std::string_view templateOf(Kind kind); // for translation
+[[nodiscard]] std::string_view nameOf(Kind kind);     // "LossyAssignment"
+[[nodiscard]] Severity severityOf(Kind kind);         // the kind's own; a project may change it
 
 /// Collects diagnostics. One thread.
 class Sink {

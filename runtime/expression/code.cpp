@@ -8,9 +8,13 @@
 namespace plc::expression {
 namespace {
 
-bool isObject(const types::Value& value) { return !std::holds_alternative<int64_t>(value.data) && !std::holds_alternative<double>(value.data); }
+bool isObject(const types::Value& value) {
+    return !std::holds_alternative<int64_t>(value.data) && !std::holds_alternative<double>(value.data);
+}
 
-uint32_t bytesOf(const types::TypeTable& types, const image::Place& place) { return place.bit >= 0 ? 1 : types[place.type].size; }
+uint32_t bytesOf(const types::TypeTable& types, const image::Place& place) {
+    return place.bit >= 0 ? 1 : types[place.type].size;
+}
 
 } // namespace
 
@@ -30,13 +34,19 @@ void CodeBuilder::constant(const types::TypeTable& types, const types::Value& va
     }
     const auto* real = std::get_if<double>(&value.data);
     const auto bits = real ? std::bit_cast<uint64_t>(*real) : static_cast<uint64_t>(value.integer());
-    add({.op = Op::Constant, .kind = kind, .a = static_cast<uint32_t>(bits), .b = static_cast<uint32_t>(bits >> 32)}, 1);
+    add({.op = Op::Constant, .kind = kind, .a = static_cast<uint32_t>(bits), .b = static_cast<uint32_t>(bits >> 32)},
+        1);
 }
 
 void CodeBuilder::offset(uint32_t offset) { add({.op = Op::Offset, .a = offset}, 1); }
 
 void CodeBuilder::load(const types::TypeTable& types, image::Place place) {
-    add({.op = Op::Load, .kind = types.storageKind(place.type), .bit = static_cast<int8_t>(place.bit), .a = place.offset, .b = place.type.value}, 1);
+    add({.op = Op::Load,
+         .kind = types.storageKind(place.type),
+         .bit = static_cast<int8_t>(place.bit),
+         .a = place.offset,
+         .b = place.type.value},
+        1);
     reads(place.offset, bytesOf(types, place));
     m_code.directEnd = std::max(m_code.directEnd, place.offset + bytesOf(types, place));
 }
@@ -54,7 +64,9 @@ void CodeBuilder::index(const Bounds& bounds) {
     m_code.bounds.push_back(bounds);
 }
 
-void CodeBuilder::openIndex(uint32_t rank, uint32_t elementSize) { add({.op = Op::OpenIndex, .a = rank, .b = elementSize}, -static_cast<int>(rank)); }
+void CodeBuilder::openIndex(uint32_t rank, uint32_t elementSize) {
+    add({.op = Op::OpenIndex, .a = rank, .b = elementSize}, -static_cast<int>(rank));
+}
 void CodeBuilder::followInOut(types::TypeId type) { add({.op = Op::FollowInOut, .b = type.value}, 0); }
 void CodeBuilder::dereference(types::TypeId type) { add({.op = Op::Dereference, .b = type.value}, 0); }
 void CodeBuilder::character(types::TypeId text) { add({.op = Op::Character, .b = text.value}, -1); }
@@ -64,7 +76,8 @@ void CodeBuilder::unary(const types::TypeTable& types, library::UnaryOp op, type
 }
 
 void CodeBuilder::binary(const types::TypeTable& types, library::BinaryOp op, types::TypeId operands) {
-    add({.op = Op::Binary, .kind = types.storageKind(operands), .extra = static_cast<uint8_t>(op), .b = operands.value}, -1);
+    add({.op = Op::Binary, .kind = types.storageKind(operands), .extra = static_cast<uint8_t>(op), .b = operands.value},
+        -1);
 }
 
 void CodeBuilder::convert(types::TypeId from, types::TypeId to) {
@@ -74,11 +87,13 @@ void CodeBuilder::convert(types::TypeId from, types::TypeId to) {
 void CodeBuilder::intrinsic(IntrinsicCall call) {
     using library::Intrinsic;
     const Intrinsic code = call.intrinsic;
-    if (code == Intrinsic::Time || code == Intrinsic::Calendar || code == Intrinsic::FirstScan || code == Intrinsic::ScanNumber || code == Intrinsic::TaskPeriod) {
+    if (code == Intrinsic::Time || code == Intrinsic::Calendar || code == Intrinsic::FirstScan ||
+        code == Intrinsic::ScanNumber || code == Intrinsic::TaskPeriod) {
         reads(0, sizeof(image::ImageHeader));
         m_code.directEnd = std::max<uint32_t>(m_code.directEnd, sizeof(image::ImageHeader));
     }
-    add({.op = Op::Intrinsic, .a = static_cast<uint32_t>(m_code.calls.size())}, 1 - static_cast<int>(call.operands.size()));
+    add({.op = Op::Intrinsic, .a = static_cast<uint32_t>(m_code.calls.size())},
+        1 - static_cast<int>(call.operands.size()));
     m_code.calls.push_back(std::move(call));
 }
 

@@ -1,5 +1,6 @@
-// The small code of an expression: a stack machine over 64-bit slots (integers, doubles, image offsets); texts and aggregates lie
-// in a side list that scalar code never touches. Made by compiler/driver through CodeBuilder; immutable afterwards, any thread.
+// The small code of an expression: a stack machine over 64-bit slots (integers, doubles, image offsets); texts and
+// aggregates lie in a side list that scalar code never touches. Made by compiler/driver through CodeBuilder; immutable
+// afterwards, any thread.
 #pragma once
 #include "runtime/expression/expression.h"
 

@@ -4,8 +4,10 @@
 
 namespace plc::expression {
 
-Expression::Expression(std::string text, std::shared_ptr<const types::TypeTable> types, std::shared_ptr<const Code> code, types::TypeId type)
-    : m_text(std::move(text)), m_types(std::move(types)), m_code(std::move(code)), m_type(type), m_kind(m_types->storageKind(type)) {}
+Expression::Expression(std::string text, std::shared_ptr<const types::TypeTable> types,
+                       std::shared_ptr<const Code> code, types::TypeId type)
+    : m_text(std::move(text)), m_types(std::move(types)), m_code(std::move(code)), m_type(type),
+      m_kind(m_types->storageKind(type)) {}
 
 std::optional<image::Place> Expression::place() const { return m_code ? m_code->place : std::nullopt; }
 
@@ -26,7 +28,8 @@ std::optional<double> Expression::number(std::span<const std::byte> image) const
     Slot result;
     if (!machine.run(result)) return std::nullopt;
     if (types::familyOf(m_kind) == types::Family::Real) return result.real;
-    if (m_kind == types::TypeKind::Ulint || m_kind == types::TypeKind::Lword) return static_cast<double>(static_cast<uint64_t>(result.integer));
+    if (m_kind == types::TypeKind::Ulint || m_kind == types::TypeKind::Lword)
+        return static_cast<double>(static_cast<uint64_t>(result.integer));
     return static_cast<double>(result.integer);
 }
 

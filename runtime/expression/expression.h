@@ -1,6 +1,7 @@
-// An ST expression anywhere (D7): watch, trigger, breakpoint condition, panel binding, alarm, assertion. Compiled once (by
-// compiler/driver, from the checked tree) into a small code, evaluated on any image, live or recorded. No side effects; an
-// error gives no value and a reason. Immutable after compiling; evaluate from any thread, each on its own image.
+// An ST expression anywhere (D7): watch, trigger, breakpoint condition, panel binding, alarm, assertion. Compiled once
+// (by compiler/driver, from the checked tree) into a small code, evaluated on any image, live or recorded. No side
+// effects; an error gives no value and a reason. Immutable after compiling; evaluate from any thread, each on its own
+// image.
 #pragma once
 #include "runtime/image/layout.h"
 #include "runtime/library/evaluate.h"
@@ -17,8 +18,8 @@ namespace plc::expression {
 struct Code; // expression/code.h
 
 struct Outcome {
-    types::Value value;          // no value when `reason` is set
-    std::string reason;          // "index 7 outside 1..5", "null reference", "division by zero"
+    types::Value value; // no value when `reason` is set
+    std::string reason; // "index 7 outside 1..5", "null reference", "division by zero"
     [[nodiscard]] bool hasValue() const { return value.hasValue(); }
 };
 
@@ -31,7 +32,8 @@ struct ReadSet {
 class Expression {
 public:
     Expression() = default;
-    Expression(std::string text, std::shared_ptr<const types::TypeTable> types, std::shared_ptr<const Code> code, types::TypeId type);
+    Expression(std::string text, std::shared_ptr<const types::TypeTable> types, std::shared_ptr<const Code> code,
+               types::TypeId type);
 
     [[nodiscard]] bool isValid() const { return m_code != nullptr; }
     [[nodiscard]] const std::string& text() const { return m_text; }

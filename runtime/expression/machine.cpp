@@ -21,8 +21,10 @@ bool isObjectKind(TypeKind kind) {
     case TypeKind::Array:
     case TypeKind::Struct:
     case TypeKind::Union:
-    case TypeKind::Block: return true;
-    default: return false;
+    case TypeKind::Block:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -38,17 +40,38 @@ Slot ofReal(double value) { return {.real = value}; }
 /// The quick ones; false: the reference does it.
 template <class Number> bool quickReal(BinaryOp op, Number a, Number b, Slot& out) {
     switch (op) {
-    case BinaryOp::Add: out = ofReal(static_cast<double>(a + b)); return true;
-    case BinaryOp::Subtract: out = ofReal(static_cast<double>(a - b)); return true;
-    case BinaryOp::Multiply: out = ofReal(static_cast<double>(a * b)); return true;
-    case BinaryOp::Divide: out = ofReal(static_cast<double>(a / b)); return true;
-    case BinaryOp::Equal: out = ofInteger(a == b); return true;
-    case BinaryOp::NotEqual: out = ofInteger(a != b); return true;
-    case BinaryOp::Less: out = ofInteger(a < b); return true;
-    case BinaryOp::LessEqual: out = ofInteger(a <= b); return true;
-    case BinaryOp::Greater: out = ofInteger(a > b); return true;
-    case BinaryOp::GreaterEqual: out = ofInteger(a >= b); return true;
-    default: return false;
+    case BinaryOp::Add:
+        out = ofReal(static_cast<double>(a + b));
+        return true;
+    case BinaryOp::Subtract:
+        out = ofReal(static_cast<double>(a - b));
+        return true;
+    case BinaryOp::Multiply:
+        out = ofReal(static_cast<double>(a * b));
+        return true;
+    case BinaryOp::Divide:
+        out = ofReal(static_cast<double>(a / b));
+        return true;
+    case BinaryOp::Equal:
+        out = ofInteger(a == b);
+        return true;
+    case BinaryOp::NotEqual:
+        out = ofInteger(a != b);
+        return true;
+    case BinaryOp::Less:
+        out = ofInteger(a < b);
+        return true;
+    case BinaryOp::LessEqual:
+        out = ofInteger(a <= b);
+        return true;
+    case BinaryOp::Greater:
+        out = ofInteger(a > b);
+        return true;
+    case BinaryOp::GreaterEqual:
+        out = ofInteger(a >= b);
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -58,19 +81,44 @@ bool quickInteger(BinaryOp op, TypeKind kind, int64_t a, int64_t b, Slot& out) {
     if (isWideUnsigned && op >= BinaryOp::Less) return false;
     const auto left = static_cast<uint64_t>(a), right = static_cast<uint64_t>(b);
     switch (op) {
-    case BinaryOp::Equal: out = ofInteger(a == b); return true;
-    case BinaryOp::NotEqual: out = ofInteger(a != b); return true;
-    case BinaryOp::Less: out = ofInteger(a < b); return true;
-    case BinaryOp::LessEqual: out = ofInteger(a <= b); return true;
-    case BinaryOp::Greater: out = ofInteger(a > b); return true;
-    case BinaryOp::GreaterEqual: out = ofInteger(a >= b); return true;
-    case BinaryOp::And: out = ofInteger(a & b); return true;
-    case BinaryOp::Or: out = ofInteger(a | b); return true;
-    case BinaryOp::Xor: out = ofInteger(a ^ b); return true;
-    case BinaryOp::Add: out = ofInteger(types::wrapInteger(kind, static_cast<int64_t>(left + right))); return true;
-    case BinaryOp::Subtract: out = ofInteger(types::wrapInteger(kind, static_cast<int64_t>(left - right))); return true;
-    case BinaryOp::Multiply: out = ofInteger(types::wrapInteger(kind, static_cast<int64_t>(left * right))); return true;
-    default: return false;
+    case BinaryOp::Equal:
+        out = ofInteger(a == b);
+        return true;
+    case BinaryOp::NotEqual:
+        out = ofInteger(a != b);
+        return true;
+    case BinaryOp::Less:
+        out = ofInteger(a < b);
+        return true;
+    case BinaryOp::LessEqual:
+        out = ofInteger(a <= b);
+        return true;
+    case BinaryOp::Greater:
+        out = ofInteger(a > b);
+        return true;
+    case BinaryOp::GreaterEqual:
+        out = ofInteger(a >= b);
+        return true;
+    case BinaryOp::And:
+        out = ofInteger(a & b);
+        return true;
+    case BinaryOp::Or:
+        out = ofInteger(a | b);
+        return true;
+    case BinaryOp::Xor:
+        out = ofInteger(a ^ b);
+        return true;
+    case BinaryOp::Add:
+        out = ofInteger(types::wrapInteger(kind, static_cast<int64_t>(left + right)));
+        return true;
+    case BinaryOp::Subtract:
+        out = ofInteger(types::wrapInteger(kind, static_cast<int64_t>(left - right)));
+        return true;
+    case BinaryOp::Multiply:
+        out = ofInteger(types::wrapInteger(kind, static_cast<int64_t>(left * right)));
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -80,15 +128,24 @@ std::string number(int64_t value) { return std::to_string(value); }
 
 std::string Failure::text() const {
     switch (kind) {
-    case Kind::None: return {};
-    case Kind::Index: return "index " + number(detail[0]) + " outside " + number(detail[1]) + ".." + number(detail[2]);
-    case Kind::Null: return "null reference";
-    case Kind::Foreign: return "reference to no variable";
-    case Kind::MissingInOut: return "IN_OUT without a variable";
-    case Kind::Character: return "character " + number(detail[0]) + " of a text with " + number(detail[1]);
-    case Kind::DivisionByZero: return "division by zero";
-    case Kind::OtherImage: return "not in this image";
-    case Kind::NotEvaluable: return "has no value here";
+    case Kind::None:
+        return {};
+    case Kind::Index:
+        return "index " + number(detail[0]) + " outside " + number(detail[1]) + ".." + number(detail[2]);
+    case Kind::Null:
+        return "null reference";
+    case Kind::Foreign:
+        return "reference to no variable";
+    case Kind::MissingInOut:
+        return "IN_OUT without a variable";
+    case Kind::Character:
+        return "character " + number(detail[0]) + " of a text with " + number(detail[1]);
+    case Kind::DivisionByZero:
+        return "division by zero";
+    case Kind::OtherImage:
+        return "not in this image";
+    case Kind::NotEvaluable:
+        return "has no value here";
     }
     return {};
 }
@@ -101,18 +158,25 @@ bool Machine::fail(Failure::Kind kind, int64_t a, int64_t b, int64_t c) {
 bool Machine::fail(library::EvaluationError error) {
     using library::EvaluationError;
     switch (error) {
-    case EvaluationError::None: return true;
-    case EvaluationError::DivisionByZero: return fail(Failure::Kind::DivisionByZero);
-    case EvaluationError::IndexOutOfRange: return fail(Failure::Kind::Index);
-    case EvaluationError::NullReference: return fail(Failure::Kind::Null);
-    case EvaluationError::StringIndex: return fail(Failure::Kind::Character);
-    case EvaluationError::NotEvaluable: return fail(Failure::Kind::NotEvaluable);
+    case EvaluationError::None:
+        return true;
+    case EvaluationError::DivisionByZero:
+        return fail(Failure::Kind::DivisionByZero);
+    case EvaluationError::IndexOutOfRange:
+        return fail(Failure::Kind::Index);
+    case EvaluationError::NullReference:
+        return fail(Failure::Kind::Null);
+    case EvaluationError::StringIndex:
+        return fail(Failure::Kind::Character);
+    case EvaluationError::NotEvaluable:
+        return fail(Failure::Kind::NotEvaluable);
     }
     return false;
 }
 
 bool Machine::isInside(int64_t offset, uint32_t size) const {
-    return offset >= static_cast<int64_t>(sizeof(image::ImageHeader)) && static_cast<uint64_t>(offset) + size <= m_image.size();
+    return offset >= static_cast<int64_t>(sizeof(image::ImageHeader)) &&
+           static_cast<uint64_t>(offset) + size <= m_image.size();
 }
 
 int64_t Machine::wordAt(int64_t offset) const { return read<int64_t>(m_image, offset); }
@@ -142,23 +206,34 @@ Value Machine::valueOf(Slot slot, TypeId type) const {
 Slot Machine::load(const Instruction& instruction, int64_t offset) {
     if (instruction.bit >= 0) return ofInteger((read<uint8_t>(m_image, offset) >> instruction.bit) & 1);
     switch (instruction.kind) {
-    case TypeKind::Bool: return ofInteger(read<uint8_t>(m_image, offset) != 0);
+    case TypeKind::Bool:
+        return ofInteger(read<uint8_t>(m_image, offset) != 0);
     case TypeKind::Byte:
     case TypeKind::Usint:
-    case TypeKind::Char: return ofInteger(read<uint8_t>(m_image, offset));
-    case TypeKind::Sint: return ofInteger(read<int8_t>(m_image, offset));
+    case TypeKind::Char:
+        return ofInteger(read<uint8_t>(m_image, offset));
+    case TypeKind::Sint:
+        return ofInteger(read<int8_t>(m_image, offset));
     case TypeKind::Word:
     case TypeKind::Uint:
-    case TypeKind::Wchar: return ofInteger(read<uint16_t>(m_image, offset));
-    case TypeKind::Int: return ofInteger(read<int16_t>(m_image, offset));
+    case TypeKind::Wchar:
+        return ofInteger(read<uint16_t>(m_image, offset));
+    case TypeKind::Int:
+        return ofInteger(read<int16_t>(m_image, offset));
     case TypeKind::Dword:
-    case TypeKind::Udint: return ofInteger(read<uint32_t>(m_image, offset));
-    case TypeKind::Dint: return ofInteger(read<int32_t>(m_image, offset));
-    case TypeKind::Real: return ofReal(static_cast<double>(read<float>(m_image, offset)));
-    case TypeKind::Lreal: return ofReal(read<double>(m_image, offset));
-    default: break;
+    case TypeKind::Udint:
+        return ofInteger(read<uint32_t>(m_image, offset));
+    case TypeKind::Dint:
+        return ofInteger(read<int32_t>(m_image, offset));
+    case TypeKind::Real:
+        return ofReal(static_cast<double>(read<float>(m_image, offset)));
+    case TypeKind::Lreal:
+        return ofReal(read<double>(m_image, offset));
+    default:
+        break;
     }
-    if (isObjectKind(instruction.kind)) return object(types::readValue(m_types, TypeId(instruction.b), m_image.subspan(static_cast<size_t>(offset))));
+    if (isObjectKind(instruction.kind))
+        return object(types::readValue(m_types, TypeId(instruction.b), m_image.subspan(static_cast<size_t>(offset))));
     return ofInteger(read<int64_t>(m_image, offset));
 }
 
@@ -182,9 +257,11 @@ bool Machine::openIndex(uint32_t rank, uint32_t elementSize) {
         const int64_t index = m_stack[m_used + i].integer;
         if (index < low || index > high) return fail(Failure::Kind::Index, index, low, high);
         const auto count = static_cast<uint64_t>(high) - static_cast<uint64_t>(low) + 1;
-        element = static_cast<int64_t>(static_cast<uint64_t>(element) * count + static_cast<uint64_t>(index) - static_cast<uint64_t>(low));
+        element = static_cast<int64_t>(static_cast<uint64_t>(element) * count + static_cast<uint64_t>(index) -
+                                       static_cast<uint64_t>(low));
     }
-    const auto offset = static_cast<int64_t>(static_cast<uint64_t>(base) + static_cast<uint64_t>(element) * elementSize);
+    const auto offset =
+        static_cast<int64_t>(static_cast<uint64_t>(base) + static_cast<uint64_t>(element) * elementSize);
     if (!isInside(offset, elementSize)) return fail(Failure::Kind::Foreign);
     top().integer = offset;
     return true;
@@ -196,7 +273,9 @@ bool Machine::character(TypeId text) {
     const int64_t index = pop().integer;
     const int64_t offset = top().integer;
     if (!isInside(offset, type.size)) return fail(Failure::Kind::Foreign);
-    const auto unit = [&](int64_t at) -> int64_t { return isWide ? read<uint16_t>(m_image, offset + 2 * at) : read<uint8_t>(m_image, offset + at); };
+    const auto unit = [&](int64_t at) -> int64_t {
+        return isWide ? read<uint16_t>(m_image, offset + 2 * at) : read<uint8_t>(m_image, offset + at);
+    };
     int64_t length = 0;
     while (length < type.capacity && unit(length) != 0) ++length;
     if (index < 0 || index > length) return fail(Failure::Kind::Character, index, length);
@@ -221,15 +300,19 @@ bool Machine::binary(const Instruction& instruction) {
     const auto op = static_cast<BinaryOp>(instruction.extra);
     const Slot b = pop(), a = top();
     bool isDone = false;
-    if (instruction.kind == TypeKind::Real) isDone = quickReal(op, static_cast<float>(a.real), static_cast<float>(b.real), top());
-    else if (instruction.kind == TypeKind::Lreal) isDone = quickReal(op, a.real, b.real, top());
-    else if (!isObjectKind(instruction.kind)) isDone = quickInteger(op, instruction.kind, a.integer, b.integer, top());
+    if (instruction.kind == TypeKind::Real)
+        isDone = quickReal(op, static_cast<float>(a.real), static_cast<float>(b.real), top());
+    else if (instruction.kind == TypeKind::Lreal)
+        isDone = quickReal(op, a.real, b.real, top());
+    else if (!isObjectKind(instruction.kind))
+        isDone = quickInteger(op, instruction.kind, a.integer, b.integer, top());
     return isDone || slowBinary(instruction, a, b);
 }
 
 bool Machine::slowBinary(const Instruction& instruction, Slot a, Slot b) {
     const TypeId type(instruction.b);
-    library::Evaluated result = library::evaluateBinary(m_types, static_cast<BinaryOp>(instruction.extra), type, valueOf(a, type), valueOf(b, type));
+    library::Evaluated result = library::evaluateBinary(m_types, static_cast<BinaryOp>(instruction.extra), type,
+                                                        valueOf(a, type), valueOf(b, type));
     if (result.error != library::EvaluationError::None) return fail(result.error);
     top() = slotOf(std::move(result.value));
     return true;
@@ -257,7 +340,8 @@ bool Machine::intrinsic(const IntrinsicCall& call) {
     for (size_t i = 0; i < count; ++i) operands[i] = valueOf(m_stack[m_used + i], call.operands[i]);
     image::ImageHeader header;
     if (m_image.size() >= sizeof header) std::memcpy(&header, m_image.data(), sizeof header);
-    library::Evaluated result = library::evaluateIntrinsic(m_types, call.intrinsic, call.result, operands, &header, call.selector);
+    library::Evaluated result =
+        library::evaluateIntrinsic(m_types, call.intrinsic, call.result, operands, &header, call.selector);
     if (result.error != library::EvaluationError::None) return fail(result.error);
     push(slotOf(std::move(result.value)));
     return true;
@@ -269,15 +353,26 @@ bool Machine::run(Slot& result) {
     for (size_t at = 0; at < end;) {
         const Instruction& instruction = m_code.instructions[at++];
         switch (instruction.op) {
-        case Op::Constant: push(ofInteger(static_cast<int64_t>(uint64_t(instruction.b) << 32 | instruction.a))); break; // a slot has one pattern for both
-        case Op::Object: push(object(Value(m_code.constants[instruction.a]))); break;
-        case Op::Offset: push(ofInteger(instruction.a)); break;
-        case Op::Load: push(load(instruction, instruction.a)); break;
+        case Op::Constant:
+            push(ofInteger(static_cast<int64_t>(uint64_t(instruction.b) << 32 | instruction.a)));
+            break; // a slot has one pattern for both
+        case Op::Object:
+            push(object(Value(m_code.constants[instruction.a])));
+            break;
+        case Op::Offset:
+            push(ofInteger(instruction.a));
+            break;
+        case Op::Load:
+            push(load(instruction, instruction.a));
+            break;
         case Op::LoadAt:
-            if (!isInside(top().integer, instruction.bit >= 0 ? 1 : m_types[TypeId(instruction.b)].size)) return fail(Failure::Kind::Foreign);
+            if (!isInside(top().integer, instruction.bit >= 0 ? 1 : m_types[TypeId(instruction.b)].size))
+                return fail(Failure::Kind::Foreign);
             top() = load(instruction, top().integer);
             break;
-        case Op::AddOffset: top().integer += instruction.a; break;
+        case Op::AddOffset:
+            top().integer += instruction.a;
+            break;
         case Op::Index:
             if (!index(m_code.bounds[instruction.a])) return false;
             break;
@@ -311,18 +406,26 @@ bool Machine::run(Slot& result) {
         case Op::Intrinsic:
             if (!intrinsic(m_code.calls[instruction.a])) return false;
             break;
-        case Op::IsZero: top().integer = top().integer == 0; break;
-        case Op::Jump: at = instruction.a; break;
+        case Op::IsZero:
+            top().integer = top().integer == 0;
+            break;
+        case Op::Jump:
+            at = instruction.a;
+            break;
         case Op::JumpIfFalse:
             if (pop().integer == 0) at = instruction.a;
             break;
         case Op::JumpKeepFalse:
-            if (top().integer == 0) at = instruction.a;
-            else pop();
+            if (top().integer == 0)
+                at = instruction.a;
+            else
+                pop();
             break;
         case Op::JumpKeepTrue:
-            if (top().integer != 0) at = instruction.a;
-            else pop();
+            if (top().integer != 0)
+                at = instruction.a;
+            else
+                pop();
             break;
         }
     }

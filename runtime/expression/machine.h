@@ -11,14 +11,25 @@ union Slot {
 
 /// Why there is no value; words are made of it only when somebody asks.
 struct Failure {
-    enum class Kind : uint8_t { None, Index, Null, Foreign, MissingInOut, Character, DivisionByZero, OtherImage, NotEvaluable } kind = Kind::None;
+    enum class Kind : uint8_t {
+        None,
+        Index,
+        Null,
+        Foreign,
+        MissingInOut,
+        Character,
+        DivisionByZero,
+        OtherImage,
+        NotEvaluable
+    } kind = Kind::None;
     int64_t detail[3] = {};
     [[nodiscard]] std::string text() const;
 };
 
 class Machine {
 public:
-    Machine(const types::TypeTable& types, const Code& code, std::span<const std::byte> image) : m_types(types), m_code(code), m_image(image) {}
+    Machine(const types::TypeTable& types, const Code& code, std::span<const std::byte> image)
+        : m_types(types), m_code(code), m_image(image) {}
 
     /// False: see failure().
     [[nodiscard]] bool run(Slot& result);

@@ -17,15 +17,18 @@ constexpr size_t ChunkRows = FanOut * FanOut * FanOut;
 
 /// Where part i of [from, to) begins, exact and without overflow.
 int64_t partBegin(int64_t from, int64_t to, size_t i, size_t parts) {
-    const uint64_t span = static_cast<uint64_t>(to) - static_cast<uint64_t>(from), whole = span / parts, rest = span % parts;
+    const uint64_t span = static_cast<uint64_t>(to) - static_cast<uint64_t>(from), whole = span / parts,
+                   rest = span % parts;
     return static_cast<int64_t>(static_cast<uint64_t>(from) + whole * i + rest * i / parts);
 }
 
 template <class T> struct Extent {
     T low, high;
     void reset() {
-        if constexpr (std::is_floating_point_v<T>) low = std::numeric_limits<T>::infinity(), high = -std::numeric_limits<T>::infinity();
-        else low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+        if constexpr (std::is_floating_point_v<T>)
+            low = std::numeric_limits<T>::infinity(), high = -std::numeric_limits<T>::infinity();
+        else
+            low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
     }
     void add(T value) { // not a number: both comparisons are false
         if (value < low) low = value;
@@ -55,7 +58,9 @@ template <class T> struct Chunk {
         whole.reset();
     }
     [[nodiscard]] size_t size() const { return values.size(); }
-    [[nodiscard]] int64_t timeAt(size_t i) const { return times.empty() ? start + static_cast<int64_t>(i) * step : times[i]; }
+    [[nodiscard]] int64_t timeAt(size_t i) const {
+        return times.empty() ? start + static_cast<int64_t>(i) * step : times[i];
+    }
     [[nodiscard]] int64_t lastTime() const { return timeAt(size() - 1); }
 
     void addExtent(size_t i) {
@@ -65,9 +70,12 @@ template <class T> struct Chunk {
     }
     void append(int64_t time, T value) {
         const size_t i = size();
-        if (i == 0) start = time;
-        else if (i == 1 && times.empty()) step = time - start;
-        else if (times.empty() && time != start + static_cast<int64_t>(i) * step) spellTimesOut();
+        if (i == 0)
+            start = time;
+        else if (i == 1 && times.empty())
+            step = time - start;
+        else if (times.empty() && time != start + static_cast<int64_t>(i) * step)
+            spellTimesOut();
         if (!times.empty()) times.push_back(time);
         values.push_back(value);
         addExtent(i);
@@ -84,7 +92,8 @@ template <class T> struct Chunk {
     }
     /// First index whose time is at or after `time`.
     [[nodiscard]] size_t lowerBound(int64_t time) const {
-        if (!times.empty()) return static_cast<size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
+        if (!times.empty())
+            return static_cast<size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
         if (time <= start) return 0;
         if (time > lastTime()) return size();
         if (step <= 0) return 0;
@@ -109,7 +118,9 @@ template <class T> struct Chunk {
         }
         return e;
     }
-    [[nodiscard]] size_t bytes() const { return sizeof(*this) + values.capacity() * sizeof(T) + times.capacity() * sizeof(int64_t); }
+    [[nodiscard]] size_t bytes() const {
+        return sizeof(*this) + values.capacity() * sizeof(T) + times.capacity() * sizeof(int64_t);
+    }
 };
 
 template <class T> T narrowed(double value) {
@@ -129,12 +140,16 @@ public:
     ColumnKind kind() const override { return Kind; }
 
     bool append(int64_t time, double value) override {
-        if constexpr (Kind == ColumnKind::Bit) return put(time, value != 0 ? T(1) : T(0));
-        else return put(time, narrowed<T>(value));
+        if constexpr (Kind == ColumnKind::Bit)
+            return put(time, value != 0 ? T(1) : T(0));
+        else
+            return put(time, narrowed<T>(value));
     }
     bool appendInteger(int64_t time, int64_t value) override {
-        if constexpr (Kind == ColumnKind::Int64 || Kind == ColumnKind::Uint64) return put(time, static_cast<T>(value));
-        else return append(time, static_cast<double>(value));
+        if constexpr (Kind == ColumnKind::Int64 || Kind == ColumnKind::Uint64)
+            return put(time, static_cast<T>(value));
+        else
+            return append(time, static_cast<double>(value));
     }
 
     uint64_t endRow() const override {
@@ -151,7 +166,8 @@ public:
         return static_cast<int64_t>(m_chunks[(row - m_firstRow) / ChunkRows]->values[(row - m_firstRow) % ChunkRows]);
     }
     uint64_t rowAtOrAfter(int64_t time) const override {
-        const auto it = std::partition_point(m_chunks.begin(), m_chunks.end(), [time](const auto& chunk) { return chunk->lastTime() < time; });
+        const auto it = std::partition_point(m_chunks.begin(), m_chunks.end(),
+                                             [time](const auto& chunk) { return chunk->lastTime() < time; });
         if (it == m_chunks.end()) return endRow();
         return m_firstRow + static_cast<uint64_t>(it - m_chunks.begin()) * ChunkRows + (*it)->lowerBound(time);
     }
@@ -171,10 +187,15 @@ public:
             const Chunk<T>& chunk = *m_chunks[(i - m_firstRow) / ChunkRows];
             const size_t at = (i - m_firstRow) % ChunkRows;
             const T before = valueAt(i - 1);
-            if (at == 0 && chunk.whole.low == before && chunk.whole.high == before && isPlain(before)) i += chunk.size();
-            else if (at % FanOut == 0 && at + FanOut <= chunk.size() && chunk.fine[at / FanOut].low == before && chunk.fine[at / FanOut].high == before && isPlain(before)) i += FanOut;
-            else if (!same(chunk.values[at], before)) return i;
-            else ++i;
+            if (at == 0 && chunk.whole.low == before && chunk.whole.high == before && isPlain(before))
+                i += chunk.size();
+            else if (at % FanOut == 0 && at + FanOut <= chunk.size() && chunk.fine[at / FanOut].low == before &&
+                     chunk.fine[at / FanOut].high == before && isPlain(before))
+                i += FanOut;
+            else if (!same(chunk.values[at], before))
+                return i;
+            else
+                ++i;
         }
         return std::nullopt;
     }
@@ -198,7 +219,8 @@ protected:
             const uint64_t row = first + done - m_firstRow;
             const Chunk<T>& chunk = *m_chunks[row / ChunkRows];
             size_t i = row % ChunkRows;
-            for (; i < chunk.size() && done < out.size(); ++i, ++done) out[done] = {chunk.timeAt(i), static_cast<double>(chunk.values[i])};
+            for (; i < chunk.size() && done < out.size(); ++i, ++done)
+                out[done] = {chunk.timeAt(i), static_cast<double>(chunk.values[i])};
         }
     }
     void dropRowsAfter(int64_t time) override {
@@ -225,11 +247,15 @@ protected:
 
 private:
     static bool same(T a, T b) {
-        if constexpr (std::is_floating_point_v<T>) return a == b || (a != a && b != b);
-        else return a == b;
+        if constexpr (std::is_floating_point_v<T>)
+            return a == b || (a != a && b != b);
+        else
+            return a == b;
     }
     static bool isPlain(T v) { return v == v; }
-    T valueAt(uint64_t row) const { return m_chunks[(row - m_firstRow) / ChunkRows]->values[(row - m_firstRow) % ChunkRows]; }
+    T valueAt(uint64_t row) const {
+        return m_chunks[(row - m_firstRow) / ChunkRows]->values[(row - m_firstRow) % ChunkRows];
+    }
 
     bool put(int64_t time, T value) {
         if (!m_chunks.empty() && m_chunks.back()->lastTime() >= time) return false;
@@ -246,7 +272,8 @@ private:
     /// As rowAtOrAfter, searching near `row` first: buckets follow one another.
     uint64_t rowAtOrAfterFrom(uint64_t row, int64_t time) const {
         const size_t at = (row - m_firstRow) / ChunkRows;
-        if (at < m_chunks.size() && m_chunks[at]->lastTime() >= time) return m_firstRow + at * ChunkRows + m_chunks[at]->lowerBound(time);
+        if (at < m_chunks.size() && m_chunks[at]->lastTime() >= time)
+            return m_firstRow + at * ChunkRows + m_chunks[at]->lowerBound(time);
         return rowAtOrAfter(time);
     }
     ColumnBucket bucketOf(uint64_t begin, uint64_t end) const {
@@ -264,7 +291,8 @@ private:
             i += to - from;
         }
         bucket.isNumber = !extent.isEmpty();
-        if (bucket.isNumber) bucket.minimum = static_cast<double>(extent.low), bucket.maximum = static_cast<double>(extent.high);
+        if (bucket.isNumber)
+            bucket.minimum = static_cast<double>(extent.low), bucket.maximum = static_cast<double>(extent.high);
         return bucket;
     }
 
@@ -276,21 +304,30 @@ private:
 
 std::unique_ptr<Column> Column::make(ColumnKind kind) {
     switch (kind) {
-    case ColumnKind::Bit: return std::make_unique<TypedColumn<int8_t, ColumnKind::Bit>>();
-    case ColumnKind::Int16: return std::make_unique<TypedColumn<int16_t, ColumnKind::Int16>>();
-    case ColumnKind::Int32: return std::make_unique<TypedColumn<int32_t, ColumnKind::Int32>>();
-    case ColumnKind::Int64: return std::make_unique<TypedColumn<int64_t, ColumnKind::Int64>>();
-    case ColumnKind::Uint64: return std::make_unique<TypedColumn<uint64_t, ColumnKind::Uint64>>();
-    case ColumnKind::Float: return std::make_unique<TypedColumn<float, ColumnKind::Float>>();
-    case ColumnKind::Double: return std::make_unique<TypedColumn<double, ColumnKind::Double>>();
+    case ColumnKind::Bit:
+        return std::make_unique<TypedColumn<int8_t, ColumnKind::Bit>>();
+    case ColumnKind::Int16:
+        return std::make_unique<TypedColumn<int16_t, ColumnKind::Int16>>();
+    case ColumnKind::Int32:
+        return std::make_unique<TypedColumn<int32_t, ColumnKind::Int32>>();
+    case ColumnKind::Int64:
+        return std::make_unique<TypedColumn<int64_t, ColumnKind::Int64>>();
+    case ColumnKind::Uint64:
+        return std::make_unique<TypedColumn<uint64_t, ColumnKind::Uint64>>();
+    case ColumnKind::Float:
+        return std::make_unique<TypedColumn<float, ColumnKind::Float>>();
+    case ColumnKind::Double:
+        return std::make_unique<TypedColumn<double, ColumnKind::Double>>();
     }
     return nullptr;
 }
 
 void Column::appendGap(int64_t from, int64_t to, ColumnGap::Reason reason) {
     if (to <= from) return;
-    if (!m_gaps.empty() && m_gaps.back().reason == reason && m_gaps.back().to >= from) m_gaps.back().to = std::max(m_gaps.back().to, to);
-    else m_gaps.push_back({from, to, reason});
+    if (!m_gaps.empty() && m_gaps.back().reason == reason && m_gaps.back().to >= from)
+        m_gaps.back().to = std::max(m_gaps.back().to, to);
+    else
+        m_gaps.push_back({from, to, reason});
 }
 
 void Column::truncateAfter(int64_t time) {
@@ -324,11 +361,14 @@ void Column::visit(uint64_t first, uint64_t end, const Visitor& visitor) const {
 
 void Column::evictOldest() {
     if (isEmpty()) return;
-    const int64_t from = m_gaps.empty() || m_gaps.front().reason != ColumnGap::Reason::Evicted ? firstTime() : m_gaps.front().from;
+    const int64_t from =
+        m_gaps.empty() || m_gaps.front().reason != ColumnGap::Reason::Evicted ? firstTime() : m_gaps.front().from;
     const uint64_t dropped = dropOldestChunk();
     if (dropped == 0) return;
     m_firstRow += dropped;
-    std::erase_if(m_gaps, [this](const ColumnGap& gap) { return gap.reason == ColumnGap::Reason::Evicted || gap.to <= firstTime(); });
+    std::erase_if(m_gaps, [this](const ColumnGap& gap) {
+        return gap.reason == ColumnGap::Reason::Evicted || gap.to <= firstTime();
+    });
     m_gaps.insert(m_gaps.begin(), {from, firstTime(), ColumnGap::Reason::Evicted});
 }
 
@@ -340,7 +380,7 @@ ColumnId ColumnStore::add(ColumnKind kind) {
 }
 
 void ColumnStore::remove(ColumnId id) {
-    PLC_ASSERT(id < m_columns.size(), return);
+    PLC_ASSERT(id < m_columns.size(), return );
     m_columns[id].reset();
 }
 

@@ -1,5 +1,6 @@
-// Columns of (time, value) rows with a pyramid of minima and maxima: what a chart reads, so that ten million samples pan as
-// quickly as a thousand. Filled from the history (or a file) by whoever shows the chart, who also owns it; one thread.
+// Columns of (time, value) rows with a pyramid of minima and maxima: what a chart reads, so that ten million samples
+// pan as quickly as a thousand. Filled from the history (or a file) by whoever shows the chart, who also owns it; one
+// thread.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace plc::history {
 /// How a column keeps its values; the narrowest that holds the channel's type exactly is the right one.
 enum class ColumnKind : uint8_t { Bit, Int16, Int32, Int64, Uint64, Float, Double };
 
-/// First, least, greatest and last value of a span of time. `count` 0: nothing was recorded in it. Values that are not a
-/// number count as rows but take no part in minimum and maximum; a bucket of only such rows has `isNumber` false.
+/// First, least, greatest and last value of a span of time. `count` 0: nothing was recorded in it. Values that are not
+/// a number count as rows but take no part in minimum and maximum; a bucket of only such rows has `isNumber` false.
 struct ColumnBucket {
     double first = 0, minimum = 0, maximum = 0, last = 0;
     uint64_t count = 0;

@@ -60,7 +60,8 @@ Segment& History::State::beginSegment(uint32_t dataEnd) {
 
 /// Makes the current segment visible; it holds at least its keyframe.
 void History::State::publishSegment() {
-    if (endSegment.load(std::memory_order_relaxed) - firstSegment.load(std::memory_order_relaxed) + 1 >= kDirectorySize) evictOver(0);
+    if (endSegment.load(std::memory_order_relaxed) - firstSegment.load(std::memory_order_relaxed) + 1 >= kDirectorySize)
+        evictOver(0);
     slots[current->number % kDirectorySize].store(current, std::memory_order_seq_cst);
     endSegment.store(current->number + 1, std::memory_order_seq_cst);
 }
@@ -117,17 +118,20 @@ void History::beginProgram(std::shared_ptr<const image::CompiledProgram> program
     m->program = std::move(program);
     m->programChanged = true;
     const std::lock_guard lock(m->mutex);
-    const auto known = std::find_if(m->origins.begin(), m->origins.end(), [&](const ProgramOrigin& o) { return o.program == m->program; });
+    const auto known = std::find_if(m->origins.begin(), m->origins.end(),
+                                    [&](const ProgramOrigin& o) { return o.program == m->program; });
     if (known == m->origins.end()) m->origins.push_back({m->program, {}, {}});
 }
 
 void History::beginBranch(Position parent) { m->pendingBranch = parent; }
 
-void History::append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time, std::span<const uint8_t> dirtyPages) {
+void History::append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time,
+                     std::span<const uint8_t> dirtyPages) {
     State& s = *m;
     const int64_t now = time.count();
     uint32_t dataEnd = s.current && !s.programChanged ? s.current->dataEnd : static_cast<uint32_t>(image.size());
-    if (s.programChanged && s.program) dataEnd = std::min<uint32_t>(s.program->layout.dataEnd, static_cast<uint32_t>(image.size()));
+    if (s.programChanged && s.program)
+        dataEnd = std::min<uint32_t>(s.program->layout.dataEnd, static_cast<uint32_t>(image.size()));
     int64_t calendar = s.calendarOffset;
     if (image.size() >= 24) {
         int64_t clock[2];
@@ -137,7 +141,8 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
     const Position position = s.end.load(std::memory_order_relaxed);
     // The PLC's clock went back without a word: it was reset to its origin.
     if (!s.pendingBranch && s.lastTime >= now && position > 0) s.pendingBranch = kNoParent;
-    if (s.pendingBranch || s.programChanged || !s.current || calendar != s.calendarOffset || s.writer.isFull()) [[unlikely]] {
+    if (s.pendingBranch || s.programChanged || !s.current || calendar != s.calendarOffset || s.writer.isFull())
+        [[unlikely]] {
         if (s.pendingBranch) s.openBranch();
         s.calendarOffset = calendar;
         Segment& fresh = s.beginSegment(dataEnd);
@@ -166,7 +171,9 @@ void History::mark(int kind, std::string text, Nanoseconds time) {
 
 // ---------------------------------------------------------------- any thread
 
-void History::describeProgram(std::shared_ptr<const image::CompiledProgram> program, std::vector<std::pair<std::string, std::string>> sources, std::vector<std::string> libraries) {
+void History::describeProgram(std::shared_ptr<const image::CompiledProgram> program,
+                              std::vector<std::pair<std::string, std::string>> sources,
+                              std::vector<std::string> libraries) {
     const std::lock_guard lock(m->mutex);
     for (ProgramOrigin& origin : m->origins) {
         if (origin.program != program) continue;
@@ -192,8 +199,10 @@ Segment* History::State::containing(Position position) const {
     while (low < high) { // first segment that begins behind the position
         const uint64_t middle = low + (high - low) / 2;
         const Segment* s = segment(middle);
-        if (!s || s->first <= position) low = middle + 1; // an evicted one lies before
-        else high = middle;
+        if (!s || s->first <= position)
+            low = middle + 1; // an evicted one lies before
+        else
+            high = middle;
     }
     if (low == 0) return nullptr;
     Segment* s = segment(low - 1);
@@ -235,7 +244,8 @@ void History::State::restore(const Segment& segment, uint32_t index, std::byte* 
         std::memcpy(bytes, segment.keyframe.get() + size_t(block) * kBlock, kBlock);
         std::byte* const base = bytes - size_t(block) * kBlock;
         for (BlockCursor cursor(segment, block); cursor.index() <= index;) cursor.apply(base);
-        std::memcpy(image + size_t(block) * kBlock, bytes, std::min<size_t>(kBlock, segment.dataEnd - size_t(block) * kBlock));
+        std::memcpy(image + size_t(block) * kBlock, bytes,
+                    std::min<size_t>(kBlock, segment.dataEnd - size_t(block) * kBlock));
     }
     putClock(segment, StampCursor(segment).at(index), image);
 }
@@ -261,7 +271,8 @@ std::optional<ScanStamp> History::stamp(Position position) const {
 std::vector<PositionRange> chainTo(const std::vector<Branch>& branches, Position end) {
     std::vector<PositionRange> chain; // newest first, turned at the end
     for (Position until = end; until > 0;) {
-        const auto behind = std::find_if(branches.rbegin(), branches.rend(), [&](const Branch& branch) { return branch.first < until; });
+        const auto behind = std::find_if(branches.rbegin(), branches.rend(),
+                                         [&](const Branch& branch) { return branch.first < until; });
         if (behind == branches.rend()) {
             chain.push_back({0, until});
             break;
@@ -283,8 +294,10 @@ template <class Key> std::optional<Position> lastUpTo(const Segment& segment, Po
     if (high == 0 || key(StampCursor(segment).at(0)) > wanted) return std::nullopt;
     while (high - low > 1) {
         const uint32_t middle = low + (high - low) / 2;
-        if (key(StampCursor(segment).at(middle)) <= wanted) low = middle;
-        else high = middle;
+        if (key(StampCursor(segment).at(middle)) <= wanted)
+            low = middle;
+        else
+            high = middle;
     }
     return segment.first + low;
 }
@@ -295,7 +308,8 @@ template <class State, class Key> std::optional<Position> searchLineage(const St
     std::reverse(ranges.begin(), ranges.end());
     const Epochs::Pin pin = state.epochs.pin();
     for (const auto& [begin, end] : ranges) {
-        for (const Segment* s = state.containing(end - 1); s && s->end() > begin; s = s->number > 0 ? state.segment(s->number - 1) : nullptr) {
+        for (const Segment* s = state.containing(end - 1); s && s->end() > begin;
+             s = s->number > 0 ? state.segment(s->number - 1) : nullptr) {
             if (const std::optional<Position> found = lastUpTo(*s, end, wanted, key)) return found;
         }
     }
@@ -309,7 +323,8 @@ std::optional<Position> History::positionAt(Nanoseconds time) const {
 }
 
 std::optional<Position> History::positionOfScan(uint64_t scan) const {
-    const std::optional<Position> found = searchLineage(*m, static_cast<int64_t>(scan), [](const ScanStamp& stamp) { return static_cast<int64_t>(stamp.scan); });
+    const std::optional<Position> found = searchLineage(
+        *m, static_cast<int64_t>(scan), [](const ScanStamp& stamp) { return static_cast<int64_t>(stamp.scan); });
     const std::optional<ScanStamp> at = found ? stamp(*found) : std::nullopt;
     return at && at->scan == scan ? found : std::nullopt;
 }

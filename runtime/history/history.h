@@ -1,5 +1,6 @@
-// Records the image of every scan as changes of 64-byte blocks (D2), under a memory budget, and answers from it. Written by the
-// scan thread (as ScanObserver's work, through `append`), read by any thread: readers see all scans finished before they asked.
+// Records the image of every scan as changes of 64-byte blocks (D2), under a memory budget, and answers from it.
+// Written by the scan thread (as ScanObserver's work, through `append`), read by any thread: readers see all scans
+// finished before they asked.
 #pragma once
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
@@ -12,8 +13,8 @@ namespace plc::history {
 
 using Nanoseconds = std::chrono::nanoseconds;
 
-/// Position in the recording: counts appended scans over all branches; never reused. The PLC's own scan number and time can
-/// repeat after going back, the position does not.
+/// Position in the recording: counts appended scans over all branches; never reused. The PLC's own scan number and time
+/// can repeat after going back, the position does not.
 using Position = uint64_t;
 
 struct ScanStamp {
@@ -33,8 +34,8 @@ struct PositionRange {
     Position begin = 0, end = 0;
     bool operator==(const PositionRange&) const = default;
 };
-/// The positions that lead to the scan before `end`, oldest first: what was recorded and then gone back from is left out. `branches` as
-/// History::branches() gives them.
+/// The positions that lead to the scan before `end`, oldest first: what was recorded and then gone back from is left
+/// out. `branches` as History::branches() gives them.
 [[nodiscard]] std::vector<PositionRange> chainTo(const std::vector<Branch>& branches, Position end);
 
 struct Mark { // event on the time axis
@@ -58,12 +59,13 @@ struct Sample {
 };
 
 struct Statistics {
-    uint64_t scans = 0;         // recorded and still there
+    uint64_t scans = 0;          // recorded and still there
     Position first = 0, end = 0; // oldest still there; one past the newest
     size_t bytes = 0, budget = 0, segments = 0;
 };
 
-/// Makes the expression for another program version (a series crosses an online change by path and type); invalid = gap.
+/// Makes the expression for another program version (a series crosses an online change by path and type); invalid =
+/// gap.
 using Recompile = std::function<expression::Expression(const image::CompiledProgram&)>;
 
 class History {
@@ -74,40 +76,53 @@ public:
     // --- the scan thread
     void beginProgram(std::shared_ptr<const image::CompiledProgram> program); // a new segment under this version
     void beginBranch(Position parent);                                        // after going back
-    /// `dirtyPages`: one byte for each image::kDirtyPage bytes that may have changed since the scan before; empty = look everywhere.
-    void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time, std::span<const uint8_t> dirtyPages = {});
+    /// `dirtyPages`: one byte for each image::kDirtyPage bytes that may have changed since the scan before; empty =
+    /// look everywhere.
+    void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time,
+                std::span<const uint8_t> dirtyPages = {});
     void mark(int kind, std::string text, Nanoseconds time);
 
     // --- any thread
     /// What the program was built from; saved with a recording. Told before beginProgram().
-    void describeProgram(std::shared_ptr<const image::CompiledProgram> program, std::vector<std::pair<std::string, std::string>> sources, std::vector<std::string> libraries);
+    void describeProgram(std::shared_ptr<const image::CompiledProgram> program,
+                         std::vector<std::pair<std::string, std::string>> sources, std::vector<std::string> libraries);
     void setBudget(size_t bytes);
     /// Versions of the program that recorded scans were made by, oldest first.
     [[nodiscard]] std::vector<std::shared_ptr<const image::CompiledProgram>> programs() const;
     [[nodiscard]] Statistics statistics() const;
     [[nodiscard]] std::vector<Branch> branches() const;
     [[nodiscard]] std::vector<Mark> marks() const;
-    /// The whole image after that scan (data part, frame area zero); empty when evicted. `program` receives its version.
-    [[nodiscard]] std::vector<std::byte> seek(Position position, std::shared_ptr<const image::CompiledProgram>* program = nullptr) const;
+    /// The whole image after that scan (data part, frame area zero); empty when evicted. `program` receives its
+    /// version.
+    [[nodiscard]] std::vector<std::byte> seek(Position position,
+                                              std::shared_ptr<const image::CompiledProgram>* program = nullptr) const;
     [[nodiscard]] std::optional<ScanStamp> stamp(Position position) const;
-    /// The last position at or before that PLC time on the newest branch (what was recorded between a branch's parent and its first
-    /// scan does not belong to it).
+    /// The last position at or before that PLC time on the newest branch (what was recorded between a branch's parent
+    /// and its first scan does not belong to it).
     [[nodiscard]] std::optional<Position> positionAt(Nanoseconds time) const;
     /// Position of PLC scan number on the newest branch.
     [[nodiscard]] std::optional<Position> positionOfScan(uint64_t scan) const;
-    /// Buckets over [from, to); a bucket of one scan is exact. Uses the place's block log when the expression is one variable.
-    [[nodiscard]] std::vector<Bucket> series(const expression::Expression& expression, const Recompile& recompile, Position from, Position to, size_t buckets) const;
-    [[nodiscard]] std::vector<Sample> samples(const expression::Expression& expression, const Recompile& recompile, Position from, Position to) const;
+    /// Buckets over [from, to); a bucket of one scan is exact. Uses the place's block log when the expression is one
+    /// variable.
+    [[nodiscard]] std::vector<Bucket> series(const expression::Expression& expression, const Recompile& recompile,
+                                             Position from, Position to, size_t buckets) const;
+    [[nodiscard]] std::vector<Sample> samples(const expression::Expression& expression, const Recompile& recompile,
+                                              Position from, Position to) const;
     enum class Direction { Forward, Backward };
-    /// Next position (strictly after/before `from`) at which the expression becomes true (was not true at the scan before it).
-    [[nodiscard]] std::optional<Position> find(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const;
+    /// Next position (strictly after/before `from`) at which the expression becomes true (was not true at the scan
+    /// before it).
+    [[nodiscard]] std::optional<Position> find(const expression::Expression& expression, const Recompile& recompile,
+                                               Position from, Direction direction) const;
     /// Next position at which the value differs from the scan before.
-    [[nodiscard]] std::optional<Position> findChange(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const;
+    [[nodiscard]] std::optional<Position> findChange(const expression::Expression& expression,
+                                                     const Recompile& recompile, Position from,
+                                                     Direction direction) const;
 
     /// A recording on disk: sources and libraries to rebuild the program, then the segments. Atomic write.
     Result<void> save(const std::string& path) const;
     /// `rebuild` compiles the sources the file holds (the history does not know the compiler).
-    using Rebuild = std::function<std::shared_ptr<const image::CompiledProgram>(const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries)>;
+    using Rebuild = std::function<std::shared_ptr<const image::CompiledProgram>(
+        const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries)>;
     [[nodiscard]] static Result<std::unique_ptr<History>> load(const std::string& path, const Rebuild& rebuild);
 
 private:

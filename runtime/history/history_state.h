@@ -1,5 +1,5 @@
-// What a History keeps, for the files that implement it. The directory of segments is read without locks under a pin; branches, marks
-// and the descriptions of programs change seldom and lie behind a mutex that append() never takes.
+// What a History keeps, for the files that implement it. The directory of segments is read without locks under a pin;
+// branches, marks and the descriptions of programs change seldom and lie behind a mutex that append() never takes.
 #pragma once
 #include "runtime/base/epoch.h"
 #include "runtime/history/segment.h"
@@ -17,7 +17,8 @@ struct ProgramOrigin {
 };
 
 struct History::State {
-    explicit State(size_t bytes) : budget(bytes), slots(std::make_unique<std::atomic<Segment*>[]>(kDirectorySize)), writer(pool) {}
+    explicit State(size_t bytes)
+        : budget(bytes), slots(std::make_unique<std::atomic<Segment*>[]>(kDirectorySize)), writer(pool) {}
     ~State();
 
     // --- any thread
@@ -57,7 +58,9 @@ struct History::State {
 
     // --- readers, while pinned
     [[nodiscard]] Segment* segment(uint64_t number) const {
-        if (number < firstSegment.load(std::memory_order_seq_cst) || number >= endSegment.load(std::memory_order_seq_cst)) return nullptr;
+        if (number < firstSegment.load(std::memory_order_seq_cst) ||
+            number >= endSegment.load(std::memory_order_seq_cst))
+            return nullptr;
         Segment* found = slots[number % kDirectorySize].load(std::memory_order_seq_cst);
         return found && found->number == number ? found : nullptr;
     }

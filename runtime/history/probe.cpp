@@ -15,27 +15,40 @@ template <class T> double numberAt(const std::byte* at) {
 std::optional<double> scalar(TypeKind kind, const std::byte* at, int bit) {
     if (bit >= 0) return static_cast<double>(static_cast<unsigned>(*at) >> bit & 1);
     switch (kind) {
-    case TypeKind::Bool: return static_cast<unsigned>(*at) != 0 ? 1.0 : 0.0;
+    case TypeKind::Bool:
+        return static_cast<unsigned>(*at) != 0 ? 1.0 : 0.0;
     case TypeKind::Byte:
     case TypeKind::Usint:
-    case TypeKind::Char: return numberAt<uint8_t>(at);
-    case TypeKind::Sint: return numberAt<int8_t>(at);
+    case TypeKind::Char:
+        return numberAt<uint8_t>(at);
+    case TypeKind::Sint:
+        return numberAt<int8_t>(at);
     case TypeKind::Word:
     case TypeKind::Uint:
-    case TypeKind::Wchar: return numberAt<uint16_t>(at);
-    case TypeKind::Int: return numberAt<int16_t>(at);
+    case TypeKind::Wchar:
+        return numberAt<uint16_t>(at);
+    case TypeKind::Int:
+        return numberAt<int16_t>(at);
     case TypeKind::Dword:
-    case TypeKind::Udint: return numberAt<uint32_t>(at);
-    case TypeKind::Dint: return numberAt<int32_t>(at);
+    case TypeKind::Udint:
+        return numberAt<uint32_t>(at);
+    case TypeKind::Dint:
+        return numberAt<int32_t>(at);
     case TypeKind::Lword:
-    case TypeKind::Ulint: return numberAt<uint64_t>(at);
-    case TypeKind::Real: return numberAt<float>(at);
-    case TypeKind::Lreal: return numberAt<double>(at);
-    default: return numberAt<int64_t>(at); // LINT, durations, dates
+    case TypeKind::Ulint:
+        return numberAt<uint64_t>(at);
+    case TypeKind::Real:
+        return numberAt<float>(at);
+    case TypeKind::Lreal:
+        return numberAt<double>(at);
+    default:
+        return numberAt<int64_t>(at); // LINT, durations, dates
     }
 }
 
-bool isScalar(TypeKind kind) { return types::isElementary(kind) && static_cast<size_t>(kind) <= static_cast<size_t>(TypeKind::Wchar); }
+bool isScalar(TypeKind kind) {
+    return types::isElementary(kind) && static_cast<size_t>(kind) <= static_cast<size_t>(TypeKind::Wchar);
+}
 
 void appendPrint(std::string& out, const types::Value& value) {
     out += static_cast<char>('0' + value.data.index());
@@ -82,7 +95,9 @@ std::optional<int64_t> Probe::wide(std::span<const std::byte> image) const {
     return bits;
 }
 
-bool Probe::isTrue(std::span<const std::byte> image) const { return m_place && m_kind == TypeKind::Bool ? number(image) != 0.0 : m_expression.isTrue(image); }
+bool Probe::isTrue(std::span<const std::byte> image) const {
+    return m_place && m_kind == TypeKind::Bool ? number(image) != 0.0 : m_expression.isTrue(image);
+}
 
 std::string Probe::fingerprint(std::span<const std::byte> image) const {
     std::string print;
@@ -95,13 +110,16 @@ const Probe* Probes::of(const Segment& segment) {
     const auto [entry, isNew] = m_probes.try_emplace(program);
     if (!isNew) return entry->second.get();
     const bool isOwn = m_expression.isValid() && program && &m_expression.types() == program->layout.types.get();
-    expression::Expression own = isOwn || !program ? m_expression : m_recompile ? m_recompile(*program) : expression::Expression();
+    expression::Expression own = isOwn || !program ? m_expression
+                                 : m_recompile     ? m_recompile(*program)
+                                                   : expression::Expression();
     if (own.isValid()) entry->second = std::make_unique<Probe>(std::move(own), segment);
     return entry->second.get();
 }
 
 std::span<std::byte> Probes::image(const Segment& segment) {
-    const size_t size = std::max<size_t>(size_t(segment.blocks) * kBlock, segment.program ? segment.program->layout.imageSize : 0);
+    const size_t size =
+        std::max<size_t>(size_t(segment.blocks) * kBlock, segment.program ? segment.program->layout.imageSize : 0);
     if (m_image.size() < size) m_image.assign(size, std::byte{});
     return std::span(m_image).first(size);
 }

@@ -1,5 +1,5 @@
-// An expression as a query over several program versions reads it: the words it watches, its value as a number or as it is. A plain
-// variable is read straight from the bytes. Reader.
+// An expression as a query over several program versions reads it: the words it watches, its value as a number or as it
+// is. A plain variable is read straight from the bytes. Reader.
 #pragma once
 #include "runtime/history/replay.h"
 
@@ -29,7 +29,8 @@ private:
 /// Probes by program version; a version the expression has no meaning in has none.
 class Probes {
 public:
-    Probes(const expression::Expression& expression, const Recompile& recompile) : m_expression(expression), m_recompile(recompile) {}
+    Probes(const expression::Expression& expression, const Recompile& recompile)
+        : m_expression(expression), m_recompile(recompile) {}
     [[nodiscard]] const Probe* of(const Segment& segment);
     /// Scratch image, large enough for the segment's program.
     [[nodiscard]] std::span<std::byte> image(const Segment& segment);

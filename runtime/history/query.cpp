@@ -21,7 +21,8 @@ public:
         while (first < last) {
             while (m_at + 1 < m_buckets.size() && m_buckets[m_at + 1].begin <= first) ++m_at;
             Bucket& bucket = m_buckets[m_at];
-            const Position end = std::min(last, m_at + 1 < m_buckets.size() ? m_buckets[m_at + 1].begin : m_from + m_length);
+            const Position end =
+                std::min(last, m_at + 1 < m_buckets.size() ? m_buckets[m_at + 1].begin : m_from + m_length);
             if (bucket.count == 0) bucket.first = bucket.minimum = bucket.maximum = value;
             bucket.minimum = std::fmin(bucket.minimum, value);
             bucket.maximum = std::fmax(bucket.maximum, value);
@@ -41,7 +42,8 @@ private:
     size_t m_at = 0;
 };
 
-/// Calls visit(segment, from, to) with indices, for the segments of [from, to) that are still there, forwards; each under its own pin.
+/// Calls visit(segment, from, to) with indices, for the segments of [from, to) that are still there, forwards; each
+/// under its own pin.
 template <class State, class Visit> void forEachSegment(const State& state, Position from, Position to, Visit&& visit) {
     Position at = from;
     while (at < to) {
@@ -62,7 +64,9 @@ template <class State, class Visit> void forEachSegment(const State& state, Posi
 }
 
 /// State of the expression after one scan.
-template <class State, class Read> auto valueAt(const State& state, Probes& probes, Position position, Read read) -> std::optional<decltype(read(std::declval<const Probe&>(), std::span<const std::byte>()))> {
+template <class State, class Read>
+auto valueAt(const State& state, Probes& probes, Position position, Read read)
+    -> std::optional<decltype(read(std::declval<const Probe&>(), std::span<const std::byte>()))> {
     const Epochs::Pin pin = state.epochs.pin();
     const Segment* s = state.containing(position);
     if (!s) return std::nullopt;
@@ -81,13 +85,15 @@ template <class State, class Read> auto valueAt(const State& state, Probes& prob
 /// The scan before `position` on its branch; none for the first.
 std::optional<Position> scanBefore(const std::vector<Branch>& branches, Position position) {
     for (const Branch& branch : branches)
-        if (branch.first == position) return branch.parent == kNoParent ? std::nullopt : std::optional<Position>(branch.parent);
+        if (branch.first == position)
+            return branch.parent == kNoParent ? std::nullopt : std::optional<Position>(branch.parent);
     return position > 0 ? std::optional<Position>(position - 1) : std::nullopt;
 }
 
 /// Walks from scan to scan; `differs(before, now)` says which one is looked for. Value: what `read` gives.
 template <class State, class Read, class Differs>
-std::optional<Position> search(const State& state, Probes& probes, Position from, History::Direction direction, Read read, Differs differs) {
+std::optional<Position> search(const State& state, Probes& probes, Position from, History::Direction direction,
+                               Read read, Differs differs) {
     using Value = decltype(read(std::declval<const Probe&>(), std::span<const std::byte>()));
     const std::vector<Branch> branches = state.branchList();
     std::optional<Position> found;
@@ -95,7 +101,8 @@ std::optional<Position> search(const State& state, Probes& probes, Position from
         // Looks at the scans [first, end) of the segment, each against the one before.
         const Probe* probe = probes.of(s);
         std::optional<Value> before;
-        if (const std::optional<Position> previous = scanBefore(branches, s.first + first)) before = valueAt(state, probes, *previous, read);
+        if (const std::optional<Position> previous = scanBefore(branches, s.first + first))
+            before = valueAt(state, probes, *previous, read);
         bool isKnown = before.has_value() || state.oldest() < s.first + first;
         if (!probe) { // the path does not exist here
             if (isKnown && differs(before, std::optional<Value>())) found = s.first + first;
@@ -111,10 +118,11 @@ std::optional<Position> search(const State& state, Probes& probes, Position from
         });
     };
     if (direction == History::Direction::Forward) {
-        forEachSegment(state, from + 1, state.end.load(std::memory_order_acquire), [&](const Segment& s, uint32_t first, uint32_t end) {
-            within(s, first, end, false);
-            return !found;
-        });
+        forEachSegment(state, from + 1, state.end.load(std::memory_order_acquire),
+                       [&](const Segment& s, uint32_t first, uint32_t end) {
+                           within(s, first, end, false);
+                           return !found;
+                       });
         return found;
     }
     Position end = std::min(from, state.end.load(std::memory_order_acquire));
@@ -130,7 +138,8 @@ std::optional<Position> search(const State& state, Probes& probes, Position from
 
 } // namespace
 
-std::vector<Bucket> History::series(const expression::Expression& expression, const Recompile& recompile, Position from, Position to, size_t buckets) const {
+std::vector<Bucket> History::series(const expression::Expression& expression, const Recompile& recompile, Position from,
+                                    Position to, size_t buckets) const {
     if (to <= from || buckets == 0) return {};
     BucketFiller filler(from, to, buckets);
     Probes probes(expression, recompile);
@@ -139,14 +148,16 @@ std::vector<Bucket> History::series(const expression::Expression& expression, co
         if (!probe) return true;
         const std::span<std::byte> image = probes.image(s);
         return replay(s, probe->watched(), first, end, image.data(), [&](uint32_t begin, uint32_t until) {
-            if (const std::optional<double> value = probe->number(image)) filler.add(s.first + begin, s.first + until, *value);
+            if (const std::optional<double> value = probe->number(image))
+                filler.add(s.first + begin, s.first + until, *value);
             return true;
         });
     });
     return filler.take();
 }
 
-std::vector<Sample> History::samples(const expression::Expression& expression, const Recompile& recompile, Position from, Position to) const {
+std::vector<Sample> History::samples(const expression::Expression& expression, const Recompile& recompile,
+                                     Position from, Position to) const {
     std::vector<Sample> all;
     Probes probes(expression, recompile);
     forEachSegment(*m, from, to, [&](const Segment& s, uint32_t first, uint32_t end) {
@@ -160,24 +171,31 @@ std::vector<Sample> History::samples(const expression::Expression& expression, c
         return replay(s, probe->watched(), first, end, image.data(), [&](uint32_t begin, uint32_t until) {
             const std::optional<double> value = probe->number(image);
             const int64_t integer = value ? probe->wide(image).value_or(0) : 0;
-            for (uint32_t i = begin; i < until; ++i) all.push_back({stamps.at(i), value.value_or(0), value.has_value(), integer});
+            for (uint32_t i = begin; i < until; ++i)
+                all.push_back({stamps.at(i), value.value_or(0), value.has_value(), integer});
             return true;
         });
     });
     return all;
 }
 
-std::optional<Position> History::find(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const {
+std::optional<Position> History::find(const expression::Expression& expression, const Recompile& recompile,
+                                      Position from, Direction direction) const {
     Probes probes(expression, recompile);
     return search(
-        *m, probes, from, direction, [](const Probe& probe, std::span<const std::byte> image) { return probe.isTrue(image); },
-        [](const std::optional<bool>& before, const std::optional<bool>& now) { return now.value_or(false) && !before.value_or(false); });
+        *m, probes, from, direction,
+        [](const Probe& probe, std::span<const std::byte> image) { return probe.isTrue(image); },
+        [](const std::optional<bool>& before, const std::optional<bool>& now) {
+            return now.value_or(false) && !before.value_or(false);
+        });
 }
 
-std::optional<Position> History::findChange(const expression::Expression& expression, const Recompile& recompile, Position from, Direction direction) const {
+std::optional<Position> History::findChange(const expression::Expression& expression, const Recompile& recompile,
+                                            Position from, Direction direction) const {
     Probes probes(expression, recompile);
     return search(
-        *m, probes, from, direction, [](const Probe& probe, std::span<const std::byte> image) { return probe.fingerprint(image); },
+        *m, probes, from, direction,
+        [](const Probe& probe, std::span<const std::byte> image) { return probe.fingerprint(image); },
         [](const std::optional<std::string>& before, const std::optional<std::string>& now) { return before != now; });
 }
 

@@ -1,5 +1,6 @@
-// A recording on disk: what the programs were built from, then the segments as they lie in memory, each log in one piece. All numbers
-// are little endian, as the image is. Written aside and renamed when complete; a checksum at the end tells a damaged file.
+// A recording on disk: what the programs were built from, then the segments as they lie in memory, each log in one
+// piece. All numbers are little endian, as the image is. Written aside and renamed when complete; a checksum at the end
+// tells a damaged file.
 #include "runtime/history/history_state.h"
 
 #include <algorithm>
@@ -35,7 +36,8 @@ uint64_t layoutPrint(const image::Layout& layout) {
         hash = mix(mix(mix(hash, path.data(), path.size()), &root.offset, 4), &root.bit, 2);
         const types::Type& type = (*layout.types)[root.type];
         hash = mix(mix(hash, type.name.data(), type.name.size()), &type.size, 4);
-        for (const types::Field& field : type.fields) hash = mix(mix(hash, field.name.data(), field.name.size()), &field.offset, 4);
+        for (const types::Field& field : type.fields)
+            hash = mix(mix(hash, field.name.data(), field.name.size()), &field.offset, 4);
     }
     return hash;
 }
@@ -159,7 +161,8 @@ void writeSegment(Writer& out, const Segment& s, uint64_t program) {
 
 Result<void> History::save(const std::string& path) const {
     struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{"This is not a file that can be replaced; name another one", path};
+    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
+        return Error{"This is not a file that can be replaced; name another one", path};
     const std::string aside = path + ".new";
     const auto refused = [&](int handle) {
         Error error{std::string("the recording can not be written: ") + std::strerror(errno), path};
@@ -208,7 +211,8 @@ Result<void> History::save(const std::string& path) const {
         const Epochs::Pin pin = m->epochs.pin();
         const Segment* s = m->segment(n);
         if (!s) continue; // evicted meanwhile
-        const auto known = std::find_if(origins.begin(), origins.end(), [&](const ProgramOrigin& o) { return o.program == s->program; });
+        const auto known = std::find_if(origins.begin(), origins.end(),
+                                        [&](const ProgramOrigin& o) { return o.program == s->program; });
         writeSegment(out, *s, static_cast<uint64_t>(known - origins.begin()));
     }
     out.number(~uint64_t(0)); // no more segments
@@ -220,7 +224,8 @@ Result<void> History::save(const std::string& path) const {
 namespace {
 
 /// Puts a log read from the file into the segment, entry by entry; false when it makes no sense.
-bool restoreLog(SegmentWriter& writer, const Segment& s, uint32_t log, uint32_t count, const std::vector<std::byte>& bytes) {
+bool restoreLog(SegmentWriter& writer, const Segment& s, uint32_t log, uint32_t count,
+                const std::vector<std::byte>& bytes) {
     size_t at = 0;
     uint32_t before = 0;
     while (at < bytes.size()) {
@@ -273,7 +278,9 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         origin.program = rebuild(origin.sources, origin.libraries);
         if (!origin.program) return Error{"the program of the recording can not be built any more", path};
         if (layoutPrint(origin.program->layout) != print)
-            return Error{"this version of the studio lays the program's variables out differently; open the recording with the version that made it", path};
+            return Error{"this version of the studio lays the program's variables out differently; open the recording "
+                         "with the version that made it",
+                         path};
         programs.push_back(origin.program);
         state.origins.push_back(std::move(origin));
     }
@@ -298,7 +305,9 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         const auto count = in.number<uint32_t>();
         const auto dataEnd = in.number<uint32_t>();
         state.calendarOffset = in.number<int64_t>();
-        if (!in.isGood() || program >= programs.size() || count == 0 || count > kScansPerSegment || dataEnd != programs[program]->layout.dataEnd || dataEnd > size) return damaged;
+        if (!in.isGood() || program >= programs.size() || count == 0 || count > kScansPerSegment ||
+            dataEnd != programs[program]->layout.dataEnd || dataEnd > size)
+            return damaged;
         if (!isFirst && first < state.end.load()) return damaged;
         isFirst = false;
         state.program = programs[program];

@@ -1,5 +1,5 @@
-// Replays a segment for a reader that looks at some bytes only: calls back once for each span of scans in which those bytes stay as they
-// are. Reader, pinned.
+// Replays a segment for a reader that looks at some bytes only: calls back once for each span of scans in which those
+// bytes stay as they are. Reader, pinned.
 #pragma once
 #include "runtime/history/segment.h"
 
@@ -19,9 +19,11 @@ struct Watched {
 
 [[nodiscard]] Watched watchedBytes(const std::vector<image::AreaRange>& ranges, bool isComplete, uint32_t dataEnd);
 
-/// onSpan(begin, end) with indices in the segment: `image` then holds the watched blocks as after each scan in [begin, end).
-/// Returns false when onSpan did, to stop.
-template <class OnSpan> bool replay(const Segment& segment, const Watched& watched, uint32_t from, uint32_t to, std::byte* image, OnSpan&& onSpan) {
+/// onSpan(begin, end) with indices in the segment: `image` then holds the watched blocks as after each scan in [begin,
+/// end). Returns false when onSpan did, to stop.
+template <class OnSpan>
+bool replay(const Segment& segment, const Watched& watched, uint32_t from, uint32_t to, std::byte* image,
+            OnSpan&& onSpan) {
     if (from >= to) return true;
     struct Source {
         BlockCursor cursor;

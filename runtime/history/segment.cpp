@@ -15,7 +15,8 @@ namespace {
 inline uint16_t changedWords(const std::byte* a, const std::byte* b) {
 #ifdef __SSE2__
     const auto equal = [&](int i) {
-        return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a) + i), _mm_loadu_si128(reinterpret_cast<const __m128i*>(b) + i));
+        return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(a) + i),
+                               _mm_loadu_si128(reinterpret_cast<const __m128i*>(b) + i));
     };
     const __m128i low = _mm_packs_epi32(equal(0), equal(1));
     const __m128i high = _mm_packs_epi32(equal(2), equal(3));
@@ -65,9 +66,12 @@ void SegmentWriter::begin(Segment& segment, const std::byte* bytes, uint64_t sca
     segment.count.store(1, std::memory_order_release);
 }
 
-bool SegmentWriter::isFull() const { return m_segment->count.load(std::memory_order_relaxed) >= kScansPerSegment || m_segment->pageCount >= m_pageLimit; }
+bool SegmentWriter::isFull() const {
+    return m_segment->count.load(std::memory_order_relaxed) >= kScansPerSegment || m_segment->pageCount >= m_pageLimit;
+}
 
-bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time, std::span<const uint8_t> dirtyPages) {
+bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
+                           std::span<const uint8_t> dirtyPages) {
     if (isFull()) return false;
     const uint32_t index = m_segment->count.load(std::memory_order_relaxed);
     const uint32_t blocks = m_segment->blocks;
@@ -81,12 +85,16 @@ bool SegmentWriter::append(const std::byte* image, uint32_t imageSize, uint64_t 
         compareBlocks(1, whole, image, static_cast<uint16_t>(index));
     } else {
         constexpr uint32_t kBlocksPerPage = image::kDirtyPage / kBlock;
-        const auto pages = std::min(static_cast<uint32_t>(dirtyPages.size()), (whole + kBlocksPerPage - 1) / kBlocksPerPage);
+        const auto pages =
+            std::min(static_cast<uint32_t>(dirtyPages.size()), (whole + kBlocksPerPage - 1) / kBlocksPerPage);
         for (uint32_t page = 0; page < pages; ++page) {
             uint64_t eight = 1;
             if (page + 8 <= pages && page > 0) std::memcpy(&eight, dirtyPages.data() + page, 8);
-            if (eight == 0) page += 7;
-            else if (page == 0 || dirtyPages[page]) compareBlocks(std::max(1u, page * kBlocksPerPage), std::min(whole, (page + 1) * kBlocksPerPage), image, static_cast<uint16_t>(index));
+            if (eight == 0)
+                page += 7;
+            else if (page == 0 || dirtyPages[page])
+                compareBlocks(std::max(1u, page * kBlocksPerPage), std::min(whole, (page + 1) * kBlocksPerPage), image,
+                              static_cast<uint16_t>(index));
         }
     }
     if (whole < blocks) { // an image that ends within a block
@@ -105,7 +113,8 @@ void SegmentWriter::compareBlocks(uint32_t first, uint32_t end, const std::byte*
     const std::byte* before = m_shadow.get();
     for (uint32_t block = first; block < end; ++block) {
         const uint16_t mask = changedWords(before + size_t(block) * kBlock, image + size_t(block) * kBlock);
-        if (mask) [[unlikely]] writeBlock(block, mask, image + size_t(block) * kBlock, index);
+        if (mask) [[unlikely]]
+            writeBlock(block, mask, image + size_t(block) * kBlock, index);
     }
 }
 
@@ -115,7 +124,8 @@ void SegmentWriter::writeBlock(uint32_t block, uint16_t mask, const std::byte* n
     std::byte* out = room(block, size);
     std::memcpy(out, &head, sizeof head);
     out += sizeof head;
-    for (unsigned rest = mask; rest != 0; rest &= rest - 1, out += 4) std::memcpy(out, now + std::countr_zero(rest) * 4, 4);
+    for (unsigned rest = mask; rest != 0; rest &= rest - 1, out += 4)
+        std::memcpy(out, now + std::countr_zero(rest) * 4, 4);
     std::memcpy(m_shadow.get() + size_t(block) * kBlock, now, kBlock);
     publish(block, size);
 }
@@ -140,7 +150,9 @@ void SegmentWriter::addEntry(uint32_t log, const void* bytes, uint32_t size) {
     publish(log, size);
 }
 
-void SegmentWriter::replaceFirstStamp(const StampEntry& stamp) { std::memcpy(m_tails[m_segment->blocks].chunk, &stamp, sizeof stamp); }
+void SegmentWriter::replaceFirstStamp(const StampEntry& stamp) {
+    std::memcpy(m_tails[m_segment->blocks].chunk, &stamp, sizeof stamp);
+}
 
 void SegmentWriter::publish(uint32_t log, uint32_t size) {
     Tail& tail = m_tails[log];
@@ -150,13 +162,17 @@ void SegmentWriter::publish(uint32_t log, uint32_t size) {
 
 std::byte* SegmentWriter::room(uint32_t log, uint32_t size) {
     Tail& tail = m_tails[log];
-    if (tail.used + size <= tail.size) [[likely]] return tail.chunk + tail.used;
+    if (tail.used + size <= tail.size) [[likely]]
+        return tail.chunk + tail.used;
     // A block that changes often gets longer chunks.
-    const uint32_t wanted = tail.chunk ? std::max(size, std::min(kLargestChunk, tail.size * 2 + 8)) : std::max(size, firstChunk(m_segment->blocks));
+    const uint32_t wanted = tail.chunk ? std::max(size, std::min(kLargestChunk, tail.size * 2 + 8))
+                                       : std::max(size, firstChunk(m_segment->blocks));
     std::byte* bytes = nullptr;
     const uint32_t id = takeChunk(wanted, bytes);
-    if (tail.chunk) reinterpret_cast<ChunkHead*>(tail.chunk - sizeof(ChunkHead))->next.store(id, std::memory_order_release);
-    else m_segment->heads[log].store(id, std::memory_order_release);
+    if (tail.chunk)
+        reinterpret_cast<ChunkHead*>(tail.chunk - sizeof(ChunkHead))->next.store(id, std::memory_order_release);
+    else
+        m_segment->heads[log].store(id, std::memory_order_release);
     tail = Tail{bytes, 0, wanted};
     return bytes;
 }
@@ -164,7 +180,8 @@ std::byte* SegmentWriter::room(uint32_t log, uint32_t size) {
 uint32_t SegmentWriter::takeChunk(uint32_t size, std::byte*& bytes) {
     const uint32_t need = (size + uint32_t(sizeof(ChunkHead)) + 7) / 8 * 8;
     if (m_pageUsed + need > kPage) {
-        PLC_ASSERT(m_segment->pageCount < m_segment->pageCapacity, --m_segment->pageCount); // keeps the process alive, loses exactness
+        PLC_ASSERT(m_segment->pageCount < m_segment->pageCapacity,
+                   --m_segment->pageCount); // keeps the process alive, loses exactness
         m_segment->pages[m_segment->pageCount++] = m_pool.take();
         m_pageUsed = m_segment->pageCount == 1 ? 8 : 0; // id 0 means none
     }

@@ -1,9 +1,10 @@
-// A segment of the recording: the image after its first scan, then for each 64-byte block a log of the words that changed. Written by
-// the scan thread; read by any thread that holds a pin, up to the number of scans published. Private to runtime/history.
+// A segment of the recording: the image after its first scan, then for each 64-byte block a log of the words that
+// changed. Written by the scan thread; read by any thread that holds a pin, up to the number of scans published.
+// Private to runtime/history.
 //
-// A log is a chain of chunks in 64 KB pages. An entry is {index of the scan in the segment, mask of changed 4-byte words, those words}.
-// Scan numbers and times are a log of their own: an entry only where they do not go on as expected. The header's clock words are left
-// out of block 0 and put back from there.
+// A log is a chain of chunks in 64 KB pages. An entry is {index of the scan in the segment, mask of changed 4-byte
+// words, those words}. Scan numbers and times are a log of their own: an entry only where they do not go on as
+// expected. The header's clock words are left out of block 0 and put back from there.
 #pragma once
 #include "runtime/history/history.h"
 
@@ -55,13 +56,15 @@ struct Segment {
     uint32_t dataEnd = 0, blocks = 0; // bytes of the image that are recorded
     int64_t firstTime = 0, calendarOffset = 0;
     std::shared_ptr<const image::CompiledProgram> program;
-    std::unique_ptr<std::byte[]> keyframe;               // blocks × 64 bytes
-    std::unique_ptr<std::atomic<uint32_t>[]> heads;      // first chunk of each block's log; [blocks]: the stamps
+    std::unique_ptr<std::byte[]> keyframe;          // blocks × 64 bytes
+    std::unique_ptr<std::atomic<uint32_t>[]> heads; // first chunk of each block's log; [blocks]: the stamps
     std::unique_ptr<PageBytes[]> pages;
     uint32_t pageCapacity = 0;
-    uint32_t pageCount = 0;            // writer
-    std::atomic<uint32_t> count{0};    // scans published
-    [[nodiscard]] size_t fixedBytes() const { return size_t(blocks) * (kBlock + 4) + sizeof(Segment) + pageCapacity * sizeof(PageBytes); }
+    uint32_t pageCount = 0;         // writer
+    std::atomic<uint32_t> count{0}; // scans published
+    [[nodiscard]] size_t fixedBytes() const {
+        return size_t(blocks) * (kBlock + 4) + sizeof(Segment) + pageCapacity * sizeof(PageBytes);
+    }
     [[nodiscard]] Position end() const { return first + count.load(std::memory_order_acquire); }
 };
 
@@ -72,7 +75,8 @@ public:
     /// Begins with a keyframe; `bytes` holds segment.blocks × 64 bytes.
     void begin(Segment& segment, const std::byte* bytes, uint64_t scan, int64_t time);
     /// Records the next scan; false when the segment is full (nothing was written).
-    [[nodiscard]] bool append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time, std::span<const uint8_t> dirtyPages);
+    [[nodiscard]] bool append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
+                              std::span<const uint8_t> dirtyPages);
     [[nodiscard]] bool isFull() const;
     void setPageLimit(uint32_t pages) { m_pageLimit = pages; }
     /// For loading: one entry as it was written.
@@ -108,7 +112,8 @@ private:
 /// Walks one log of a segment. Reader, pinned.
 class LogCursor {
 public:
-    LogCursor(const Segment& segment, uint32_t log) : m_segment(&segment), m_next(segment.heads[log].load(std::memory_order_acquire)) {}
+    LogCursor(const Segment& segment, uint32_t log)
+        : m_segment(&segment), m_next(segment.heads[log].load(std::memory_order_acquire)) {}
     /// The next complete entry's bytes, or null at the end. Entries never change once complete.
     [[nodiscard]] const std::byte* peek() {
         for (;;) {
@@ -146,7 +151,8 @@ public:
     void apply(std::byte* image) {
         const std::byte* word = m_entry + sizeof(EntryHead);
         std::byte* target = image + size_t(block) * kBlock;
-        for (unsigned rest = m_mask; rest != 0; rest &= rest - 1, word += 4) std::memcpy(target + std::countr_zero(rest) * 4, word, 4);
+        for (unsigned rest = m_mask; rest != 0; rest &= rest - 1, word += 4)
+            std::memcpy(target + std::countr_zero(rest) * 4, word, 4);
         m_log.skip(static_cast<uint32_t>(word - m_entry));
         read();
     }
@@ -180,7 +186,8 @@ public:
     [[nodiscard]] ScanStamp at(uint32_t index) {
         advance(index);
         const int64_t n = static_cast<int64_t>(index) - m_now.index;
-        return {m_segment->first + index, m_now.scan + static_cast<uint64_t>(n), Nanoseconds(m_now.time + n * m_now.step)};
+        return {m_segment->first + index, m_now.scan + static_cast<uint64_t>(n),
+                Nanoseconds(m_now.time + n * m_now.step)};
     }
 
 private:

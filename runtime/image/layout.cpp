@@ -21,7 +21,9 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c
 
 /// equalsIgnoringCase without allocation for the usual case.
 bool same(std::string_view a, std::string_view b) {
-    if (a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); })) return true;
+    if (a.size() == b.size() &&
+        std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); }))
+        return true;
     return !(isAscii(a) && isAscii(b)) && equalsIgnoringCase(a, b);
 }
 
@@ -60,7 +62,9 @@ Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& pa
     std::vector<const Root*> plain; // matched by the first name alone
     FoundRoot qualified;
     const Root* program = nullptr;
-    const size_t names = static_cast<size_t>(std::find_if(parts.begin(), parts.end(), [](const PathPart& p) { return p.kind != PathPart::Kind::Name; }) - parts.begin());
+    const size_t names = static_cast<size_t>(
+        std::find_if(parts.begin(), parts.end(), [](const PathPart& p) { return p.kind != PathPart::Kind::Name; }) -
+        parts.begin());
     std::vector<std::string> qualifiers(1);
     for (size_t k = 1; k < std::min<size_t>(names, 6); ++k) qualifiers.push_back(joinedNames(parts, k));
     for (const Root& root : layout.roots) {
@@ -79,7 +83,8 @@ Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& pa
     if (program) return FoundRoot{program, 1};
     if (plain.size() == 1) return FoundRoot{plain[0], 1};
     if (plain.size() > 1) { // a name of its own hides those of lists and libraries
-        const auto own = std::find_if(plain.begin(), plain.end(), [](const Root* r) { return r->list.empty() && r->space.empty(); });
+        const auto own =
+            std::find_if(plain.begin(), plain.end(), [](const Root* r) { return r->list.empty() && r->space.empty(); });
         if (own != plain.end()) return FoundRoot{*own, 1};
         return ambiguous(parts[0].name, plain);
     }
@@ -101,9 +106,12 @@ Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& pa
         candidates.clear();
         for (const Root& root : layout.roots)
             if (same(root.list, parts[0].name)) candidates.push_back(root.name);
-        return Error{"'" + std::string(parts[0].name) + "' has no variable '" + std::string(parts[1].name) + "'" + didYouMean(parts[1].name, candidates), {}};
+        return Error{"'" + std::string(parts[0].name) + "' has no variable '" + std::string(parts[1].name) + "'" +
+                         didYouMean(parts[1].name, candidates),
+                     {}};
     }
-    return Error{"there is no variable '" + std::string(parts[0].name) + "'" + didYouMean(parts[0].name, candidates), {}};
+    return Error{"there is no variable '" + std::string(parts[0].name) + "'" + didYouMean(parts[0].name, candidates),
+                 {}};
 }
 
 Result<Place> member(const Layout& layout, const Place& place, const PathPart& part) {
@@ -136,17 +144,22 @@ Result<Place> element(const Layout& layout, const Place& place, const PathPart& 
     const Type& type = (*layout.types)[place.type];
     if (type.kind == TypeKind::String || type.kind == TypeKind::Wstring) {
         if (part.indices.size() != 1) return Error{"a text has one index", {}};
-        if (part.indices[0] < 0 || part.indices[0] >= static_cast<int64_t>(type.capacity)) return Error{outside(part.indices[0], 0, int64_t(type.capacity) - 1), {}};
+        if (part.indices[0] < 0 || part.indices[0] >= static_cast<int64_t>(type.capacity))
+            return Error{outside(part.indices[0], 0, int64_t(type.capacity) - 1), {}};
         const bool wide = type.kind == TypeKind::Wstring;
-        return Place{types::TypeTable::of(wide ? TypeKind::Wchar : TypeKind::Char), place.offset + static_cast<uint32_t>(part.indices[0]) * (wide ? 2 : 1), -1};
+        return Place{types::TypeTable::of(wide ? TypeKind::Wchar : TypeKind::Char),
+                     place.offset + static_cast<uint32_t>(part.indices[0]) * (wide ? 2 : 1), -1};
     }
     if (type.kind != TypeKind::Array) return Error{"a variable of type " + type.name + " has no elements", {}};
     if (part.indices.size() != type.dimensions.size())
-        return Error{type.name + " needs " + std::to_string(type.dimensions.size()) + " indices, not " + std::to_string(part.indices.size()), {}};
+        return Error{type.name + " needs " + std::to_string(type.dimensions.size()) + " indices, not " +
+                         std::to_string(part.indices.size()),
+                     {}};
     uint64_t number = 0;
     for (size_t d = 0; d < part.indices.size(); ++d) {
         const types::Dimension& dimension = type.dimensions[d];
-        if (part.indices[d] < dimension.low || part.indices[d] > dimension.high) return Error{outside(part.indices[d], dimension.low, dimension.high), {}};
+        if (part.indices[d] < dimension.low || part.indices[d] > dimension.high)
+            return Error{outside(part.indices[d], dimension.low, dimension.high), {}};
         number = number * dimension.count() + static_cast<uint64_t>(part.indices[d] - dimension.low);
     }
     return Place{type.element, place.offset + static_cast<uint32_t>(number * (*layout.types)[type.element].size), -1};
@@ -156,12 +169,21 @@ Result<Place> element(const Layout& layout, const Place& place, const PathPart& 
 Result<Place> slice(const Layout& layout, const Place& place, const PathPart& part) {
     const TypeKind kind = layout.types->storageKind(place.type);
     const types::Family family = layout.types->family(place.type);
-    if (!types::isInteger(family) || place.bit >= 0) return Error{"a variable of type " + (*layout.types)[place.type].name + " has no bits to name", {}};
+    if (!types::isInteger(family) || place.bit >= 0)
+        return Error{"a variable of type " + (*layout.types)[place.type].name + " has no bits to name", {}};
     const unsigned width = part.sliceBits;
     const unsigned count = types::bitsOf(kind) / width;
-    if (part.sliceIndex >= count) return Error{(width == 1 ? "bit " : "part ") + std::to_string(part.sliceIndex) + " lies outside 0.." + std::to_string(int64_t(count) - 1), {}};
-    if (width == 1) return Place{types::TypeTable::of(TypeKind::Bool), place.offset + part.sliceIndex / 8, static_cast<int16_t>(part.sliceIndex % 8)};
-    const TypeKind piece = width == 8 ? TypeKind::Byte : width == 16 ? TypeKind::Word : width == 32 ? TypeKind::Dword : TypeKind::Lword;
+    if (part.sliceIndex >= count)
+        return Error{(width == 1 ? "bit " : "part ") + std::to_string(part.sliceIndex) + " lies outside 0.." +
+                         std::to_string(int64_t(count) - 1),
+                     {}};
+    if (width == 1)
+        return Place{types::TypeTable::of(TypeKind::Bool), place.offset + part.sliceIndex / 8,
+                     static_cast<int16_t>(part.sliceIndex % 8)};
+    const TypeKind piece = width == 8    ? TypeKind::Byte
+                           : width == 16 ? TypeKind::Word
+                           : width == 32 ? TypeKind::Dword
+                                         : TypeKind::Lword;
     return Place{types::TypeTable::of(piece), place.offset + part.sliceIndex * (width / 8), -1};
 }
 
@@ -185,7 +207,9 @@ Result<Place> Layout::find(std::string_view path) const {
     Place place{found->root->type, found->root->offset, found->root->bit};
     for (size_t i = found->used; i < parts->size(); ++i) {
         const PathPart& part = (*parts)[i];
-        Result<Place> next = part.kind == PathPart::Kind::Name ? member(*this, place, part) : part.kind == PathPart::Kind::Index ? element(*this, place, part) : slice(*this, place, part);
+        Result<Place> next = part.kind == PathPart::Kind::Name    ? member(*this, place, part)
+                             : part.kind == PathPart::Kind::Index ? element(*this, place, part)
+                                                                  : slice(*this, place, part);
         if (!next) return Error{next.error().message, std::string(path)};
         place = *next;
     }
@@ -201,15 +225,18 @@ Result<Place> Layout::address(std::string_view text) const {
     if (area != 'i' && area != 'q' && area != 'm') return bad;
     size_t at = 2;
     char size = lower(text[at]);
-    if (size >= '0' && size <= '9') size = 'x';
-    else ++at;
+    if (size >= '0' && size <= '9')
+        size = 'x';
+    else
+        ++at;
     const size_t bytes = size == 'x' || size == 'b' ? 1 : size == 'w' ? 2 : size == 'd' ? 4 : size == 'l' ? 8 : 0;
     if (!bytes) return bad;
     std::vector<uint64_t> numbers;
     while (at < text.size()) {
         if (text[at] < '0' || text[at] > '9') return bad;
         uint64_t number = 0;
-        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), 1u << 30);
+        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at)
+            number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), 1u << 30);
         numbers.push_back(number);
         if (at == text.size()) break;
         if (text[at] != '.' || at + 1 == text.size()) return bad;
@@ -225,7 +252,11 @@ Result<Place> Layout::address(std::string_view text) const {
         bit = static_cast<int16_t>(number);
     }
     if (byte + bytes > range.size) return Error{"the program uses no address '" + shown + "'", {}};
-    const TypeKind kind = size == 'x' ? TypeKind::Bool : size == 'b' ? TypeKind::Byte : size == 'w' ? TypeKind::Word : size == 'd' ? TypeKind::Dword : TypeKind::Lword;
+    const TypeKind kind = size == 'x'   ? TypeKind::Bool
+                          : size == 'b' ? TypeKind::Byte
+                          : size == 'w' ? TypeKind::Word
+                          : size == 'd' ? TypeKind::Dword
+                                        : TypeKind::Lword;
     return Place{types::TypeTable::of(kind), range.begin + static_cast<uint32_t>(byte), bit};
 }
 
@@ -249,11 +280,13 @@ struct Covered {
 };
 
 bool fits(const types::TypeTable& types, TypeId type, TypeId wanted) {
-    return type == wanted || types.isDerivedFrom(type, wanted) || (types::isElementary(types.kind(wanted)) && types.storage(type) == types.storage(wanted));
+    return type == wanted || types.isDerivedFrom(type, wanted) ||
+           (types::isElementary(types.kind(wanted)) && types.storage(type) == types.storage(wanted));
 }
 
 /// Descends from a variable at `begin` to the one that covers `offset`.
-Covered descend(const types::TypeTable& types, std::string path, TypeId id, uint32_t begin, uint32_t offset, TypeId wanted) {
+Covered descend(const types::TypeTable& types, std::string path, TypeId id, uint32_t begin, uint32_t offset,
+                TypeId wanted) {
     for (;;) {
         const Type& type = types[id];
         if (wanted.isValid() && offset == begin && fits(types, id, wanted)) return {path, true};
@@ -271,8 +304,10 @@ Covered descend(const types::TypeTable& types, std::string path, TypeId id, uint
             if (field.section == types::FieldSection::External || field.bit >= 0) continue;
             const uint32_t size = field.section == types::FieldSection::InOut ? 8 : types[field.type].size;
             if (offset < begin + field.offset || offset >= begin + field.offset + size) continue;
-            if (type.kind == TypeKind::Union && wanted.isValid()) { // several members cover it: take one of the wanted type
-                Covered member = descend(types, path + "." + field.name, field.type, begin + field.offset, offset, wanted);
+            if (type.kind == TypeKind::Union &&
+                wanted.isValid()) { // several members cover it: take one of the wanted type
+                Covered member =
+                    descend(types, path + "." + field.name, field.type, begin + field.offset, offset, wanted);
                 if (member.isWanted) return member;
                 if (inner) continue;
             }
@@ -301,13 +336,15 @@ std::string Layout::pathAt(uint32_t offset, TypeId wanted) const {
     if (!path.empty()) return path;
     const std::pair<const AreaRange*, char> areas[] = {{&inputs, 'I'}, {&outputs, 'Q'}, {&memory, 'M'}};
     for (const auto& [range, letter] : areas)
-        if (offset >= range->begin && offset < range->begin + range->size) return std::string("%") + letter + "B" + std::to_string(offset - range->begin);
+        if (offset >= range->begin && offset < range->begin + range->size)
+            return std::string("%") + letter + "B" + std::to_string(offset - range->begin);
     return path;
 }
 
 namespace {
 
-bool visitLeaves(const types::TypeTable& types, std::string& path, Place place, const std::function<bool(const std::string&, const Place&)>& visit) {
+bool visitLeaves(const types::TypeTable& types, std::string& path, Place place,
+                 const std::function<bool(const std::string&, const Place&)>& visit) {
     const Type& type = types[place.type];
     const size_t length = path.size();
     switch (type.kind) {
@@ -316,7 +353,8 @@ bool visitLeaves(const types::TypeTable& types, std::string& path, Place place, 
         const uint64_t count = size ? type.size / size : 0;
         for (uint64_t i = 0; i < count; ++i) {
             path += indexText(type, i);
-            const bool goOn = visitLeaves(types, path, Place{type.element, place.offset + static_cast<uint32_t>(i * size), -1}, visit);
+            const bool goOn = visitLeaves(
+                types, path, Place{type.element, place.offset + static_cast<uint32_t>(i * size), -1}, visit);
             path.resize(length);
             if (!goOn) return false;
         }
@@ -329,7 +367,8 @@ bool visitLeaves(const types::TypeTable& types, std::string& path, Place place, 
             if (field.section == types::FieldSection::InOut || field.section == types::FieldSection::External) continue;
             path += '.';
             path += field.name;
-            const Place inner{field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type, place.offset + field.offset, field.bit};
+            const Place inner{field.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : field.type,
+                              place.offset + field.offset, field.bit};
             const bool goOn = visitLeaves(types, path, inner, visit);
             path.resize(length);
             if (!goOn) return false;
@@ -338,14 +377,17 @@ bool visitLeaves(const types::TypeTable& types, std::string& path, Place place, 
     case TypeKind::OpenArray:
     case TypeKind::Null:
     case TypeKind::Void:
-    case TypeKind::Unknown: return true;
-    default: return visit(path, place);
+    case TypeKind::Unknown:
+        return true;
+    default:
+        return visit(path, place);
     }
 }
 
 } // namespace
 
-void Layout::forEachLeaf(const std::string& path, Place place, const std::function<bool(const std::string&, const Place&)>& visit) const {
+void Layout::forEachLeaf(const std::string& path, Place place,
+                         const std::function<bool(const std::string&, const Place&)>& visit) const {
     std::string text = path;
     (void)visitLeaves(*types, text, place, visit);
 }

@@ -23,11 +23,11 @@ namespace plc::image {
 
 /// At offset 0 of every image. Programs read the clock here; the controller writes it before each scan.
 struct ImageHeader {
-    int64_t timeNs = 0;          // PLC clock: nanoseconds since the first scan
-    int64_t calendarNs = 0;      // calendar at this scan: nanoseconds since 1970-01-01
-    uint64_t scan = 0;           // number of this scan, from 0
-    uint64_t taskPeriodNs = 0;   // period of the task that runs now (0: freewheeling or event)
-    uint32_t firstScan = 1;      // 1 in the first scan after a start or reset
+    int64_t timeNs = 0;        // PLC clock: nanoseconds since the first scan
+    int64_t calendarNs = 0;    // calendar at this scan: nanoseconds since 1970-01-01
+    uint64_t scan = 0;         // number of this scan, from 0
+    uint64_t taskPeriodNs = 0; // period of the task that runs now (0: freewheeling or event)
+    uint32_t firstScan = 1;    // 1 in the first scan after a start or reset
     uint32_t reserved[7] = {};
 };
 static_assert(sizeof(ImageHeader) == 64);
@@ -44,9 +44,9 @@ struct Place {
 
 /// A variable at the top of the path tree: a global, a program instance, or a located variable.
 struct Root {
-    std::string name;      // "Speed", "Main"
-    std::string list;      // global list: "GVL"; empty for programs and unnamed lists
-    std::string space;     // namespace, for library globals
+    std::string name;  // "Speed", "Main"
+    std::string list;  // global list: "GVL"; empty for programs and unnamed lists
+    std::string space; // namespace, for library globals
     types::TypeId type;
     uint32_t offset = 0;
     int16_t bit = -1;
@@ -81,8 +81,10 @@ public:
     [[nodiscard]] Result<Place> find(std::string_view path) const;
     /// The longest path whose place covers `offset` (for pointers, online change and fault messages); "" when none.
     [[nodiscard]] std::string pathAt(uint32_t offset, types::TypeId wanted = {}) const;
-    /// Visits every scalar (and text) under `place` with its path; arrays element by element. The visitor returns false to stop.
-    void forEachLeaf(const std::string& path, Place place, const std::function<bool(const std::string&, const Place&)>& visit) const;
+    /// Visits every scalar (and text) under `place` with its path; arrays element by element. The visitor returns false
+    /// to stop.
+    void forEachLeaf(const std::string& path, Place place,
+                     const std::function<bool(const std::string&, const Place&)>& visit) const;
     /// The path of a root: "Main", "GVL.Speed", "Ns.GVL.Speed"; its address when it has no name.
     [[nodiscard]] static std::string pathOf(const Root& root);
     /// "%IX0.0", "%QW4", "%MD48" → place (BOOL, BYTE, WORD, DWORD, LWORD). Numbers count bytes.

@@ -31,7 +31,8 @@ private:
     }
     Error failure() const {
         const std::string rest(m_text.substr(std::min(m_at, m_text.size())));
-        return Error{rest.empty() ? "the path ends too early" : "the path can not be read from '" + rest + "' on", std::string(m_text)};
+        return Error{rest.empty() ? "the path ends too early" : "the path can not be read from '" + rest + "' on",
+                     std::string(m_text)};
     }
     bool isDigit() const { return m_at < m_text.size() && m_text[m_at] >= '0' && m_text[m_at] <= '9'; }
 
@@ -75,11 +76,24 @@ private:
         unsigned bits = 1;
         if (m_at + 1 < m_text.size() && m_text[m_at] == '%') {
             switch (m_text[m_at + 1]) {
-            case 'X': case 'x': bits = 1; break;
-            case 'B': case 'b': bits = 8; break;
-            case 'W': case 'w': bits = 16; break;
-            case 'D': case 'd': bits = 32; break;
-            default: return false;
+            case 'X':
+            case 'x':
+                bits = 1;
+                break;
+            case 'B':
+            case 'b':
+                bits = 8;
+                break;
+            case 'W':
+            case 'w':
+                bits = 16;
+                break;
+            case 'D':
+            case 'd':
+                bits = 32;
+                break;
+            default:
+                return false;
             }
             m_at += 2;
             if (!isDigit()) return false;

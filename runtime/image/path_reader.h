@@ -1,5 +1,5 @@
-// Splits the text of a path into its parts: names, indices, bits. Used by Layout::find and whoever else reads paths; values that point
-// into the text they were read from.
+// Splits the text of a path into its parts: names, indices, bits. Used by Layout::find and whoever else reads paths;
+// values that point into the text they were read from.
 #pragma once
 #include "runtime/base/result.h"
 

@@ -23,11 +23,11 @@ struct Task {
     std::string name;
     TaskKind kind = TaskKind::Cyclic;
     std::chrono::nanoseconds interval{10'000'000};
-    int32_t priority = 0;                    // 0 most urgent
-    std::optional<Place> trigger;            // SINGLE of an event task (rising edge)
-    std::chrono::nanoseconds watchdog{0};    // 0 = the controller's default
+    int32_t priority = 0;                 // 0 most urgent
+    std::optional<Place> trigger;         // SINGLE of an event task (rising edge)
+    std::chrono::nanoseconds watchdog{0}; // 0 = the controller's default
     uint32_t watchdogSensitivity = 1;
-    bool isSimulation = false;               // only simulation programs: runs in the input phase, also in STOP and FAULT
+    bool isSimulation = false; // only simulation programs: runs in the input phase, also in STOP and FAULT
     std::vector<TaskProgram> programs;
     SourceRange declaration;
 };
@@ -58,7 +58,7 @@ struct FunctionInfo {
 /// One tier's machine code: entry points by functions index (nullptr where a function needs no entry of its own).
 struct Code {
     std::vector<Entry> entries;
-    bool hasSites = false; // quick tier: calls atSite, keeps locals in the frame
+    bool hasSites = false;    // quick tier: calls atSite, keeps locals in the frame
     bool marksWrites = false; // sets RuntimeContext::dirtyPages
     std::shared_ptr<void> keepAlive;
 };
@@ -66,14 +66,15 @@ struct Code {
 struct CompiledProgram {
     Layout layout;
     std::vector<std::byte> initialImage; // layout.imageSize bytes: header, areas, initial values
-    uint32_t initializer = 0;            // function that computes initial values that need code (FB_Init, REF, …); 0 = none; index 0 is reserved
+    uint32_t initializer =
+        0; // function that computes initial values that need code (FB_Init, REF, …); 0 = none; index 0 is reserved
     std::vector<Task> tasks;             // by priority, then declaration; simulation tasks apart by flag
     std::vector<FunctionInfo> functions; // index 0 unused
     std::vector<Site> sites;             // index 0 unused
     SourceSet sources;                   // the texts it was compiled from
     uint64_t version = 0;                // hash of code and layout; names the program in history segments
     /// Retained places: leaf paths are derived from roots and field flags by controller/retain.
-    std::shared_ptr<const void> facts;   // the compiler's own side tables (driver::Compilation), for expressions
+    std::shared_ptr<const void> facts; // the compiler's own side tables (driver::Compilation), for expressions
 
     /// Quick code is there from the start; optimised code may arrive later (published once, read at scan boundaries).
     std::shared_ptr<const Code> quick;

@@ -18,7 +18,8 @@ Evaluated failed(EvaluationError error) { return {{}, false, error}; }
 
 bool isUnsigned(TypeKind kind) {
     const Family family = types::familyOf(kind);
-    return family != Family::Signed && family != Family::Duration && family != Family::Date && family != Family::TimeOfDay && family != Family::DateTime;
+    return family != Family::Signed && family != Family::Duration && family != Family::Date &&
+           family != Family::TimeOfDay && family != Family::DateTime;
 }
 
 /// -1, 0, 1; 2 when the operands have no order (NaN).
@@ -30,13 +31,20 @@ int order(int64_t a, int64_t b, bool areUnsigned) {
 
 Evaluated compared(BinaryOp op, int order) {
     switch (op) {
-    case BinaryOp::Equal: return boolean(order == 0);
-    case BinaryOp::NotEqual: return boolean(order != 0);
-    case BinaryOp::Less: return boolean(order == -1);
-    case BinaryOp::LessEqual: return boolean(order == -1 || order == 0);
-    case BinaryOp::Greater: return boolean(order == 1);
-    case BinaryOp::GreaterEqual: return boolean(order == 1 || order == 0);
-    default: return failed(EvaluationError::NotEvaluable);
+    case BinaryOp::Equal:
+        return boolean(order == 0);
+    case BinaryOp::NotEqual:
+        return boolean(order != 0);
+    case BinaryOp::Less:
+        return boolean(order == -1);
+    case BinaryOp::LessEqual:
+        return boolean(order == -1 || order == 0);
+    case BinaryOp::Greater:
+        return boolean(order == 1);
+    case BinaryOp::GreaterEqual:
+        return boolean(order == 1 || order == 0);
+    default:
+        return failed(EvaluationError::NotEvaluable);
     }
 }
 
@@ -61,15 +69,30 @@ Evaluated onIntegers(TypeId type, TypeKind kind, BinaryOp op, int64_t a, int64_t
     const auto left = static_cast<uint64_t>(a), right = static_cast<uint64_t>(b);
     uint64_t result = 0;
     switch (op) {
-    case BinaryOp::Add: result = left + right; break;
-    case BinaryOp::Subtract: result = left - right; break;
-    case BinaryOp::Multiply: result = left * right; break;
-    case BinaryOp::And: result = left & right; break;
-    case BinaryOp::Or: result = left | right; break;
-    case BinaryOp::Xor: result = left ^ right; break;
-    case BinaryOp::Divide: return divideIntegers({type, {}}, kind, false, a, b);
-    case BinaryOp::Modulo: return divideIntegers({type, {}}, kind, true, a, b);
-    default: return failed(EvaluationError::NotEvaluable);
+    case BinaryOp::Add:
+        result = left + right;
+        break;
+    case BinaryOp::Subtract:
+        result = left - right;
+        break;
+    case BinaryOp::Multiply:
+        result = left * right;
+        break;
+    case BinaryOp::And:
+        result = left & right;
+        break;
+    case BinaryOp::Or:
+        result = left | right;
+        break;
+    case BinaryOp::Xor:
+        result = left ^ right;
+        break;
+    case BinaryOp::Divide:
+        return divideIntegers({type, {}}, kind, false, a, b);
+    case BinaryOp::Modulo:
+        return divideIntegers({type, {}}, kind, true, a, b);
+    default:
+        return failed(EvaluationError::NotEvaluable);
     }
     return {{type, types::wrapInteger(kind, static_cast<int64_t>(result))}};
 }
@@ -77,12 +100,18 @@ Evaluated onIntegers(TypeId type, TypeKind kind, BinaryOp op, int64_t a, int64_t
 template <class Number> Evaluated onReals(TypeId type, BinaryOp op, Number a, Number b) {
     if (isComparison(op)) return compared(op, order(a, b));
     switch (op) {
-    case BinaryOp::Add: return {{type, static_cast<double>(a + b)}};
-    case BinaryOp::Subtract: return {{type, static_cast<double>(a - b)}};
-    case BinaryOp::Multiply: return {{type, static_cast<double>(a * b)}};
-    case BinaryOp::Divide: return {{type, static_cast<double>(a / b)}};
-    case BinaryOp::Modulo: return {{type, static_cast<double>(std::fmod(a, b))}};
-    default: return failed(EvaluationError::NotEvaluable);
+    case BinaryOp::Add:
+        return {{type, static_cast<double>(a + b)}};
+    case BinaryOp::Subtract:
+        return {{type, static_cast<double>(a - b)}};
+    case BinaryOp::Multiply:
+        return {{type, static_cast<double>(a * b)}};
+    case BinaryOp::Divide:
+        return {{type, static_cast<double>(a / b)}};
+    case BinaryOp::Modulo:
+        return {{type, static_cast<double>(std::fmod(a, b))}};
+    default:
+        return failed(EvaluationError::NotEvaluable);
     }
 }
 
@@ -103,17 +132,20 @@ Evaluated evaluateBinary(const TypeTable& types, BinaryOp op, TypeId type, const
         return onReals(type, op, *a, right.real());
     }
     if (const auto* a = std::get_if<std::string>(&left.data)) return onTexts(op, *a, std::get<std::string>(right.data));
-    if (const auto* a = std::get_if<std::u16string>(&left.data)) return onTexts(op, *a, std::get<std::u16string>(right.data));
+    if (const auto* a = std::get_if<std::u16string>(&left.data))
+        return onTexts(op, *a, std::get<std::u16string>(right.data));
     return failed(EvaluationError::NotEvaluable);
 }
 
 Evaluated evaluateUnary(const TypeTable& types, UnaryOp op, TypeId type, const Value& operand) {
     const TypeKind kind = types.storageKind(type);
     if (const auto* number = std::get_if<int64_t>(&operand.data)) {
-        if (op == UnaryOp::Negate) return {{type, types::wrapInteger(kind, static_cast<int64_t>(0 - static_cast<uint64_t>(*number)))}};
+        if (op == UnaryOp::Negate)
+            return {{type, types::wrapInteger(kind, static_cast<int64_t>(0 - static_cast<uint64_t>(*number)))}};
         return {{type, kind == TypeKind::Bool ? int64_t(*number == 0) : types::wrapInteger(kind, ~*number)}};
     }
-    if (const auto* number = std::get_if<double>(&operand.data); number && op == UnaryOp::Negate) return {{type, -*number}};
+    if (const auto* number = std::get_if<double>(&operand.data); number && op == UnaryOp::Negate)
+        return {{type, -*number}};
     return failed(EvaluationError::NotEvaluable);
 }
 

@@ -1,5 +1,5 @@
-// Reference semantics of operators and intrinsics on Values: the constant folder and the expression evaluator use it, tests hold
-// generated code against it. Pure functions, any thread.
+// Reference semantics of operators and intrinsics on Values: the constant folder and the expression evaluator use it,
+// tests hold generated code against it. Pure functions, any thread.
 #pragma once
 #include "runtime/image/layout.h"
 #include "runtime/library/signatures.h"
@@ -7,9 +7,31 @@
 namespace plc::library {
 
 enum class UnaryOp : uint8_t { Negate, Not };
-enum class BinaryOp : uint8_t { Add, Subtract, Multiply, Divide, Modulo, And, Or, Xor, Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual };
+enum class BinaryOp : uint8_t {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Modulo,
+    And,
+    Or,
+    Xor,
+    Equal,
+    NotEqual,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual
+};
 
-enum class EvaluationError : uint8_t { None, DivisionByZero, IndexOutOfRange, NullReference, StringIndex, NotEvaluable };
+enum class EvaluationError : uint8_t {
+    None,
+    DivisionByZero,
+    IndexOutOfRange,
+    NullReference,
+    StringIndex,
+    NotEvaluable
+};
 
 struct Evaluated {
     types::Value value;
@@ -18,10 +40,13 @@ struct Evaluated {
 };
 
 /// Both operands are of `type` (integer wraps in it; text compares by character; REAL in single precision).
-[[nodiscard]] Evaluated evaluateBinary(const types::TypeTable& types, BinaryOp op, types::TypeId type, const types::Value& left, const types::Value& right);
-[[nodiscard]] Evaluated evaluateUnary(const types::TypeTable& types, UnaryOp op, types::TypeId type, const types::Value& operand);
+[[nodiscard]] Evaluated evaluateBinary(const types::TypeTable& types, BinaryOp op, types::TypeId type,
+                                       const types::Value& left, const types::Value& right);
+[[nodiscard]] Evaluated evaluateUnary(const types::TypeTable& types, UnaryOp op, types::TypeId type,
+                                      const types::Value& operand);
 /// `header` gives clock and scan; null while folding (Time, FirstScan… then are NotEvaluable).
-[[nodiscard]] Evaluated evaluateIntrinsic(const types::TypeTable& types, Intrinsic intrinsic, types::TypeId result, std::span<const types::Value> operands,
-                                          const image::ImageHeader* header, int64_t selector = -1);
+[[nodiscard]] Evaluated evaluateIntrinsic(const types::TypeTable& types, Intrinsic intrinsic, types::TypeId result,
+                                          std::span<const types::Value> operands, const image::ImageHeader* header,
+                                          int64_t selector = -1);
 
 } // namespace plc::library

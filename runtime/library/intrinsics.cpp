@@ -45,17 +45,26 @@ struct Call {
 };
 
 Evaluated failed(EvaluationError error) { return {{}, false, error}; }
-Evaluated integerResult(const Call& call, int64_t value, bool ok = true) { return {{call.result, types::wrapInteger(call.kind(), value)}, ok}; }
-Evaluated realResult(const Call& call, double value) { return {{call.result, call.kind() == TypeKind::Real ? static_cast<double>(static_cast<float>(value)) : value}}; }
+Evaluated integerResult(const Call& call, int64_t value, bool ok = true) {
+    return {{call.result, types::wrapInteger(call.kind(), value)}, ok};
+}
+Evaluated realResult(const Call& call, double value) {
+    return {{call.result, call.kind() == TypeKind::Real ? static_cast<double>(static_cast<float>(value)) : value}};
+}
 
 template <class Single, class Wide> Evaluated realFunction(const Call& call, Single single, Wide wide) {
-    if (call.kind() == TypeKind::Real) return realResult(call, static_cast<double>(single(static_cast<float>(call.real(0)))));
+    if (call.kind() == TypeKind::Real)
+        return realResult(call, static_cast<double>(single(static_cast<float>(call.real(0)))));
     return realResult(call, wide(call.real(0)));
 }
-#define PLC_REAL_FUNCTION(function) realFunction(call, [](float x) { return std::function(x); }, [](double x) { return std::function(x); })
+#define PLC_REAL_FUNCTION(function)                                                                                    \
+    realFunction(                                                                                                      \
+        call, [](float x) { return std::function(x); }, [](double x) { return std::function(x); })
 
 template <class Single, class Wide> Evaluated realFunction2(const Call& call, Single single, Wide wide) {
-    if (call.kind() == TypeKind::Real) return realResult(call, static_cast<double>(single(static_cast<float>(call.real(0)), static_cast<float>(call.real(1)))));
+    if (call.kind() == TypeKind::Real)
+        return realResult(
+            call, static_cast<double>(single(static_cast<float>(call.real(0)), static_cast<float>(call.real(1)))));
     return realResult(call, wide(call.real(0), call.real(1)));
 }
 
@@ -77,15 +86,19 @@ Evaluated absolute(const Call& call) {
     return integerResult(call, isSigned && value < 0 ? static_cast<int64_t>(0 - static_cast<uint64_t>(value)) : value);
 }
 
-Evaluated square(const Call& call) { return evaluateBinary(call.types, BinaryOp::Multiply, call.result, call.operands[0], call.operands[0]); }
+Evaluated square(const Call& call) {
+    return evaluateBinary(call.types, BinaryOp::Multiply, call.result, call.operands[0], call.operands[0]);
+}
 
 Evaluated fraction(const Call& call) {
-    return realFunction(call, [](float x) { return x - std::trunc(x); }, [](double x) { return x - std::trunc(x); });
+    return realFunction(
+        call, [](float x) { return x - std::trunc(x); }, [](double x) { return x - std::trunc(x); });
 }
 
 Evaluated multiplyDuration(const Call& call) {
     if (call.isReal(1)) return integerResult(call, plc_multiply_duration(call.integer(0), call.real(1)));
-    return integerResult(call, static_cast<int64_t>(static_cast<uint64_t>(call.integer(0)) * static_cast<uint64_t>(call.integer(1))));
+    return integerResult(
+        call, static_cast<int64_t>(static_cast<uint64_t>(call.integer(0)) * static_cast<uint64_t>(call.integer(1))));
 }
 
 Evaluated divideDuration(const Call& call) {
@@ -106,13 +119,15 @@ Evaluated shifted(const Call& call) {
     const bool isRotation = call.intrinsic == Intrinsic::Rol || call.intrinsic == Intrinsic::Ror;
     if (!isRotation) {
         if (count < 0 || count >= static_cast<int64_t>(bits)) return integerResult(call, 0);
-        return integerResult(call, static_cast<int64_t>(call.intrinsic == Intrinsic::Shl ? (word << count) & mask : word >> count));
+        return integerResult(
+            call, static_cast<int64_t>(call.intrinsic == Intrinsic::Shl ? (word << count) & mask : word >> count));
     }
     int64_t turn = count % static_cast<int64_t>(bits);
     if (call.intrinsic == Intrinsic::Ror) turn = -turn;
     if (turn < 0) turn += bits;
     if (turn == 0) return integerResult(call, static_cast<int64_t>(word));
-    return integerResult(call, static_cast<int64_t>(((word << turn) | (word >> (bits - static_cast<unsigned>(turn)))) & mask));
+    return integerResult(
+        call, static_cast<int64_t>(((word << turn) | (word >> (bits - static_cast<unsigned>(turn)))) & mask));
 }
 
 uint64_t bitPattern(TypeKind kind, const Value& value) {
@@ -124,7 +139,8 @@ uint64_t bitPattern(TypeKind kind, const Value& value) {
 }
 
 Evaluated fromPattern(const Call& call, uint64_t pattern) {
-    if (call.kind() == TypeKind::Real) return {{call.result, static_cast<double>(std::bit_cast<float>(static_cast<uint32_t>(pattern)))}};
+    if (call.kind() == TypeKind::Real)
+        return {{call.result, static_cast<double>(std::bit_cast<float>(static_cast<uint32_t>(pattern)))}};
     if (call.kind() == TypeKind::Lreal) return {{call.result, std::bit_cast<double>(pattern)}};
     return integerResult(call, static_cast<int64_t>(pattern));
 }
@@ -190,8 +206,12 @@ template <class C, class Run> Evaluated textResult(const Call& call, Run run) {
     return {{call.result, std::move(buffer)}, ok};
 }
 
-template <class C> const std::basic_string<C>& textOf(const Call& call, size_t operand) { return std::get<std::basic_string<C>>(call.operands[operand].data); }
-template <class C> uint32_t sizeOf(const Call& call, size_t operand) { return static_cast<uint32_t>(textOf<C>(call, operand).size()); }
+template <class C> const std::basic_string<C>& textOf(const Call& call, size_t operand) {
+    return std::get<std::basic_string<C>>(call.operands[operand].data);
+}
+template <class C> uint32_t sizeOf(const Call& call, size_t operand) {
+    return static_cast<uint32_t>(textOf<C>(call, operand).size());
+}
 
 template <class C> struct Functions;
 #define PLC_FUNCTIONS_OF(C, Prefix)                                                                                    \
@@ -221,19 +241,30 @@ template <class C> Evaluated textFunction(const Call& call) {
         });
     };
     const auto counted = [&](auto function) {
-        return textResult<C>(call, [&](C* to, uint32_t capacity) { return function(to, capacity, text(0), size(0), call.count(1)) != 0; });
+        return textResult<C>(call, [&](C* to, uint32_t capacity) {
+            return function(to, capacity, text(0), size(0), call.count(1)) != 0;
+        });
     };
     const auto ranged = [&](auto function) {
-        return textResult<C>(call, [&](C* to, uint32_t capacity) { return function(to, capacity, text(0), size(0), call.count(1), call.count(2)) != 0; });
+        return textResult<C>(call, [&](C* to, uint32_t capacity) {
+            return function(to, capacity, text(0), size(0), call.count(1), call.count(2)) != 0;
+        });
     };
     switch (call.intrinsic) {
-    case Intrinsic::Len: return integerResult(call, size(0));
-    case Intrinsic::Left: return counted(F::left);
-    case Intrinsic::Right: return counted(F::right);
-    case Intrinsic::Mid: return ranged(F::mid);
-    case Intrinsic::Delete: return ranged(F::erase);
+    case Intrinsic::Len:
+        return integerResult(call, size(0));
+    case Intrinsic::Left:
+        return counted(F::left);
+    case Intrinsic::Right:
+        return counted(F::right);
+    case Intrinsic::Mid:
+        return ranged(F::mid);
+    case Intrinsic::Delete:
+        return ranged(F::erase);
     case Intrinsic::Insert:
-        return textResult<C>(call, [&](C* to, uint32_t capacity) { return F::insert(to, capacity, text(0), size(0), text(1), size(1), call.count(2)) != 0; });
+        return textResult<C>(call, [&](C* to, uint32_t capacity) {
+            return F::insert(to, capacity, text(0), size(0), text(1), size(1), call.count(2)) != 0;
+        });
     case Intrinsic::Replace:
         return textResult<C>(call, [&](C* to, uint32_t capacity) {
             return F::replace(to, capacity, text(0), size(0), text(1), size(1), call.count(2), call.count(3)) != 0;
@@ -243,18 +274,25 @@ template <class C> Evaluated textFunction(const Call& call) {
             for (size_t i = 0; i < call.operands.size(); ++i) F::append(to, capacity, text(i), size(i));
             return true;
         });
-    case Intrinsic::Find: return integerResult(call, F::find(text(0), size(0), text(1), size(1)));
-    case Intrinsic::ToUpper: return whole(F::upper);
-    case Intrinsic::ToLower: return whole(F::lower);
-    case Intrinsic::Trim: return whole(F::trim);
-    case Intrinsic::IsNumber: return integerResult(call, F::isNumber(text(0), size(0)));
-    case Intrinsic::AsciiOf: return integerResult(call, size(0) ? static_cast<std::make_unsigned_t<C>>(text(0)[0]) : 0);
+    case Intrinsic::Find:
+        return integerResult(call, F::find(text(0), size(0), text(1), size(1)));
+    case Intrinsic::ToUpper:
+        return whole(F::upper);
+    case Intrinsic::ToLower:
+        return whole(F::lower);
+    case Intrinsic::Trim:
+        return whole(F::trim);
+    case Intrinsic::IsNumber:
+        return integerResult(call, F::isNumber(text(0), size(0)));
+    case Intrinsic::AsciiOf:
+        return integerResult(call, size(0) ? static_cast<std::make_unsigned_t<C>>(text(0)[0]) : 0);
     case Intrinsic::CharAt: {
         const int64_t index = call.count(1);
         if (index < 0 || index > static_cast<int64_t>(size(0))) return failed(EvaluationError::StringIndex);
         return integerResult(call, static_cast<std::make_unsigned_t<C>>(text(0)[index]));
     }
-    default: return failed(EvaluationError::NotEvaluable);
+    default:
+        return failed(EvaluationError::NotEvaluable);
     }
 }
 
@@ -262,10 +300,13 @@ template <class C> Evaluated textFunction(const Call& call) {
 Evaluated anyTextFunction(const Call& call) {
     bool isWide = false;
     for (const Value& operand : call.operands)
-        isWide = isWide || std::holds_alternative<std::u16string>(operand.data) || call.types.storageKind(operand.type) == TypeKind::Wchar;
+        isWide = isWide || std::holds_alternative<std::u16string>(operand.data) ||
+                 call.types.storageKind(operand.type) == TypeKind::Wchar;
     std::vector<Value> texts(call.operands.begin(), call.operands.end());
     for (Value& text : texts) {
-        if (types::familyOf(call.types.storageKind(text.type)) != Family::Character && !(isWide && std::holds_alternative<std::string>(text.data))) continue;
+        if (types::familyOf(call.types.storageKind(text.type)) != Family::Character &&
+            !(isWide && std::holds_alternative<std::string>(text.data)))
+            continue;
         if (std::holds_alternative<std::u16string>(text.data)) continue;
         if (isWide) {
             std::u16string wide;
@@ -286,8 +327,14 @@ Evaluated anyTextFunction(const Call& call) {
 Evaluated characterText(const Call& call) {
     const auto code = static_cast<uint32_t>(call.integer(0));
     if (call.kind() == TypeKind::Wstring)
-        return textResult<char16_t>(call, [&](char16_t* to, uint32_t capacity) { plc_wtext_from_character(to, capacity, code); return true; });
-    return textResult<char>(call, [&](char* to, uint32_t capacity) { plc_text_from_character(to, capacity, code); return true; });
+        return textResult<char16_t>(call, [&](char16_t* to, uint32_t capacity) {
+            plc_wtext_from_character(to, capacity, code);
+            return true;
+        });
+    return textResult<char>(call, [&](char* to, uint32_t capacity) {
+        plc_text_from_character(to, capacity, code);
+        return true;
+    });
 }
 
 // ---------------------------------------------------------------- times
@@ -301,59 +348,98 @@ template <class Function> Evaluated withOk(const Call& call, Function function) 
 Evaluated clock(const Call& call) {
     if (!call.header) return failed(EvaluationError::NotEvaluable);
     switch (call.intrinsic) {
-    case Intrinsic::Time: return integerResult(call, call.header->timeNs);
-    case Intrinsic::Calendar: return integerResult(call, call.header->calendarNs);
-    case Intrinsic::FirstScan: return integerResult(call, call.header->firstScan != 0);
-    case Intrinsic::ScanNumber: return integerResult(call, static_cast<int64_t>(call.header->scan));
-    case Intrinsic::TaskPeriod: return integerResult(call, static_cast<int64_t>(call.header->taskPeriodNs));
-    default: return failed(EvaluationError::NotEvaluable);
+    case Intrinsic::Time:
+        return integerResult(call, call.header->timeNs);
+    case Intrinsic::Calendar:
+        return integerResult(call, call.header->calendarNs);
+    case Intrinsic::FirstScan:
+        return integerResult(call, call.header->firstScan != 0);
+    case Intrinsic::ScanNumber:
+        return integerResult(call, static_cast<int64_t>(call.header->scan));
+    case Intrinsic::TaskPeriod:
+        return integerResult(call, static_cast<int64_t>(call.header->taskPeriodNs));
+    default:
+        return failed(EvaluationError::NotEvaluable);
     }
 }
 
 } // namespace
 
-Evaluated evaluateIntrinsic(const TypeTable& types, Intrinsic intrinsic, TypeId result, std::span<const Value> operands, const image::ImageHeader* header,
-                            int64_t selector) {
+Evaluated evaluateIntrinsic(const TypeTable& types, Intrinsic intrinsic, TypeId result, std::span<const Value> operands,
+                            const image::ImageHeader* header, int64_t selector) {
     const Call call{types, intrinsic, result, operands, header, selector};
     switch (intrinsic) {
-    case Intrinsic::Abs: return absolute(call);
-    case Intrinsic::Sqrt: return PLC_REAL_FUNCTION(sqrt);
-    case Intrinsic::Ln: return PLC_REAL_FUNCTION(log);
-    case Intrinsic::Log: return PLC_REAL_FUNCTION(log10);
-    case Intrinsic::Exp: return PLC_REAL_FUNCTION(exp);
-    case Intrinsic::Sin: return PLC_REAL_FUNCTION(sin);
-    case Intrinsic::Cos: return PLC_REAL_FUNCTION(cos);
-    case Intrinsic::Tan: return PLC_REAL_FUNCTION(tan);
-    case Intrinsic::Asin: return PLC_REAL_FUNCTION(asin);
-    case Intrinsic::Acos: return PLC_REAL_FUNCTION(acos);
-    case Intrinsic::Atan: return PLC_REAL_FUNCTION(atan);
-    case Intrinsic::Sinh: return PLC_REAL_FUNCTION(sinh);
-    case Intrinsic::Cosh: return PLC_REAL_FUNCTION(cosh);
-    case Intrinsic::Tanh: return PLC_REAL_FUNCTION(tanh);
+    case Intrinsic::Abs:
+        return absolute(call);
+    case Intrinsic::Sqrt:
+        return PLC_REAL_FUNCTION(sqrt);
+    case Intrinsic::Ln:
+        return PLC_REAL_FUNCTION(log);
+    case Intrinsic::Log:
+        return PLC_REAL_FUNCTION(log10);
+    case Intrinsic::Exp:
+        return PLC_REAL_FUNCTION(exp);
+    case Intrinsic::Sin:
+        return PLC_REAL_FUNCTION(sin);
+    case Intrinsic::Cos:
+        return PLC_REAL_FUNCTION(cos);
+    case Intrinsic::Tan:
+        return PLC_REAL_FUNCTION(tan);
+    case Intrinsic::Asin:
+        return PLC_REAL_FUNCTION(asin);
+    case Intrinsic::Acos:
+        return PLC_REAL_FUNCTION(acos);
+    case Intrinsic::Atan:
+        return PLC_REAL_FUNCTION(atan);
+    case Intrinsic::Sinh:
+        return PLC_REAL_FUNCTION(sinh);
+    case Intrinsic::Cosh:
+        return PLC_REAL_FUNCTION(cosh);
+    case Intrinsic::Tanh:
+        return PLC_REAL_FUNCTION(tanh);
     case Intrinsic::Atan2:
-        return realFunction2(call, [](float y, float x) { return std::atan2(y, x); }, [](double y, double x) { return std::atan2(y, x); });
+        return realFunction2(
+            call, [](float y, float x) { return std::atan2(y, x); },
+            [](double y, double x) { return std::atan2(y, x); });
     case Intrinsic::Expt:
-        return realFunction2(call, [](float x, float y) { return std::pow(x, y); }, [](double x, double y) { return std::pow(x, y); });
-    case Intrinsic::ExptInt: return integerResult(call, plc_power_integer(call.integer(0), call.count(1)));
-    case Intrinsic::Square: return square(call);
-    case Intrinsic::DegToRad: return realResult(call, call.real(0) * (std::numbers::pi / 180));
-    case Intrinsic::RadToDeg: return realResult(call, call.real(0) * (180 / std::numbers::pi));
+        return realFunction2(
+            call, [](float x, float y) { return std::pow(x, y); }, [](double x, double y) { return std::pow(x, y); });
+    case Intrinsic::ExptInt:
+        return integerResult(call, plc_power_integer(call.integer(0), call.count(1)));
+    case Intrinsic::Square:
+        return square(call);
+    case Intrinsic::DegToRad:
+        return realResult(call, call.real(0) * (std::numbers::pi / 180));
+    case Intrinsic::RadToDeg:
+        return realResult(call, call.real(0) * (180 / std::numbers::pi));
     case Intrinsic::Trunc:
-    case Intrinsic::TruncReal: return rounded(call, [](double x) { return std::trunc(x); });
-    case Intrinsic::Floor: return rounded(call, [](double x) { return std::floor(x); });
-    case Intrinsic::Ceil: return rounded(call, [](double x) { return std::ceil(x); });
-    case Intrinsic::RoundReal: return rounded(call, [](double x) { return std::nearbyint(x); });
-    case Intrinsic::Frac: return fraction(call);
+    case Intrinsic::TruncReal:
+        return rounded(call, [](double x) { return std::trunc(x); });
+    case Intrinsic::Floor:
+        return rounded(call, [](double x) { return std::floor(x); });
+    case Intrinsic::Ceil:
+        return rounded(call, [](double x) { return std::ceil(x); });
+    case Intrinsic::RoundReal:
+        return rounded(call, [](double x) { return std::nearbyint(x); });
+    case Intrinsic::Frac:
+        return fraction(call);
     case Intrinsic::Shl:
     case Intrinsic::Shr:
     case Intrinsic::Rol:
-    case Intrinsic::Ror: return shifted(call);
-    case Intrinsic::Sel: return selected(call, call.operands[0].isTrue() ? 2 : 1);
-    case Intrinsic::Max: return extreme(call, BinaryOp::Greater);
-    case Intrinsic::Min: return extreme(call, BinaryOp::Less);
-    case Intrinsic::Limit: return limited(call);
-    case Intrinsic::Mux: return multiplexed(call);
-    case Intrinsic::Move: return selected(call, 0);
+    case Intrinsic::Ror:
+        return shifted(call);
+    case Intrinsic::Sel:
+        return selected(call, call.operands[0].isTrue() ? 2 : 1);
+    case Intrinsic::Max:
+        return extreme(call, BinaryOp::Greater);
+    case Intrinsic::Min:
+        return extreme(call, BinaryOp::Less);
+    case Intrinsic::Limit:
+        return limited(call);
+    case Intrinsic::Mux:
+        return multiplexed(call);
+    case Intrinsic::Move:
+        return selected(call, 0);
     case Intrinsic::Len:
     case Intrinsic::Left:
     case Intrinsic::Right:
@@ -368,34 +454,56 @@ Evaluated evaluateIntrinsic(const TypeTable& types, Intrinsic intrinsic, TypeId 
     case Intrinsic::Trim:
     case Intrinsic::IsNumber:
     case Intrinsic::CharAt:
-    case Intrinsic::AsciiOf: return anyTextFunction(call);
-    case Intrinsic::CharOf: return characterText(call);
+    case Intrinsic::AsciiOf:
+        return anyTextFunction(call);
+    case Intrinsic::CharOf:
+        return characterText(call);
     case Intrinsic::Time:
     case Intrinsic::Calendar:
     case Intrinsic::FirstScan:
     case Intrinsic::ScanNumber:
-    case Intrinsic::TaskPeriod: return clock(call);
-    case Intrinsic::MulDuration: return multiplyDuration(call);
-    case Intrinsic::DivDuration: return divideDuration(call);
-    case Intrinsic::ConcatDate: return withOk(call, [&](uint8_t* ok) { return plc_concat_date(call.count(0), call.count(1), call.count(2), ok); });
+    case Intrinsic::TaskPeriod:
+        return clock(call);
+    case Intrinsic::MulDuration:
+        return multiplyDuration(call);
+    case Intrinsic::DivDuration:
+        return divideDuration(call);
+    case Intrinsic::ConcatDate:
+        return withOk(call,
+                      [&](uint8_t* ok) { return plc_concat_date(call.count(0), call.count(1), call.count(2), ok); });
     case Intrinsic::ConcatTod:
-        return withOk(call, [&](uint8_t* ok) { return plc_concat_tod(call.count(0), call.count(1), call.count(2), call.count(3), ok); });
+        return withOk(call, [&](uint8_t* ok) {
+            return plc_concat_tod(call.count(0), call.count(1), call.count(2), call.count(3), ok);
+        });
     case Intrinsic::ConcatDt:
         return withOk(call, [&](uint8_t* ok) {
-            return plc_concat_dt(call.count(0), call.count(1), call.count(2), call.count(3), call.count(4), call.count(5), call.count(6), ok);
+            return plc_concat_dt(call.count(0), call.count(1), call.count(2), call.count(3), call.count(4),
+                                 call.count(5), call.count(6), ok);
         });
-    case Intrinsic::ConcatDateTod: return integerResult(call, static_cast<int64_t>(static_cast<uint64_t>(call.integer(0)) + static_cast<uint64_t>(call.integer(1))));
-    case Intrinsic::DatePart: return integerResult(call, plc_date_part(call.integer(0), selector));
-    case Intrinsic::TimePart: return integerResult(call, plc_time_part(call.integer(0), selector));
-    case Intrinsic::BcdTo: return withOk(call, [&](uint8_t* ok) { return plc_bcd_to_integer(bitsOfOperand(call), static_cast<uint32_t>(call.kind()), ok); });
+    case Intrinsic::ConcatDateTod:
+        return integerResult(call, static_cast<int64_t>(static_cast<uint64_t>(call.integer(0)) +
+                                                        static_cast<uint64_t>(call.integer(1))));
+    case Intrinsic::DatePart:
+        return integerResult(call, plc_date_part(call.integer(0), selector));
+    case Intrinsic::TimePart:
+        return integerResult(call, plc_time_part(call.integer(0), selector));
+    case Intrinsic::BcdTo:
+        return withOk(call, [&](uint8_t* ok) {
+            return plc_bcd_to_integer(bitsOfOperand(call), static_cast<uint32_t>(call.kind()), ok);
+        });
     case Intrinsic::ToBcd:
         return withOk(call, [&](uint8_t* ok) {
-            return plc_integer_to_bcd(call.integer(0), static_cast<uint32_t>(call.kindOf(0)), static_cast<uint32_t>(call.kind()), ok);
+            return plc_integer_to_bcd(call.integer(0), static_cast<uint32_t>(call.kindOf(0)),
+                                      static_cast<uint32_t>(call.kind()), ok);
         });
-    case Intrinsic::IsValid: return integerResult(call, std::isfinite(call.real(0)));
-    case Intrinsic::IsValidBcd: return integerResult(call, plc_is_valid_bcd(bitsOfOperand(call)));
-    case Intrinsic::SameBits: return fromPattern(call, bitPattern(call.kindOf(0), call.operands[0]));
-    case Intrinsic::SwapBytes: return swappedBytes(call);
+    case Intrinsic::IsValid:
+        return integerResult(call, std::isfinite(call.real(0)));
+    case Intrinsic::IsValidBcd:
+        return integerResult(call, plc_is_valid_bcd(bitsOfOperand(call)));
+    case Intrinsic::SameBits:
+        return fromPattern(call, bitPattern(call.kindOf(0), call.operands[0]));
+    case Intrinsic::SwapBytes:
+        return swappedBytes(call);
     }
     return failed(EvaluationError::NotEvaluable);
 }

@@ -7,9 +7,7 @@ namespace {
 
 char toLower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-bool isSameName(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, {}, toLower, toLower);
-}
+bool isSameName(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, toLower, toLower); }
 
 } // namespace
 

@@ -53,7 +53,8 @@ template <class C> bool overlaps(const C* to, uint32_t capacity, View<C> operand
 }
 
 /// Builds the result in place, or beside it where it would overwrite an operand before that is read.
-template <class C, class Build> void produce(C* to, uint32_t capacity, std::initializer_list<View<C>> operands, Build build) {
+template <class C, class Build>
+void produce(C* to, uint32_t capacity, std::initializer_list<View<C>> operands, Build build) {
     bool isApart = true;
     for (const View<C>& operand : operands) isApart = isApart && !overlaps(to, capacity, operand);
     if (isApart) {
@@ -99,7 +100,8 @@ template <class C> uint8_t left(C* to, uint32_t capacity, View<C> text, int64_t 
 
 template <class C> uint8_t right(C* to, uint32_t capacity, View<C> text, int64_t count) {
     produce<C>(to, capacity, {text}, [&](Output<C>& out) {
-        if (count > 0) out.append(text.substr(text.size() - std::min<uint64_t>(text.size(), static_cast<uint64_t>(count))));
+        if (count > 0)
+            out.append(text.substr(text.size() - std::min<uint64_t>(text.size(), static_cast<uint64_t>(count))));
     });
     return count >= 0;
 }
@@ -137,7 +139,8 @@ template <class C> uint8_t insert(C* to, uint32_t capacity, View<C> a, View<C> b
     return isInside;
 }
 
-template <class C> uint8_t replace(C* to, uint32_t capacity, View<C> a, View<C> b, int64_t length, int64_t position, size_t last) {
+template <class C>
+uint8_t replace(C* to, uint32_t capacity, View<C> a, View<C> b, int64_t length, int64_t position, size_t last) {
     const Spot spot = spotOf(position, length, a.size(), last);
     produce<C>(to, capacity, {a, b}, [&](Output<C>& out) {
         if (!spot.isPossible) return;
@@ -155,7 +158,8 @@ template <class C> uint32_t find(View<C> a, View<C> b) {
     return at == View<C>::npos ? 0 : static_cast<uint32_t>(at + 1);
 }
 
-// Letters with a counterpart in the same character set: ASCII, Latin-1, and in UTF-16 Latin Extended-A, Greek, Cyrillic.
+// Letters with a counterpart in the same character set: ASCII, Latin-1, and in UTF-16 Latin Extended-A, Greek,
+// Cyrillic.
 char16_t upperOf(char16_t c, bool isWide) {
     if (c >= 'a' && c <= 'z') return static_cast<char16_t>(c - 32);
     if (c >= 0xE0 && c <= 0xFE && c != 0xF7) return static_cast<char16_t>(c - 32);
@@ -183,7 +187,9 @@ char16_t lowerOf(char16_t c, bool isWide) {
 
 template <class C, class Map> void mapped(C* to, uint32_t capacity, View<C> text, Map map) {
     produce<C>(to, capacity, {text}, [&](Output<C>& out) {
-        for (const C c : text) out.append(static_cast<C>(map(static_cast<char16_t>(static_cast<std::make_unsigned_t<C>>(c)), sizeof(C) == 2)));
+        for (const C c : text)
+            out.append(
+                static_cast<C>(map(static_cast<char16_t>(static_cast<std::make_unsigned_t<C>>(c)), sizeof(C) == 2)));
     });
 }
 
@@ -240,62 +246,71 @@ int64_t dayOf(int64_t nanoseconds) { return nanoseconds / kDay - (nanoseconds % 
 
 namespace lib = plc::library;
 
-#define PLC_DEFINE_TEXT_FUNCTIONS(Prefix, C)                                                                                                   \
-    uint32_t Prefix##_length(const C* text, uint32_t capacity) { return lib::lengthOf(text, capacity); }                                       \
-    void Prefix##_assign(C* to, uint32_t toCapacity, const C* from, uint32_t fromCapacity) { lib::assign(to, toCapacity, from, fromCapacity); } \
-    void Prefix##_append(C* to, uint32_t toCapacity, const C* from, uint32_t fromCapacity) { lib::append(to, toCapacity, from, fromCapacity); } \
-    int32_t Prefix##_compare(const C* a, uint32_t aCapacity, const C* b, uint32_t bCapacity) {                                                 \
-        return lib::compare(lib::viewOf(a, aCapacity), lib::viewOf(b, bCapacity));                                                             \
-    }                                                                                                                                          \
-    uint8_t Prefix##_left(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t count) {                                       \
-        return lib::left(to, toCapacity, lib::viewOf(text, capacity), count);                                                                  \
-    }                                                                                                                                          \
-    uint8_t Prefix##_right(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t count) {                                      \
-        return lib::right(to, toCapacity, lib::viewOf(text, capacity), count);                                                                 \
-    }                                                                                                                                          \
-    uint8_t Prefix##_mid(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t length, int64_t position) {                     \
-        return lib::mid(to, toCapacity, lib::viewOf(text, capacity), length, position);                                                        \
-    }                                                                                                                                          \
-    uint8_t Prefix##_insert(C* to, uint32_t toCapacity, const C* a, uint32_t aCapacity, const C* b, uint32_t bCapacity, int64_t position) {    \
-        return lib::insert(to, toCapacity, lib::viewOf(a, aCapacity), lib::viewOf(b, bCapacity), position);                                    \
-    }                                                                                                                                          \
-    uint8_t Prefix##_delete(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t length, int64_t position) {                  \
-        const auto view = lib::viewOf(text, capacity);                                                                                         \
-        return lib::replace(to, toCapacity, view, {}, length, position, view.empty() ? 0 : view.size() - 1);                                   \
-    }                                                                                                                                          \
-    uint8_t Prefix##_replace(C* to, uint32_t toCapacity, const C* a, uint32_t aCapacity, const C* b, uint32_t bCapacity, int64_t length,       \
-                             int64_t position) {                                                                                               \
-        const auto view = lib::viewOf(a, aCapacity);                                                                                           \
-        return lib::replace(to, toCapacity, view, lib::viewOf(b, bCapacity), length, position, view.size());                                   \
-    }                                                                                                                                          \
-    uint32_t Prefix##_find(const C* a, uint32_t aCapacity, const C* b, uint32_t bCapacity) {                                                   \
-        return lib::find(lib::viewOf(a, aCapacity), lib::viewOf(b, bCapacity));                                                                \
-    }                                                                                                                                          \
-    void Prefix##_upper(C* to, uint32_t toCapacity, const C* text, uint32_t capacity) {                                                        \
-        lib::mapped(to, toCapacity, lib::viewOf(text, capacity), lib::upperOf);                                                                \
-    }                                                                                                                                          \
-    void Prefix##_lower(C* to, uint32_t toCapacity, const C* text, uint32_t capacity) {                                                        \
-        lib::mapped(to, toCapacity, lib::viewOf(text, capacity), lib::lowerOf);                                                                \
-    }                                                                                                                                          \
-    void Prefix##_trim(C* to, uint32_t toCapacity, const C* text, uint32_t capacity) { lib::trim(to, toCapacity, lib::viewOf(text, capacity)); } \
-    uint8_t Prefix##_is_number(const C* text, uint32_t capacity) {                                                                             \
-        return plc::types::isNumberText(lib::Ascii(lib::viewOf(text, capacity)).view());                                                       \
-    }                                                                                                                                          \
-    void Prefix##_from_character(C* to, uint32_t toCapacity, uint32_t code) {                                                                  \
-        to[0] = toCapacity > 0 ? static_cast<C>(code) : static_cast<C>(0);                                                                     \
-        if (to[0] != 0) to[1] = 0;                                                                                                             \
-    }                                                                                                                                          \
-    void Prefix##_from_integer(C* to, uint32_t toCapacity, uint32_t kind, int64_t value) {                                                     \
-        lib::fromAscii(to, toCapacity, plc::types::scalarText(static_cast<plc::types::TypeKind>(kind), value).view());                         \
-    }                                                                                                                                          \
-    void Prefix##_from_real(C* to, uint32_t toCapacity, uint32_t kind, double value) {                                                         \
-        lib::fromAscii(to, toCapacity, plc::types::realText(static_cast<plc::types::TypeKind>(kind), value).view());                           \
-    }                                                                                                                                          \
-    int64_t Prefix##_to_integer(const C* text, uint32_t capacity, uint32_t kind, uint8_t* ok) {                                                \
-        return lib::toInteger(lib::viewOf(text, capacity), kind, ok);                                                                          \
-    }                                                                                                                                          \
-    double Prefix##_to_real(const C* text, uint32_t capacity, uint32_t kind, uint8_t* ok) {                                                    \
-        return lib::toReal(lib::viewOf(text, capacity), kind, ok);                                                                             \
+#define PLC_DEFINE_TEXT_FUNCTIONS(Prefix, C)                                                                           \
+    uint32_t Prefix##_length(const C* text, uint32_t capacity) { return lib::lengthOf(text, capacity); }               \
+    void Prefix##_assign(C* to, uint32_t toCapacity, const C* from, uint32_t fromCapacity) {                           \
+        lib::assign(to, toCapacity, from, fromCapacity);                                                               \
+    }                                                                                                                  \
+    void Prefix##_append(C* to, uint32_t toCapacity, const C* from, uint32_t fromCapacity) {                           \
+        lib::append(to, toCapacity, from, fromCapacity);                                                               \
+    }                                                                                                                  \
+    int32_t Prefix##_compare(const C* a, uint32_t aCapacity, const C* b, uint32_t bCapacity) {                         \
+        return lib::compare(lib::viewOf(a, aCapacity), lib::viewOf(b, bCapacity));                                     \
+    }                                                                                                                  \
+    uint8_t Prefix##_left(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t count) {               \
+        return lib::left(to, toCapacity, lib::viewOf(text, capacity), count);                                          \
+    }                                                                                                                  \
+    uint8_t Prefix##_right(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t count) {              \
+        return lib::right(to, toCapacity, lib::viewOf(text, capacity), count);                                         \
+    }                                                                                                                  \
+    uint8_t Prefix##_mid(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t length,                 \
+                         int64_t position) {                                                                           \
+        return lib::mid(to, toCapacity, lib::viewOf(text, capacity), length, position);                                \
+    }                                                                                                                  \
+    uint8_t Prefix##_insert(C* to, uint32_t toCapacity, const C* a, uint32_t aCapacity, const C* b,                    \
+                            uint32_t bCapacity, int64_t position) {                                                    \
+        return lib::insert(to, toCapacity, lib::viewOf(a, aCapacity), lib::viewOf(b, bCapacity), position);            \
+    }                                                                                                                  \
+    uint8_t Prefix##_delete(C* to, uint32_t toCapacity, const C* text, uint32_t capacity, int64_t length,              \
+                            int64_t position) {                                                                        \
+        const auto view = lib::viewOf(text, capacity);                                                                 \
+        return lib::replace(to, toCapacity, view, {}, length, position, view.empty() ? 0 : view.size() - 1);           \
+    }                                                                                                                  \
+    uint8_t Prefix##_replace(C* to, uint32_t toCapacity, const C* a, uint32_t aCapacity, const C* b,                   \
+                             uint32_t bCapacity, int64_t length, int64_t position) {                                   \
+        const auto view = lib::viewOf(a, aCapacity);                                                                   \
+        return lib::replace(to, toCapacity, view, lib::viewOf(b, bCapacity), length, position, view.size());           \
+    }                                                                                                                  \
+    uint32_t Prefix##_find(const C* a, uint32_t aCapacity, const C* b, uint32_t bCapacity) {                           \
+        return lib::find(lib::viewOf(a, aCapacity), lib::viewOf(b, bCapacity));                                        \
+    }                                                                                                                  \
+    void Prefix##_upper(C* to, uint32_t toCapacity, const C* text, uint32_t capacity) {                                \
+        lib::mapped(to, toCapacity, lib::viewOf(text, capacity), lib::upperOf);                                        \
+    }                                                                                                                  \
+    void Prefix##_lower(C* to, uint32_t toCapacity, const C* text, uint32_t capacity) {                                \
+        lib::mapped(to, toCapacity, lib::viewOf(text, capacity), lib::lowerOf);                                        \
+    }                                                                                                                  \
+    void Prefix##_trim(C* to, uint32_t toCapacity, const C* text, uint32_t capacity) {                                 \
+        lib::trim(to, toCapacity, lib::viewOf(text, capacity));                                                        \
+    }                                                                                                                  \
+    uint8_t Prefix##_is_number(const C* text, uint32_t capacity) {                                                     \
+        return plc::types::isNumberText(lib::Ascii(lib::viewOf(text, capacity)).view());                               \
+    }                                                                                                                  \
+    void Prefix##_from_character(C* to, uint32_t toCapacity, uint32_t code) {                                          \
+        to[0] = toCapacity > 0 ? static_cast<C>(code) : static_cast<C>(0);                                             \
+        if (to[0] != 0) to[1] = 0;                                                                                     \
+    }                                                                                                                  \
+    void Prefix##_from_integer(C* to, uint32_t toCapacity, uint32_t kind, int64_t value) {                             \
+        lib::fromAscii(to, toCapacity, plc::types::scalarText(static_cast<plc::types::TypeKind>(kind), value).view()); \
+    }                                                                                                                  \
+    void Prefix##_from_real(C* to, uint32_t toCapacity, uint32_t kind, double value) {                                 \
+        lib::fromAscii(to, toCapacity, plc::types::realText(static_cast<plc::types::TypeKind>(kind), value).view());   \
+    }                                                                                                                  \
+    int64_t Prefix##_to_integer(const C* text, uint32_t capacity, uint32_t kind, uint8_t* ok) {                        \
+        return lib::toInteger(lib::viewOf(text, capacity), kind, ok);                                                  \
+    }                                                                                                                  \
+    double Prefix##_to_real(const C* text, uint32_t capacity, uint32_t kind, uint8_t* ok) {                            \
+        return lib::toReal(lib::viewOf(text, capacity), kind, ok);                                                     \
     }
 
 extern "C" {
@@ -304,7 +319,8 @@ PLC_DEFINE_TEXT_FUNCTIONS(plc_wtext, char16_t)
 
 void plc_text_to_wide(char16_t* to, uint32_t toCapacity, const char* from, uint32_t fromCapacity) {
     lib::Output<char16_t> out(to, toCapacity);
-    for (const char c : lib::viewOf(from, fromCapacity)) out.append(static_cast<char16_t>(static_cast<unsigned char>(c)));
+    for (const char c : lib::viewOf(from, fromCapacity))
+        out.append(static_cast<char16_t>(static_cast<unsigned char>(c)));
     out.finish();
 }
 
@@ -327,12 +343,17 @@ int64_t plc_date_part(int64_t nanoseconds, int64_t which) {
 }
 
 int64_t plc_time_part(int64_t nanoseconds, int64_t which) {
-    const int64_t milliseconds = (nanoseconds % lib::kDay + lib::kDay) % lib::kDay / lib::kMillisecond; // the oldest midnight is no number of 64 bits
+    const int64_t milliseconds = (nanoseconds % lib::kDay + lib::kDay) % lib::kDay /
+                                 lib::kMillisecond; // the oldest midnight is no number of 64 bits
     switch (which) {
-    case 0: return milliseconds / 3'600'000;
-    case 1: return milliseconds / 60'000 % 60;
-    case 2: return milliseconds / 1'000 % 60;
-    default: return milliseconds % 1'000;
+    case 0:
+        return milliseconds / 3'600'000;
+    case 1:
+        return milliseconds / 60'000 % 60;
+    case 2:
+        return milliseconds / 1'000 % 60;
+    default:
+        return milliseconds % 1'000;
     }
 }
 
@@ -340,7 +361,8 @@ int64_t plc_concat_date(int64_t year, int64_t month, int64_t day, uint8_t* ok) {
     *ok = year >= 1678 && year <= 2261 && month >= 1 && month <= 12 && day >= 1 && day <= 31 &&
           plc::types::isValidDate({static_cast<int>(year), static_cast<int>(month), static_cast<int>(day)});
     if (!*ok) return 0;
-    return plc::types::daysFromCivil({static_cast<int>(year), static_cast<int>(month), static_cast<int>(day)}) * lib::kDay;
+    return plc::types::daysFromCivil({static_cast<int>(year), static_cast<int>(month), static_cast<int>(day)}) *
+           lib::kDay;
 }
 
 int64_t plc_concat_tod(int64_t hour, int64_t minute, int64_t second, int64_t millisecond, uint8_t* ok) {
@@ -349,7 +371,8 @@ int64_t plc_concat_tod(int64_t hour, int64_t minute, int64_t second, int64_t mil
     return *ok ? (((hour * 60 + minute) * 60 + second) * 1'000 + millisecond) * lib::kMillisecond : 0;
 }
 
-int64_t plc_concat_dt(int64_t year, int64_t month, int64_t day, int64_t hour, int64_t minute, int64_t second, int64_t millisecond, uint8_t* ok) {
+int64_t plc_concat_dt(int64_t year, int64_t month, int64_t day, int64_t hour, int64_t minute, int64_t second,
+                      int64_t millisecond, uint8_t* ok) {
     uint8_t isDate = 0, isTime = 0;
     const int64_t date = plc_concat_date(year, month, day, &isDate);
     const int64_t time = plc_concat_tod(hour, minute, second, millisecond, &isTime);
@@ -366,13 +389,15 @@ uint8_t plc_is_valid_bcd(uint64_t digits) {
 int64_t plc_bcd_to_integer(uint64_t digits, uint32_t kind, uint8_t* ok) {
     uint64_t value = 0;
     for (int shift = 60; shift >= 0; shift -= 4) value = value * 10 + ((digits >> shift) & 15);
-    *ok = plc_is_valid_bcd(digits) && value <= plc::types::TypeTable::integerRange(static_cast<plc::types::TypeKind>(kind)).second;
+    *ok = plc_is_valid_bcd(digits) &&
+          value <= plc::types::TypeTable::integerRange(static_cast<plc::types::TypeKind>(kind)).second;
     return *ok ? static_cast<int64_t>(value) : 0;
 }
 
 int64_t plc_integer_to_bcd(int64_t value, uint32_t fromKind, uint32_t toKind, uint8_t* ok) {
     using plc::types::Family;
-    const bool isNegative = value < 0 && plc::types::familyOf(static_cast<plc::types::TypeKind>(fromKind)) == Family::Signed;
+    const bool isNegative =
+        value < 0 && plc::types::familyOf(static_cast<plc::types::TypeKind>(fromKind)) == Family::Signed;
     auto rest = static_cast<uint64_t>(value);
     const unsigned bits = plc::types::bitsOf(static_cast<plc::types::TypeKind>(toKind));
     uint64_t digits = 0;
@@ -405,29 +430,21 @@ int64_t plc_real_to_time(double value, uint32_t kind) {
 namespace plc::library {
 
 std::span<const RuntimeSymbol> runtimeSymbols() {
-#define PLC_SYMBOL(Name) RuntimeSymbol{#Name, reinterpret_cast<void*>(&Name)}
-#define PLC_TEXT_SYMBOLS(Prefix)                                                                                                               \
-    PLC_SYMBOL(Prefix##_length), PLC_SYMBOL(Prefix##_assign), PLC_SYMBOL(Prefix##_append), PLC_SYMBOL(Prefix##_compare),                       \
-        PLC_SYMBOL(Prefix##_left), PLC_SYMBOL(Prefix##_right), PLC_SYMBOL(Prefix##_mid), PLC_SYMBOL(Prefix##_insert),                          \
-        PLC_SYMBOL(Prefix##_delete), PLC_SYMBOL(Prefix##_replace), PLC_SYMBOL(Prefix##_find), PLC_SYMBOL(Prefix##_upper),                      \
-        PLC_SYMBOL(Prefix##_lower), PLC_SYMBOL(Prefix##_trim), PLC_SYMBOL(Prefix##_is_number), PLC_SYMBOL(Prefix##_from_character),            \
-        PLC_SYMBOL(Prefix##_from_integer), PLC_SYMBOL(Prefix##_from_real), PLC_SYMBOL(Prefix##_to_integer), PLC_SYMBOL(Prefix##_to_real)
+#define PLC_SYMBOL(Name)                                                                                               \
+    RuntimeSymbol { #Name, reinterpret_cast < void*>(&Name) }
+#define PLC_TEXT_SYMBOLS(Prefix)                                                                                       \
+    PLC_SYMBOL(Prefix##_length), PLC_SYMBOL(Prefix##_assign), PLC_SYMBOL(Prefix##_append),                             \
+        PLC_SYMBOL(Prefix##_compare), PLC_SYMBOL(Prefix##_left), PLC_SYMBOL(Prefix##_right), PLC_SYMBOL(Prefix##_mid), \
+        PLC_SYMBOL(Prefix##_insert), PLC_SYMBOL(Prefix##_delete), PLC_SYMBOL(Prefix##_replace),                        \
+        PLC_SYMBOL(Prefix##_find), PLC_SYMBOL(Prefix##_upper), PLC_SYMBOL(Prefix##_lower), PLC_SYMBOL(Prefix##_trim),  \
+        PLC_SYMBOL(Prefix##_is_number), PLC_SYMBOL(Prefix##_from_character), PLC_SYMBOL(Prefix##_from_integer),        \
+        PLC_SYMBOL(Prefix##_from_real), PLC_SYMBOL(Prefix##_to_integer), PLC_SYMBOL(Prefix##_to_real)
     static const RuntimeSymbol symbols[] = {
-        PLC_TEXT_SYMBOLS(plc_text),
-        PLC_TEXT_SYMBOLS(plc_wtext),
-        PLC_SYMBOL(plc_text_to_wide),
-        PLC_SYMBOL(plc_wtext_to_narrow),
-        PLC_SYMBOL(plc_date_part),
-        PLC_SYMBOL(plc_time_part),
-        PLC_SYMBOL(plc_concat_date),
-        PLC_SYMBOL(plc_concat_tod),
-        PLC_SYMBOL(plc_concat_dt),
-        PLC_SYMBOL(plc_bcd_to_integer),
-        PLC_SYMBOL(plc_integer_to_bcd),
-        PLC_SYMBOL(plc_is_valid_bcd),
-        PLC_SYMBOL(plc_power_integer),
-        PLC_SYMBOL(plc_multiply_duration),
-        PLC_SYMBOL(plc_divide_duration),
+        PLC_TEXT_SYMBOLS(plc_text),      PLC_TEXT_SYMBOLS(plc_wtext),       PLC_SYMBOL(plc_text_to_wide),
+        PLC_SYMBOL(plc_wtext_to_narrow), PLC_SYMBOL(plc_date_part),         PLC_SYMBOL(plc_time_part),
+        PLC_SYMBOL(plc_concat_date),     PLC_SYMBOL(plc_concat_tod),        PLC_SYMBOL(plc_concat_dt),
+        PLC_SYMBOL(plc_bcd_to_integer),  PLC_SYMBOL(plc_integer_to_bcd),    PLC_SYMBOL(plc_is_valid_bcd),
+        PLC_SYMBOL(plc_power_integer),   PLC_SYMBOL(plc_multiply_duration), PLC_SYMBOL(plc_divide_duration),
         PLC_SYMBOL(plc_real_to_time),
     };
 #undef PLC_TEXT_SYMBOLS

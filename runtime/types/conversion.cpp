@@ -10,7 +10,9 @@ Implicit betweenNumbers(TypeKind from, TypeKind to) {
     const Family a = familyOf(from), b = familyOf(to);
     const unsigned fromBits = bitsOf(from), toBits = bitsOf(to);
     if (a == Family::Real) return b == Family::Real && toBits >= fromBits ? Implicit::Widening : Implicit::Narrowing;
-    if (b == Family::Real) return fromBits <= toBits / 2 || (to == TypeKind::Lreal && fromBits <= 32) ? Implicit::Widening : Implicit::Narrowing;
+    if (b == Family::Real)
+        return fromBits <= toBits / 2 || (to == TypeKind::Lreal && fromBits <= 32) ? Implicit::Widening
+                                                                                   : Implicit::Narrowing;
     const bool fromSigned = a == Family::Signed, toSigned = b == Family::Signed;
     if (fromSigned == toSigned) return toBits >= fromBits ? Implicit::Widening : Implicit::Narrowing;
     if (fromSigned) return Implicit::Narrowing;
@@ -42,7 +44,8 @@ Implicit toAddress(const TypeTable& types, TypeId from, TypeId to) {
     const Type& source = types[from];
     if (source.kind == TypeKind::Null) return Implicit::Widening;
     if (isAddress(source.kind)) {
-        if (source.element == types[to].element || types.isDerivedFrom(source.element, types[to].element)) return Implicit::Widening;
+        if (source.element == types[to].element || types.isDerivedFrom(source.element, types[to].element))
+            return Implicit::Widening;
         return Implicit::Narrowing;
     }
     const Family family = types.family(from);
@@ -53,12 +56,18 @@ Implicit betweenElementary(TypeKind from, TypeKind to) {
     const Family a = familyOf(from), b = familyOf(to);
     if (isNumeric(a) && isNumeric(b)) return betweenNumbers(from, to);
     if (a == Family::Bool && b == Family::Bits) return Implicit::Widening;
-    if (a == Family::Character && b == Family::Character) return bitsOf(to) >= bitsOf(from) ? Implicit::Widening : Implicit::Narrowing;
+    if (a == Family::Character && b == Family::Character)
+        return bitsOf(to) >= bitsOf(from) ? Implicit::Widening : Implicit::Narrowing;
     // A character of a string is also its code, as in CODESYS: s[1] = 48.
-    if (a == Family::Character && isInteger(b)) return bitsOf(to) >= bitsOf(from) && b != Family::Signed ? Implicit::Widening : bitsOf(to) > bitsOf(from) ? Implicit::Widening : Implicit::Narrowing;
-    if (isInteger(a) && b == Family::Character) return a != Family::Signed && bitsOf(from) <= bitsOf(to) ? Implicit::Widening : Implicit::Narrowing;
+    if (a == Family::Character && isInteger(b))
+        return bitsOf(to) >= bitsOf(from) && b != Family::Signed ? Implicit::Widening
+               : bitsOf(to) > bitsOf(from)                       ? Implicit::Widening
+                                                                 : Implicit::Narrowing;
+    if (isInteger(a) && b == Family::Character)
+        return a != Family::Signed && bitsOf(from) <= bitsOf(to) ? Implicit::Widening : Implicit::Narrowing;
     if (a == b) { // TIME → LTIME and the like
-        const bool toLong = to == TypeKind::Ltime || to == TypeKind::Ldate || to == TypeKind::Ltod || to == TypeKind::Ldt;
+        const bool toLong =
+            to == TypeKind::Ltime || to == TypeKind::Ldate || to == TypeKind::Ltod || to == TypeKind::Ldt;
         return toLong ? Implicit::Widening : Implicit::Narrowing;
     }
     return Implicit::Forbidden;
@@ -93,40 +102,59 @@ Implicit implicitConversion(const TypeTable& types, TypeId from, TypeId to) {
     if (target == TypeKind::Enum) return isInteger(types.family(from)) ? Implicit::Narrowing : Implicit::Forbidden;
     if (types.isText(from) && types.isText(to)) return betweenTexts(types, from, to);
     const TypeKind a = types.storageKind(from), b = types.storageKind(to);
-    if (familyOf(a) == Family::Character && types.isText(to)) return a == TypeKind::Wchar && b == TypeKind::String ? Implicit::Narrowing : Implicit::Widening;
+    if (familyOf(a) == Family::Character && types.isText(to))
+        return a == TypeKind::Wchar && b == TypeKind::String ? Implicit::Narrowing : Implicit::Widening;
     if (isElementary(a) && isElementary(b)) return a == b ? Implicit::Same : betweenElementary(a, b);
     if (isAddress(b)) return toAddress(types, from, to);
-    if (isAddress(a)) return isInteger(familyOf(b)) && bitsOf(b) >= 32 ? (bitsOf(b) == 64 ? Implicit::Widening : Implicit::Narrowing) : Implicit::Forbidden;
+    if (isAddress(a))
+        return isInteger(familyOf(b)) && bitsOf(b) >= 32 ? (bitsOf(b) == 64 ? Implicit::Widening : Implicit::Narrowing)
+                                                         : Implicit::Forbidden;
     if (b == TypeKind::Interface) {
         if (a == TypeKind::Null) return Implicit::Widening;
-        return (a == TypeKind::Block || a == TypeKind::Interface) && types.isDerivedFrom(from, to) ? Implicit::Widening : Implicit::Forbidden;
+        return (a == TypeKind::Block || a == TypeKind::Interface) && types.isDerivedFrom(from, to)
+                   ? Implicit::Widening
+                   : Implicit::Forbidden;
     }
     if (a == TypeKind::Array && b == TypeKind::OpenArray)
-        return types[from].element == types[to].element && types[from].dimensions.size() == types[to].dimensions.size() ? Implicit::Same : Implicit::Forbidden;
+        return types[from].element == types[to].element && types[from].dimensions.size() == types[to].dimensions.size()
+                   ? Implicit::Same
+                   : Implicit::Forbidden;
     if (a == TypeKind::OpenArray && b == TypeKind::OpenArray)
-        return types[from].element == types[to].element && types[from].dimensions.size() == types[to].dimensions.size() ? Implicit::Same : Implicit::Forbidden;
+        return types[from].element == types[to].element && types[from].dimensions.size() == types[to].dimensions.size()
+                   ? Implicit::Same
+                   : Implicit::Forbidden;
     return Implicit::Forbidden;
 }
 
 int64_t wrapInteger(TypeKind kind, int64_t value) {
     switch (kind) {
-    case TypeKind::Bool: return value != 0;
-    case TypeKind::Sint: return static_cast<int8_t>(value);
-    case TypeKind::Int: return static_cast<int16_t>(value);
-    case TypeKind::Dint: return static_cast<int32_t>(value);
+    case TypeKind::Bool:
+        return value != 0;
+    case TypeKind::Sint:
+        return static_cast<int8_t>(value);
+    case TypeKind::Int:
+        return static_cast<int16_t>(value);
+    case TypeKind::Dint:
+        return static_cast<int32_t>(value);
     case TypeKind::Byte:
     case TypeKind::Usint:
-    case TypeKind::Char: return static_cast<uint8_t>(value);
+    case TypeKind::Char:
+        return static_cast<uint8_t>(value);
     case TypeKind::Word:
     case TypeKind::Uint:
-    case TypeKind::Wchar: return static_cast<uint16_t>(value);
+    case TypeKind::Wchar:
+        return static_cast<uint16_t>(value);
     case TypeKind::Dword:
-    case TypeKind::Udint: return static_cast<uint32_t>(value);
-    default: return value;
+    case TypeKind::Udint:
+        return static_cast<uint32_t>(value);
+    default:
+        return value;
     }
 }
 
-int64_t roundToInteger(TypeKind kind, double value) { return toInteger(kind, kind == TypeKind::Bool ? value : std::nearbyint(value)); }
+int64_t roundToInteger(TypeKind kind, double value) {
+    return toInteger(kind, kind == TypeKind::Bool ? value : std::nearbyint(value));
+}
 
 Value truncate(const TypeTable& types, const Value& value, TypeId to) {
     if (!std::holds_alternative<double>(value.data)) return convert(types, value, to);

@@ -12,12 +12,12 @@ enum class Implicit : uint8_t {
     Narrowing, // allowed with a warning (P2004)
     Forbidden, // an error
 };
-/// Implicit conversion of a value of `from` assigned to `to` (widening silent; narrowing numbers and REAL→integer, integer↔bits
-/// of other width, INT→enum a warning, as in CODESYS; BOOL ↔ number forbidden but literals 0/1).
+/// Implicit conversion of a value of `from` assigned to `to` (widening silent; narrowing numbers and REAL→integer,
+/// integer↔bits of other width, INT→enum a warning, as in CODESYS; BOOL ↔ number forbidden but literals 0/1).
 [[nodiscard]] Implicit implicitConversion(const TypeTable& types, TypeId from, TypeId to);
 
-/// X_TO_Y of table 22 and CODESYS for every pair of elementary types, strings included. `ok` becomes false (ENO) when the
-/// text or value has no meaning in `to`; the result then is 0 or ''.
+/// X_TO_Y of table 22 and CODESYS for every pair of elementary types, strings included. `ok` becomes false (ENO) when
+/// the text or value has no meaning in `to`; the result then is 0 or ''.
 [[nodiscard]] Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok = nullptr);
 /// TRUNC: towards zero, saturating, NaN gives 0.
 [[nodiscard]] Value truncate(const TypeTable& types, const Value& value, TypeId to);

@@ -10,18 +10,25 @@ namespace {
 constexpr int64_t kSecond = 1'000'000'000;
 constexpr int64_t kDay = 86'400 * kSecond;
 
-/// Nanoseconds that one count of the number stands for: TIME and TOD count milliseconds, DATE and DT seconds, long forms nanoseconds.
+/// Nanoseconds that one count of the number stands for: TIME and TOD count milliseconds, DATE and DT seconds, long
+/// forms nanoseconds.
 int64_t unitOf(TypeKind kind) {
     switch (kind) {
     case TypeKind::Time:
-    case TypeKind::Tod: return 1'000'000;
+    case TypeKind::Tod:
+        return 1'000'000;
     case TypeKind::Date:
-    case TypeKind::Dt: return kSecond;
-    default: return 1;
+    case TypeKind::Dt:
+        return kSecond;
+    default:
+        return 1;
     }
 }
 
-bool isTime(Family family) { return family == Family::Duration || family == Family::Date || family == Family::TimeOfDay || family == Family::DateTime; }
+bool isTime(Family family) {
+    return family == Family::Duration || family == Family::Date || family == Family::TimeOfDay ||
+           family == Family::DateTime;
+}
 bool isUnsigned64(TypeKind kind) { return kind == TypeKind::Ulint || kind == TypeKind::Lword; }
 
 /// From the last midnight, also before 1970.
@@ -33,7 +40,10 @@ int64_t sinceMidnight(int64_t nanoseconds) {
 /// Any instant or duration as a value of `to`: dates begin their day, times of day stay within it.
 int64_t fitTime(TypeKind to, int64_t nanoseconds) {
     const Family family = familyOf(to);
-    if (family == Family::Date) return static_cast<int64_t>(static_cast<uint64_t>(nanoseconds) - static_cast<uint64_t>(sinceMidnight(nanoseconds))); // wraps on the first day there is
+    if (family == Family::Date)
+        return static_cast<int64_t>(
+            static_cast<uint64_t>(nanoseconds) -
+            static_cast<uint64_t>(sinceMidnight(nanoseconds))); // wraps on the first day there is
     if (family == Family::TimeOfDay) return sinceMidnight(nanoseconds);
     return nanoseconds;
 }
@@ -50,7 +60,8 @@ Value fromInteger(TypeId type, TypeKind to, TypeKind from, int64_t number) {
     const Family family = familyOf(to);
     if (family == Family::Real) return {type, realOf(to, from, number)};
     if (isTime(family)) {
-        const auto nanoseconds = static_cast<int64_t>(static_cast<uint64_t>(number) * static_cast<uint64_t>(unitOf(to)));
+        const auto nanoseconds =
+            static_cast<int64_t>(static_cast<uint64_t>(number) * static_cast<uint64_t>(unitOf(to)));
         return {type, fitTime(to, nanoseconds)};
     }
     return {type, wrapInteger(to, number)};
@@ -58,7 +69,8 @@ Value fromInteger(TypeId type, TypeKind to, TypeKind from, int64_t number) {
 
 Value fromReal(TypeId type, TypeKind to, double number) {
     const Family family = familyOf(to);
-    if (family == Family::Real) return {type, to == TypeKind::Real ? static_cast<double>(static_cast<float>(number)) : number};
+    if (family == Family::Real)
+        return {type, to == TypeKind::Real ? static_cast<double>(static_cast<float>(number)) : number};
     if (isTime(family)) return {type, timeFromReal(to, number)};
     return {type, roundToInteger(to, number)};
 }
@@ -77,7 +89,8 @@ ScalarText textOf(TypeKind from, const Value& value) {
     return scalarText(from, value.integer());
 }
 
-/// One text type into the other, or a scalar's text into either, cut to the capacity. Latin-1 maps onto the first 256 of UTF-16.
+/// One text type into the other, or a scalar's text into either, cut to the capacity. Latin-1 maps onto the first 256
+/// of UTF-16.
 Value toTextValue(const TypeTable& types, TypeId type, const Value& value, bool& ok) {
     const Type& target = types[types.storage(type)];
     std::u16string wide;
@@ -146,7 +159,8 @@ Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok) {
     const TypeKind source = types.storageKind(value.type), target = types.storageKind(to);
     if (target == TypeKind::String || target == TypeKind::Wstring) return finish(toTextValue(types, to, value, good));
     if (const auto* text = std::get_if<std::string>(&value.data)) return finish(fromText(to, target, *text, good));
-    if (const auto* wide = std::get_if<std::u16string>(&value.data)) return finish(fromWideText(to, target, *wide, good));
+    if (const auto* wide = std::get_if<std::u16string>(&value.data))
+        return finish(fromWideText(to, target, *wide, good));
     if (const auto* real = std::get_if<double>(&value.data)) return finish(fromReal(to, target, *real));
     if (isTime(familyOf(source))) return finish(fromTime(to, target, source, value.integer()));
     return finish(fromInteger(to, target, source, value.integer()));

@@ -14,7 +14,13 @@ struct Unit {
     std::string_view name;
     int64_t nanoseconds;
 };
-constexpr std::array<Unit, 7> kUnits{{{"d", kDay}, {"h", 3600 * kSecond}, {"m", 60 * kSecond}, {"s", kSecond}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
+constexpr std::array<Unit, 7> kUnits{{{"d", kDay},
+                                      {"h", 3600 * kSecond},
+                                      {"m", 60 * kSecond},
+                                      {"s", kSecond},
+                                      {"ms", 1'000'000},
+                                      {"us", 1'000},
+                                      {"ns", 1}}};
 
 /// Nanoseconds since midnight. The day's begin itself need not be a number of 64 bits: the oldest one is not.
 int64_t clockOf(int64_t nanoseconds) { return (nanoseconds % kDay + kDay) % kDay; }
@@ -49,7 +55,9 @@ bool takePrefix(std::string_view& text, std::initializer_list<std::string_view> 
 std::optional<int64_t> takeNumber(std::string_view& text, size_t* digits = nullptr) {
     int64_t value = 0;
     size_t count = 0, i = 0;
-    for (; i < text.size() && (isDigit(text[i]) || (text[i] == '_' && count > 0 && i + 1 < text.size() && isDigit(text[i + 1]))); ++i) {
+    for (; i < text.size() &&
+           (isDigit(text[i]) || (text[i] == '_' && count > 0 && i + 1 < text.size() && isDigit(text[i + 1])));
+         ++i) {
         if (text[i] == '_') continue;
         if (++count > 18) return std::nullopt;
         value = value * 10 + (text[i] - '0');
@@ -120,9 +128,12 @@ void appendClock(ScalarText& out, int64_t nanoseconds) {
     out.append(seconds % 60, 2);
     if (fraction == 0) return;
     out.append(".");
-    if (fraction % 1'000'000 == 0) out.append(fraction / 1'000'000, 3);
-    else if (fraction % 1'000 == 0) out.append(fraction / 1'000, 6);
-    else out.append(fraction, 9);
+    if (fraction % 1'000'000 == 0)
+        out.append(fraction / 1'000'000, 3);
+    else if (fraction % 1'000 == 0)
+        out.append(fraction / 1'000, 6);
+    else
+        out.append(fraction, 9);
 }
 
 void appendCivil(ScalarText& out, int64_t days) {
@@ -200,17 +211,27 @@ void appendDateTime(ScalarText& out, int64_t nanoseconds, bool isLong) {
     appendClock(out, clockOf(nanoseconds));
 }
 
-std::string durationText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDuration(out, nanoseconds, isLong); }); }
-std::string dateText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDate(out, nanoseconds, isLong); }); }
-std::string timeOfDayText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendTimeOfDay(out, nanoseconds, isLong); }); }
-std::string dateTimeText(int64_t nanoseconds, bool isLong) { return toString([&](ScalarText& out) { appendDateTime(out, nanoseconds, isLong); }); }
+std::string durationText(int64_t nanoseconds, bool isLong) {
+    return toString([&](ScalarText& out) { appendDuration(out, nanoseconds, isLong); });
+}
+std::string dateText(int64_t nanoseconds, bool isLong) {
+    return toString([&](ScalarText& out) { appendDate(out, nanoseconds, isLong); });
+}
+std::string timeOfDayText(int64_t nanoseconds, bool isLong) {
+    return toString([&](ScalarText& out) { appendTimeOfDay(out, nanoseconds, isLong); });
+}
+std::string dateTimeText(int64_t nanoseconds, bool isLong) {
+    return toString([&](ScalarText& out) { appendDateTime(out, nanoseconds, isLong); });
+}
 
 std::optional<int64_t> parseDuration(std::string_view text) {
     text = trimmed(text);
     bool isNegative = take(text, '-');
     if (!takePrefix(text, {"t", "time", "lt", "ltime"})) return std::nullopt;
-    if (take(text, '-')) isNegative = !isNegative;
-    else take(text, '+');
+    if (take(text, '-'))
+        isNegative = !isNegative;
+    else
+        take(text, '+');
     __int128 sum = 0;
     size_t nextUnit = 0;
     bool hadFraction = false;
@@ -239,7 +260,8 @@ std::optional<int64_t> parseDuration(std::string_view text) {
         if (found == kUnits.size()) return std::nullopt;
         text.remove_prefix(kUnits[found].name.size());
         while (!text.empty() && text.front() == '_') text.remove_prefix(1);
-        sum += static_cast<__int128>(*whole) * kUnits[found].nanoseconds + static_cast<__int128>(fraction) * kUnits[found].nanoseconds / kSecond;
+        sum += static_cast<__int128>(*whole) * kUnits[found].nanoseconds +
+               static_cast<__int128>(fraction) * kUnits[found].nanoseconds / kSecond;
         nextUnit = found + 1;
         if (sum > static_cast<__int128>(INT64_MAX)) return std::nullopt;
     }

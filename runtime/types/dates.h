@@ -1,4 +1,5 @@
-// Times and dates as IEC text, written into a ScalarText. Nanoseconds as in `elementary.def`. Pure functions, any thread.
+// Times and dates as IEC text, written into a ScalarText. Nanoseconds as in `elementary.def`. Pure functions, any
+// thread.
 #pragma once
 #include "runtime/types/scalar_text.h"
 

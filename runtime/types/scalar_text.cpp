@@ -87,7 +87,9 @@ std::optional<int64_t> boolFromText(std::string_view text) {
 /// Reads a real number at the begin of `text`; `end` is behind it.
 template <class Number> std::optional<double> leadingReal(std::string_view text, const char*& end) {
     const size_t first = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-    if (first >= text.size() || !(isDigit(text[first]) || (text[first] == '.' && first + 1 < text.size() && isDigit(text[first + 1])))) return std::nullopt;
+    if (first >= text.size() ||
+        !(isDigit(text[first]) || (text[first] == '.' && first + 1 < text.size() && isDigit(text[first + 1]))))
+        return std::nullopt;
     if (text.front() == '+') text.remove_prefix(1);
     Number number = 0;
     const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -114,18 +116,41 @@ void ScalarText::append(int64_t number, unsigned minimumDigits) {
 ScalarText scalarText(TypeKind kind, int64_t value) {
     ScalarText out;
     switch (kind) {
-    case TypeKind::Bool: out.append(value ? "TRUE" : "FALSE"); break;
-    case TypeKind::Time: appendDuration(out, value, false); break;
-    case TypeKind::Ltime: appendDuration(out, value, true); break;
-    case TypeKind::Date: appendDate(out, value, false); break;
-    case TypeKind::Ldate: appendDate(out, value, true); break;
-    case TypeKind::Tod: appendTimeOfDay(out, value, false); break;
-    case TypeKind::Ltod: appendTimeOfDay(out, value, true); break;
-    case TypeKind::Dt: appendDateTime(out, value, false); break;
-    case TypeKind::Ldt: appendDateTime(out, value, true); break;
+    case TypeKind::Bool:
+        out.append(value ? "TRUE" : "FALSE");
+        break;
+    case TypeKind::Time:
+        appendDuration(out, value, false);
+        break;
+    case TypeKind::Ltime:
+        appendDuration(out, value, true);
+        break;
+    case TypeKind::Date:
+        appendDate(out, value, false);
+        break;
+    case TypeKind::Ldate:
+        appendDate(out, value, true);
+        break;
+    case TypeKind::Tod:
+        appendTimeOfDay(out, value, false);
+        break;
+    case TypeKind::Ltod:
+        appendTimeOfDay(out, value, true);
+        break;
+    case TypeKind::Dt:
+        appendDateTime(out, value, false);
+        break;
+    case TypeKind::Ldt:
+        appendDateTime(out, value, true);
+        break;
     case TypeKind::Ulint:
-    case TypeKind::Lword: out.size = static_cast<uint32_t>(std::to_chars(out.data, out.data + sizeof out.data, static_cast<uint64_t>(value)).ptr - out.data); break;
-    default: out.append(value); break;
+    case TypeKind::Lword:
+        out.size = static_cast<uint32_t>(
+            std::to_chars(out.data, out.data + sizeof out.data, static_cast<uint64_t>(value)).ptr - out.data);
+        break;
+    default:
+        out.append(value);
+        break;
     }
     return out;
 }
@@ -137,8 +162,9 @@ ScalarText realText(TypeKind kind, double value) {
     } else if (std::isinf(value)) {
         out.append(value > 0 ? "INF" : "-INF");
     } else {
-        const char* end = kind == TypeKind::Real ? std::to_chars(out.data, out.data + sizeof out.data, static_cast<float>(value)).ptr
-                                                 : std::to_chars(out.data, out.data + sizeof out.data, value).ptr;
+        const char* end = kind == TypeKind::Real
+                              ? std::to_chars(out.data, out.data + sizeof out.data, static_cast<float>(value)).ptr
+                              : std::to_chars(out.data, out.data + sizeof out.data, value).ptr;
         out.size = static_cast<uint32_t>(end - out.data);
         if (out.view().find_first_of(".e") == std::string_view::npos) out.append(".0");
     }
@@ -148,19 +174,26 @@ ScalarText realText(TypeKind kind, double value) {
 std::optional<int64_t> integerFromText(TypeKind kind, std::string_view text) {
     const std::string_view trimmed = withoutBlanks(text);
     switch (familyOf(kind)) {
-    case Family::Bool: return boolFromText(trimmed);
+    case Family::Bool:
+        return boolFromText(trimmed);
     case Family::Bits:
     case Family::Signed:
-    case Family::Unsigned: return leadingInteger(kind, trimmed);
-    case Family::Duration: return parseDuration(trimmed);
-    case Family::Date: return parseDate(trimmed);
-    case Family::TimeOfDay: return parseTimeOfDay(trimmed);
-    case Family::DateTime: return parseDateTime(trimmed);
+    case Family::Unsigned:
+        return leadingInteger(kind, trimmed);
+    case Family::Duration:
+        return parseDuration(trimmed);
+    case Family::Date:
+        return parseDate(trimmed);
+    case Family::TimeOfDay:
+        return parseTimeOfDay(trimmed);
+    case Family::DateTime:
+        return parseDateTime(trimmed);
     case Family::Character:
         if (text.empty()) return std::nullopt;
         return static_cast<unsigned char>(text.front());
     case Family::Real:
-    case Family::Other: break;
+    case Family::Other:
+        break;
     }
     return std::nullopt;
 }

@@ -1,4 +1,5 @@
-// Scalars as text and back without allocating, for conversions inside a scan (X_TO_STRING, STRING_TO_X). Pure functions, any thread.
+// Scalars as text and back without allocating, for conversions inside a scan (X_TO_STRING, STRING_TO_X). Pure
+// functions, any thread.
 #pragma once
 #include "runtime/types/type.h"
 
@@ -20,7 +21,8 @@ struct ScalarText {
 [[nodiscard]] ScalarText scalarText(TypeKind kind, int64_t value);
 /// The shortest text that reads back as the same REAL or LREAL.
 [[nodiscard]] ScalarText realText(TypeKind kind, double value);
-/// STRING_TO_X: leading blanks do not count; a number may be followed by other text; none where the text has no meaning in `kind`.
+/// STRING_TO_X: leading blanks do not count; a number may be followed by other text; none where the text has no meaning
+/// in `kind`.
 [[nodiscard]] std::optional<int64_t> integerFromText(TypeKind kind, std::string_view text);
 [[nodiscard]] std::optional<double> realFromText(TypeKind kind, std::string_view text);
 /// The whole of it (blanks at the ends aside) is one integer or real number.

@@ -34,14 +34,26 @@ enum class TypeKind : uint8_t {
     Unknown,   // after an error; converts to and from everything in silence
 };
 
-enum class Family : uint8_t { Bool, Bits, Signed, Unsigned, Real, Duration, Date, TimeOfDay, DateTime, Character, Other };
+enum class Family : uint8_t {
+    Bool,
+    Bits,
+    Signed,
+    Unsigned,
+    Real,
+    Duration,
+    Date,
+    TimeOfDay,
+    DateTime,
+    Character,
+    Other
+};
 
 enum class FieldSection : uint8_t { Member, Input, Output, InOut, Local, Static, External, Step };
 
 struct Field {
     std::string name;
     TypeId type;
-    uint32_t offset = 0;     // from the begin of the structure or instance; InOut: of the 8-byte offset it holds
+    uint32_t offset = 0; // from the begin of the structure or instance; InOut: of the 8-byte offset it holds
     FieldSection section = FieldSection::Member;
     bool retain = false;
     bool persistent = false;
@@ -49,8 +61,8 @@ struct Field {
     bool isPrivate = false;           // {attribute 'hide'} or compiler-made: not listed in watches
     std::vector<std::string> aliases; // {attribute 'alias' := 'a, b'}
     SourceRange declaration;
-    std::string comment;              // the comment behind or above the declaration
-    int16_t bit = -1;                 // BIT member of a structure: bit 0..7 of the byte at offset
+    std::string comment; // the comment behind or above the declaration
+    int16_t bit = -1;    // BIT member of a structure: bit 0..7 of the byte at offset
 };
 
 struct Enumerator {
@@ -68,13 +80,13 @@ struct Dimension {
 
 struct Type {
     TypeKind kind = TypeKind::Unknown;
-    std::string name;          // as declared or spelled: "INT", "STRING(20)", "ARRAY[1..3] OF INT", "Motor"
-    std::string space;         // namespace of a declared type, "" = none
-    uint32_t size = 0;         // bytes
+    std::string name;  // as declared or spelled: "INT", "STRING(20)", "ARRAY[1..3] OF INT", "Motor"
+    std::string space; // namespace of a declared type, "" = none
+    uint32_t size = 0; // bytes
     uint32_t align = 1;
-    TypeId element;            // Array/OpenArray element, Pointer/Reference target, Enum/Subrange base
-    int64_t low = 0, high = 0; // Subrange
-    uint32_t capacity = 0;     // String, Wstring: characters
+    TypeId element;                      // Array/OpenArray element, Pointer/Reference target, Enum/Subrange base
+    int64_t low = 0, high = 0;           // Subrange
+    uint32_t capacity = 0;               // String, Wstring: characters
     std::vector<Dimension> dimensions;   // Array; OpenArray: count only
     std::vector<Field> fields;           // Struct, Union, Block (base's fields first)
     std::vector<Enumerator> enumerators; // Enum
@@ -82,10 +94,10 @@ struct Type {
     bool isStrict = false;               // Enum: no numbers, no calculation
     TypeId base;                         // EXTENDS of Struct, Block, Interface
     std::vector<TypeId> interfaces;      // IMPLEMENTS of Block; EXTENDS of Interface
-    uint32_t blockNumber = 0;            // Block with methods: the word at offset 0 of each instance holds it (≥ 1); 0 = none
-    std::vector<std::byte> initial;      // a fresh value, `size` bytes; empty = all zero
+    uint32_t blockNumber = 0; // Block with methods: the word at offset 0 of each instance holds it (≥ 1); 0 = none
+    std::vector<std::byte> initial; // a fresh value, `size` bytes; empty = all zero
     SourceRange declaration;
-    std::string comment;                 // doc comment above the declaration
+    std::string comment; // doc comment above the declaration
 
     [[nodiscard]] const Field* findField(std::string_view fieldName) const; // without case; aliases count
 };
@@ -93,7 +105,9 @@ struct Type {
 [[nodiscard]] Family familyOf(TypeKind kind);
 [[nodiscard]] constexpr bool isElementary(TypeKind kind) { return kind <= TypeKind::Wchar; }
 [[nodiscard]] std::string_view spelling(TypeKind kind); // of an elementary type; "" else
-[[nodiscard]] inline bool isInteger(Family f) { return f == Family::Signed || f == Family::Unsigned || f == Family::Bits; }
+[[nodiscard]] inline bool isInteger(Family f) {
+    return f == Family::Signed || f == Family::Unsigned || f == Family::Bits;
+}
 /// The number of value bits (1 for BOOL).
 [[nodiscard]] unsigned bitsOf(TypeKind kind);
 

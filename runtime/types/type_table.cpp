@@ -19,18 +19,22 @@ const Field* Type::findField(std::string_view fieldName) const {
 Family familyOf(TypeKind kind) {
     switch (kind) {
 #define PLC_ELEMENTARY(Name, Spelling, Bytes, FamilyName)                                                              \
-    case TypeKind::Name: return Family::FamilyName;
+    case TypeKind::Name:                                                                                               \
+        return Family::FamilyName;
 #include "runtime/types/elementary.def"
-    default: return Family::Other;
+    default:
+        return Family::Other;
     }
 }
 
 std::string_view spelling(TypeKind kind) {
     switch (kind) {
 #define PLC_ELEMENTARY(Name, Spelling, Bytes, FamilyName)                                                              \
-    case TypeKind::Name: return Spelling;
+    case TypeKind::Name:                                                                                               \
+        return Spelling;
 #include "runtime/types/elementary.def"
-    default: return {};
+    default:
+        return {};
     }
 }
 
@@ -38,9 +42,11 @@ namespace {
 uint32_t bytesOf(TypeKind kind) {
     switch (kind) {
 #define PLC_ELEMENTARY(Name, Spelling, Bytes, FamilyName)                                                              \
-    case TypeKind::Name: return Bytes;
+    case TypeKind::Name:                                                                                               \
+        return Bytes;
 #include "runtime/types/elementary.def"
-    default: return 0;
+    default:
+        return 0;
     }
 }
 uint32_t aligned(uint32_t offset, uint32_t align) { return (offset + align - 1) / align * align; }
@@ -53,7 +59,10 @@ TypeTable::TypeTable() {
         const auto kind = static_cast<TypeKind>(k);
         Type type;
         type.kind = isElementary(kind) || kind >= TypeKind::Null ? kind : TypeKind::Unknown;
-        type.name = isElementary(kind) ? std::string(spelling(kind)) : kind == TypeKind::Null ? "NULL" : kind == TypeKind::Void ? "(no value)" : "(unknown)";
+        type.name = isElementary(kind)       ? std::string(spelling(kind))
+                    : kind == TypeKind::Null ? "NULL"
+                    : kind == TypeKind::Void ? "(no value)"
+                                             : "(unknown)";
         type.size = bytesOf(kind);
         if (kind == TypeKind::Null) type.size = 8;
         type.align = std::max(1u, type.size);

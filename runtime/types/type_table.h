@@ -12,11 +12,15 @@ namespace plc::types {
 class TypeTable {
 public:
     TypeTable();
-    [[nodiscard]] const Type& operator[](TypeId id) const { return m_types[id.isValid() ? id.index() : static_cast<size_t>(TypeKind::Unknown)]; }
+    [[nodiscard]] const Type& operator[](TypeId id) const {
+        return m_types[id.isValid() ? id.index() : static_cast<size_t>(TypeKind::Unknown)];
+    }
     [[nodiscard]] Type& edit(TypeId id) { return m_types[id.index()]; } // while building
     [[nodiscard]] size_t count() const { return m_types.size(); }
 
-    [[nodiscard]] static TypeId of(TypeKind elementary) { return TypeId(static_cast<uint32_t>(elementary)); } // also Null, Void, Unknown
+    [[nodiscard]] static TypeId of(TypeKind elementary) {
+        return TypeId(static_cast<uint32_t>(elementary));
+    } // also Null, Void, Unknown
     TypeId string(uint32_t capacity);
     TypeId wstring(uint32_t capacity);
     TypeId array(std::vector<Dimension> dimensions, TypeId element);
@@ -32,8 +36,8 @@ public:
     [[nodiscard]] TypeKind kind(TypeId id) const { return (*this)[id].kind; }
     [[nodiscard]] TypeKind storageKind(TypeId id) const { return (*this)[storage(id)].kind; }
     [[nodiscard]] Family family(TypeId id) const { return familyOf(storageKind(id)); }
-    [[nodiscard]] bool isAggregate(TypeId id) const; // array, struct, union, block
-    [[nodiscard]] bool isText(TypeId id) const;      // STRING, WSTRING
+    [[nodiscard]] bool isAggregate(TypeId id) const;                  // array, struct, union, block
+    [[nodiscard]] bool isText(TypeId id) const;                       // STRING, WSTRING
     [[nodiscard]] bool isDerivedFrom(TypeId type, TypeId base) const; // EXTENDS/IMPLEMENTS chain, itself included
     [[nodiscard]] bool implements(TypeId block, TypeId interface) const;
     /// Lays a struct's fields out from `start` by natural alignment, sets size and align, and composes `initial`.

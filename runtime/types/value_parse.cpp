@@ -23,7 +23,9 @@ private:
     static constexpr int kMaximumDepth = 64;
 
     void skipBlanks() {
-        while (m_at < m_text.size() && (m_text[m_at] == ' ' || m_text[m_at] == '\t' || m_text[m_at] == '\n' || m_text[m_at] == '\r')) ++m_at;
+        while (m_at < m_text.size() &&
+               (m_text[m_at] == ' ' || m_text[m_at] == '\t' || m_text[m_at] == '\n' || m_text[m_at] == '\r'))
+            ++m_at;
     }
     bool take(char c) {
         skipBlanks();
@@ -35,7 +37,9 @@ private:
     std::string_view takeWord() {
         skipBlanks();
         const size_t begin = m_at;
-        while (m_at < m_text.size() && m_text[m_at] != ',' && m_text[m_at] != ')' && m_text[m_at] != ']' && m_text[m_at] != '(') ++m_at;
+        while (m_at < m_text.size() && m_text[m_at] != ',' && m_text[m_at] != ')' && m_text[m_at] != ']' &&
+               m_text[m_at] != '(')
+            ++m_at;
         size_t end = m_at;
         while (end > begin && (m_text[end - 1] == ' ' || m_text[end - 1] == '\t')) --end;
         return m_text.substr(begin, end - begin);
@@ -45,7 +49,8 @@ private:
         if (depth > kMaximumDepth) return std::nullopt;
         const Type& t = m_types[type];
         if (t.kind == TypeKind::Array) return readArray(type, depth);
-        if (t.kind == TypeKind::Struct || t.kind == TypeKind::Union || t.kind == TypeKind::Block) return readFields(type, depth);
+        if (t.kind == TypeKind::Struct || t.kind == TypeKind::Union || t.kind == TypeKind::Block)
+            return readFields(type, depth);
         if (t.kind == TypeKind::String || t.kind == TypeKind::Char) return readText(type, '\'');
         if (t.kind == TypeKind::Wstring || t.kind == TypeKind::Wchar) return readText(type, '"');
         return readScalar(type, takeWord());
@@ -127,19 +132,39 @@ private:
             const size_t digits = quote == '"' ? 4 : 2;
             uint32_t code = 0;
             if (m_at + digits <= m_text.size() &&
-                std::from_chars(m_text.data() + m_at, m_text.data() + m_at + digits, code, 16).ptr == m_text.data() + m_at + digits) {
+                std::from_chars(m_text.data() + m_at, m_text.data() + m_at + digits, code, 16).ptr ==
+                    m_text.data() + m_at + digits) {
                 out += code;
                 m_at += digits;
                 continue;
             }
             ++m_at;
             switch (c) {
-            case 'L': case 'l': case 'N': case 'n': out += U'\n'; break;
-            case 'P': case 'p': out += U'\f'; break;
-            case 'R': case 'r': out += U'\r'; break;
-            case 'T': case 't': out += U'\t'; break;
-            case '$': case '\'': case '"': out += static_cast<char32_t>(c); break;
-            default: return std::nullopt;
+            case 'L':
+            case 'l':
+            case 'N':
+            case 'n':
+                out += U'\n';
+                break;
+            case 'P':
+            case 'p':
+                out += U'\f';
+                break;
+            case 'R':
+            case 'r':
+                out += U'\r';
+                break;
+            case 'T':
+            case 't':
+                out += U'\t';
+                break;
+            case '$':
+            case '\'':
+            case '"':
+                out += static_cast<char32_t>(c);
+                break;
+            default:
+                return std::nullopt;
             }
         }
         if (m_at >= m_text.size()) return std::nullopt;
@@ -154,14 +179,17 @@ private:
         for (const char32_t c : *text) appendUtf8(utf8, c);
         if (t.kind == TypeKind::Wstring || t.kind == TypeKind::Wchar) {
             std::u16string wide = utf8ToUtf16(utf8);
-            if (t.kind == TypeKind::Wchar) return wide.size() == 1 ? std::optional(Value{type, static_cast<int64_t>(wide[0])}) : std::nullopt;
+            if (t.kind == TypeKind::Wchar)
+                return wide.size() == 1 ? std::optional(Value{type, static_cast<int64_t>(wide[0])}) : std::nullopt;
             if (wide.size() > t.capacity) return std::nullopt;
             return Value{type, std::move(wide)};
         }
         auto narrow = utf8ToLatin1(utf8);
         if (!narrow) return std::nullopt;
         if (t.kind == TypeKind::Char)
-            return narrow->size() == 1 ? std::optional(Value{type, static_cast<int64_t>(static_cast<unsigned char>((*narrow)[0]))}) : std::nullopt;
+            return narrow->size() == 1
+                       ? std::optional(Value{type, static_cast<int64_t>(static_cast<unsigned char>((*narrow)[0]))})
+                       : std::nullopt;
         if (narrow->size() > t.capacity) return std::nullopt;
         return Value{type, std::move(*narrow)};
     }
@@ -181,7 +209,9 @@ private:
         if (!digits.empty() && (digits[0] == '-' || digits[0] == '+')) isNegative = digits[at++] == '-';
         int base = 10;
         if (const size_t hash = digits.find('#', at); hash != std::string::npos) {
-            if (std::from_chars(digits.data() + at, digits.data() + hash, base).ptr != digits.data() + hash || base < 2 || base > 16) return std::nullopt;
+            if (std::from_chars(digits.data() + at, digits.data() + hash, base).ptr != digits.data() + hash ||
+                base < 2 || base > 16)
+                return std::nullopt;
             at = hash + 1;
         }
         uint64_t magnitude = 0;
@@ -191,9 +221,11 @@ private:
     }
 
     std::optional<Value> readEnumerator(TypeId type, std::string_view word) {
-        if (const size_t mark = word.find_last_of(".#"); mark != std::string_view::npos && !word.empty() && !(word[0] >= '0' && word[0] <= '9'))
+        if (const size_t mark = word.find_last_of(".#");
+            mark != std::string_view::npos && !word.empty() && !(word[0] >= '0' && word[0] <= '9'))
             word = word.substr(mark + 1);
-        for (TypeId id = type; m_types.kind(id) == TypeKind::Enum || m_types.kind(id) == TypeKind::Subrange; id = m_types[id].element)
+        for (TypeId id = type; m_types.kind(id) == TypeKind::Enum || m_types.kind(id) == TypeKind::Subrange;
+             id = m_types[id].element)
             for (const Enumerator& enumerator : m_types[id].enumerators)
                 if (equalsIgnoringCase(enumerator.name, word)) return Value{type, enumerator.value};
         return std::nullopt;
@@ -205,24 +237,34 @@ private:
         const TypeKind kind = m_types.storageKind(type);
         const Family family = familyOf(kind);
         // INT#5, REAL#1.5, BOOL#1: the type's own name before the value
-        if (const size_t hash = word.find('#'); hash != std::string_view::npos && equalsIgnoringCase(word.substr(0, hash), spelling(kind)) &&
-                                                 (family == Family::Bool || isInteger(family) || family == Family::Real))
+        if (const size_t hash = word.find('#'); hash != std::string_view::npos &&
+                                                equalsIgnoringCase(word.substr(0, hash), spelling(kind)) &&
+                                                (family == Family::Bool || isInteger(family) || family == Family::Real))
             word = word.substr(hash + 1);
-        const auto scalar = [&](std::optional<int64_t> number) { return number ? std::optional(Value{type, *number}) : std::nullopt; };
+        const auto scalar = [&](std::optional<int64_t> number) {
+            return number ? std::optional(Value{type, *number}) : std::nullopt;
+        };
         switch (family) {
         case Family::Bool:
             if (equalsIgnoringCase(word, "TRUE") || word == "1") return Value{type, int64_t{1}};
             if (equalsIgnoringCase(word, "FALSE") || word == "0") return Value{type, int64_t{0}};
             return std::nullopt;
-        case Family::Duration: return scalar(parseDuration(word));
-        case Family::Date: return scalar(parseDate(word));
-        case Family::TimeOfDay: return scalar(parseTimeOfDay(word));
-        case Family::DateTime: return scalar(parseDateTime(word));
-        case Family::Real: return readReal(type, kind, word);
+        case Family::Duration:
+            return scalar(parseDuration(word));
+        case Family::Date:
+            return scalar(parseDate(word));
+        case Family::TimeOfDay:
+            return scalar(parseTimeOfDay(word));
+        case Family::DateTime:
+            return scalar(parseDateTime(word));
+        case Family::Real:
+            return readReal(type, kind, word);
         case Family::Bits:
         case Family::Signed:
-        case Family::Unsigned: return readInteger(type, kind, word);
-        case Family::Character: return std::nullopt;
+        case Family::Unsigned:
+            return readInteger(type, kind, word);
+        case Family::Character:
+            return std::nullopt;
         case Family::Other:
             if (equalsIgnoringCase(word, "NULL") || word == "0") return Value{type, int64_t{0}};
             return std::nullopt;
@@ -235,7 +277,9 @@ private:
         if (!number) return std::nullopt;
         const auto [low, high] = TypeTable::integerRange(kind);
         // 16#FFFF may also be written for the -1 of a signed type of that width
-        const bool isPattern = word.find('#') != std::string_view::npos && *number >= 0 && *number <= static_cast<__int128>(bitsOf(kind) == 64 ? UINT64_MAX : (uint64_t(1) << bitsOf(kind)) - 1);
+        const bool isPattern =
+            word.find('#') != std::string_view::npos && *number >= 0 &&
+            *number <= static_cast<__int128>(bitsOf(kind) == 64 ? UINT64_MAX : (uint64_t(1) << bitsOf(kind)) - 1);
         if (!isPattern && (*number < low || *number > static_cast<__int128>(high))) return std::nullopt;
         const int64_t value = wrapInteger(kind, static_cast<int64_t>(static_cast<uint64_t>(*number)));
         const Type& t = m_types[type];
@@ -257,11 +301,14 @@ private:
         if (kind == TypeKind::Real) {
             float number = 0;
             const auto [last, error] = std::from_chars(begin, end, number);
-            return error == std::errc() && last == end && std::isfinite(number) ? std::optional(Value{type, static_cast<double>(number)}) : std::nullopt;
+            return error == std::errc() && last == end && std::isfinite(number)
+                       ? std::optional(Value{type, static_cast<double>(number)})
+                       : std::nullopt;
         }
         double number = 0;
         const auto [last, error] = std::from_chars(begin, end, number);
-        return error == std::errc() && last == end && std::isfinite(number) ? std::optional(Value{type, number}) : std::nullopt;
+        return error == std::errc() && last == end && std::isfinite(number) ? std::optional(Value{type, number})
+                                                                            : std::nullopt;
     }
 
     const TypeTable& m_types;
@@ -271,6 +318,8 @@ private:
 
 } // namespace
 
-std::optional<Value> parseValue(const TypeTable& types, TypeId type, std::string_view text) { return ValueReader(types, text).readAll(type); }
+std::optional<Value> parseValue(const TypeTable& types, TypeId type, std::string_view text) {
+    return ValueReader(types, text).readAll(type);
+}
 
 } // namespace plc::types

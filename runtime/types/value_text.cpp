@@ -15,10 +15,12 @@ const Enumerator* enumeratorOf(const Type& type, int64_t value) {
 
 std::string basedText(TypeKind kind, int64_t value, NumberFormat format) {
     const unsigned bits = std::max(8u, bitsOf(kind));
-    const uint64_t word = bits >= 64 ? static_cast<uint64_t>(value) : static_cast<uint64_t>(value) & ((uint64_t(1) << bits) - 1);
+    const uint64_t word =
+        bits >= 64 ? static_cast<uint64_t>(value) : static_cast<uint64_t>(value) & ((uint64_t(1) << bits) - 1);
     std::string text = format == NumberFormat::Hex ? "16#" : "2#";
     const unsigned step = format == NumberFormat::Hex ? 4 : 1;
-    for (unsigned at = bits; at > 0; at -= step) text += "0123456789ABCDEF"[(word >> (at - step)) & (format == NumberFormat::Hex ? 15 : 1)];
+    for (unsigned at = bits; at > 0; at -= step)
+        text += "0123456789ABCDEF"[(word >> (at - step)) & (format == NumberFormat::Hex ? 15 : 1)];
     return text;
 }
 
@@ -90,26 +92,39 @@ std::string characterUtf8(TypeKind kind, int64_t code) {
 
 /// Text of a scalar that both forms show alike (times, dates, enumerators): empty when it is none of them.
 std::string namedText(const TypeTable& types, TypeId type, int64_t value) {
-    for (TypeId id = type; types.kind(id) == TypeKind::Enum || types.kind(id) == TypeKind::Subrange; id = types[id].element)
+    for (TypeId id = type; types.kind(id) == TypeKind::Enum || types.kind(id) == TypeKind::Subrange;
+         id = types[id].element)
         if (const Enumerator* enumerator = enumeratorOf(types[id], value)) return enumerator->name;
     switch (types.storageKind(type)) {
-    case TypeKind::Time: return durationText(value);
-    case TypeKind::Ltime: return durationText(value, true);
-    case TypeKind::Date: return dateText(value);
-    case TypeKind::Ldate: return dateText(value, true);
-    case TypeKind::Tod: return timeOfDayText(value);
-    case TypeKind::Ltod: return timeOfDayText(value, true);
-    case TypeKind::Dt: return dateTimeText(value);
-    case TypeKind::Ldt: return dateTimeText(value, true);
-    default: return {};
+    case TypeKind::Time:
+        return durationText(value);
+    case TypeKind::Ltime:
+        return durationText(value, true);
+    case TypeKind::Date:
+        return dateText(value);
+    case TypeKind::Ldate:
+        return dateText(value, true);
+    case TypeKind::Tod:
+        return timeOfDayText(value);
+    case TypeKind::Ltod:
+        return timeOfDayText(value, true);
+    case TypeKind::Dt:
+        return dateTimeText(value);
+    case TypeKind::Ldt:
+        return dateTimeText(value, true);
+    default:
+        return {};
     }
 }
 
 bool isReferenceLike(TypeKind kind) {
-    return kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface || kind == TypeKind::Null || kind == TypeKind::OpenArray;
+    return kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface ||
+           kind == TypeKind::Null || kind == TypeKind::OpenArray;
 }
 
-std::string realText(TypeKind kind, double value) { return kind == TypeKind::Real ? shortestReal(static_cast<float>(value)) : shortestReal(value); }
+std::string realText(TypeKind kind, double value) {
+    return kind == TypeKind::Real ? shortestReal(static_cast<float>(value)) : shortestReal(value);
+}
 
 std::string scalarText(const TypeTable& types, TypeId type, int64_t value, NumberFormat format) {
     const TypeKind kind = types.storageKind(type);
@@ -131,16 +146,19 @@ std::string scalarJson(const TypeTable& types, TypeId type, int64_t value) {
     const std::string number = integerText(kind, value, NumberFormat::Decimal);
     constexpr int64_t exact = int64_t(1) << 53;
     const bool isUnsigned64 = kind == TypeKind::Ulint || kind == TypeKind::Lword;
-    const bool fits = isUnsigned64 ? static_cast<uint64_t>(value) <= static_cast<uint64_t>(exact) : value >= -exact && value <= exact;
+    const bool fits =
+        isUnsigned64 ? static_cast<uint64_t>(value) <= static_cast<uint64_t>(exact) : value >= -exact && value <= exact;
     return fits ? number : jsonString(number);
 }
 
-std::string arrayJson(const TypeTable& types, const Type& type, const std::vector<Value>& elements, size_t dimension, size_t& next) {
+std::string arrayJson(const TypeTable& types, const Type& type, const std::vector<Value>& elements, size_t dimension,
+                      size_t& next) {
     std::string out = "[";
     const uint64_t count = dimension < type.dimensions.size() ? type.dimensions[dimension].count() : elements.size();
     for (uint64_t i = 0; i < count && next < elements.size(); ++i) {
         if (i) out += ",";
-        out += dimension + 1 < type.dimensions.size() ? arrayJson(types, type, elements, dimension + 1, next) : toJson(types, elements[next++]);
+        out += dimension + 1 < type.dimensions.size() ? arrayJson(types, type, elements, dimension + 1, next)
+                                                      : toJson(types, elements[next++]);
     }
     return out + "]";
 }
@@ -161,7 +179,8 @@ std::string toText(const TypeTable& types, const Value& value, NumberFormat form
         return "[" + out + "]";
     }
     for (size_t i = 0; i < parts->size() && i < type.fields.size(); ++i)
-        if (!type.fields[i].isPrivate) out += (out.empty() ? "" : ", ") + type.fields[i].name + " := " + toText(types, (*parts)[i], format);
+        if (!type.fields[i].isPrivate)
+            out += (out.empty() ? "" : ", ") + type.fields[i].name + " := " + toText(types, (*parts)[i], format);
     return "(" + out + ")";
 }
 
@@ -182,7 +201,8 @@ std::string toJson(const TypeTable& types, const Value& value) {
     }
     std::string out;
     for (size_t i = 0; i < parts->size() && i < type.fields.size(); ++i)
-        if (!type.fields[i].isPrivate) out += (out.empty() ? "" : ",") + jsonString(type.fields[i].name) + ":" + toJson(types, (*parts)[i]);
+        if (!type.fields[i].isPrivate)
+            out += (out.empty() ? "" : ",") + jsonString(type.fields[i].name) + ":" + toJson(types, (*parts)[i]);
     return "{" + out + "}";
 }
 

@@ -1,5 +1,5 @@
-// The graph under real keys and mouse: drags, edits in place with their complaints, random edits that all undo, nested charts, marks,
-// breakpoints that stop when a step becomes active and when a transition is taken, the past.
+// The graph under real keys and mouse: drags, edits in place with their complaints, random edits that all undo, nested
+// charts, marks, breakpoints that stop when a step becomes active and when a transition is taken, the past.
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -76,7 +76,9 @@ protected:
         QWidget* ground = view->canvas().viewport();
         QTest::mousePress(ground, Qt::LeftButton, {}, onScreen(from));
         for (int i = 1; i <= 4; ++i) {
-            QMouseEvent move(QEvent::MouseMove, onScreen(from + (to - from) * i / 4), ground->mapToGlobal(onScreen(from + (to - from) * i / 4)), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QMouseEvent move(QEvent::MouseMove, onScreen(from + (to - from) * i / 4),
+                             ground->mapToGlobal(onScreen(from + (to - from) * i / 4)), Qt::NoButton, Qt::LeftButton,
+                             Qt::NoModifier);
             QApplication::sendEvent(ground, &move);
         }
         QTest::mouseRelease(ground, Qt::LeftButton, {}, onScreen(to));
@@ -106,7 +108,9 @@ TEST_F(ChartEventsTest, ABranchDraggedToTheOtherSideReordersTheTransitionsAndOne
 }
 
 TEST_F(ChartEventsTest, AStepDraggedOntoATransitionGoesBehindIt) {
-    open("PROGRAM Main\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO B := TRUE; END_TRANSITION\nSTEP B: END_STEP\nTRANSITION FROM B TO C := B.T > T#1s; END_TRANSITION\nSTEP C: END_STEP\nTRANSITION FROM C TO A := C.T > T#1s; END_TRANSITION\nEND_PROGRAM\n");
+    open("PROGRAM Main\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO B := TRUE; END_TRANSITION\nSTEP B: "
+         "END_STEP\nTRANSITION FROM B TO C := B.T > T#1s; END_TRANSITION\nSTEP C: END_STEP\nTRANSITION FROM C TO A := "
+         "C.T > T#1s; END_TRANSITION\nEND_PROGRAM\n");
     drag(view->scene().stepRect(step("B")).center(), view->scene().barRect(2).center());
     EXPECT_NE(text().find("FROM A TO C"), std::string::npos) << text();
     EXPECT_NE(text().find("FROM C TO B"), std::string::npos);
@@ -191,7 +195,8 @@ TEST_F(ChartEventsTest, RandomKeysAlwaysLeaveAChartAndUndoLeadsBack) {
         for (int round = 0; round < 40; ++round) {
             ASSERT_FALSE(view->isReadOnly()) << text();
             const auto* chart = view->scene().chart();
-            const auto steps = static_cast<int>(chart->steps.size()), transitions = static_cast<int>(chart->transitions.size());
+            const auto steps = static_cast<int>(chart->steps.size()),
+                       transitions = static_cast<int>(chart->transitions.size());
             const bool isStep = random(2) || transitions == 0;
             const int index = random(isStep ? steps : transitions);
             select(isStep ? editor::ChartScene::Step : editor::ChartScene::Transition, index);
@@ -202,20 +207,31 @@ TEST_F(ChartEventsTest, RandomKeysAlwaysLeaveAChartAndUndoLeadsBack) {
                 QTest::keyClick(&view->field(), Qt::Key_Return);
             };
             switch (random(8)) {
-            case 0: QTest::keyClick(&view->canvas(), Qt::Key_Insert); break;
-            case 1: QTest::keyClick(&view->canvas(), Qt::Key_Delete); break;
-            case 2: QTest::keyClick(&view->canvas(), Qt::Key_Right, Qt::ControlModifier); break;
+            case 0:
+                QTest::keyClick(&view->canvas(), Qt::Key_Insert);
+                break;
+            case 1:
+                QTest::keyClick(&view->canvas(), Qt::Key_Delete);
+                break;
+            case 2:
+                QTest::keyClick(&view->canvas(), Qt::Key_Right, Qt::ControlModifier);
+                break;
             case 3:
                 QTest::keyClick(&view->canvas(), Qt::Key_F2);
                 type(isStep ? "Step_" + QString::number(round) : "full OR go");
                 break;
-            case 4: view->insertAlternative(); break;
-            case 5: view->insertSimultaneous(); break;
+            case 4:
+                view->insertAlternative();
+                break;
+            case 5:
+                view->insertSimultaneous();
+                break;
             case 6:
                 view->insertAction();
                 type("D T#2s lamp");
                 break;
-            default: view->makeInitial();
+            default:
+                view->makeInitial();
             }
             if (text() == before) continue;
             ++changed;
@@ -246,11 +262,13 @@ TEST_F(ChartEventsTest, TheSelectionFollowsTheCursorAndTheArrowKeys) {
     open(kChoice);
     editor().setFocus();
     editor().goTo(static_cast<uint32_t>(text().find("horn(D")));
-    EXPECT_TRUE(waitFor([&] { return view->scene().itemOf(editor::ChartScene::Action, step("Left"), 1)->isSelected(); }));
+    EXPECT_TRUE(
+        waitFor([&] { return view->scene().itemOf(editor::ChartScene::Action, step("Left"), 1)->isSelected(); }));
     select(editor::ChartScene::Step, step("Ready"));
     QTest::keyClick(&view->canvas(), Qt::Key_Down);
     ASSERT_EQ(view->scene().selectedItems().size(), 1);
-    EXPECT_EQ(view->scene().selectedItems().front()->data(editor::ChartScene::Kind).toInt(), editor::ChartScene::Transition);
+    EXPECT_EQ(view->scene().selectedItems().front()->data(editor::ChartScene::Kind).toInt(),
+              editor::ChartScene::Transition);
 }
 
 TEST_F(ChartEventsTest, TheMapIsThereForBigChartsAndPicturesAreWritten) {
@@ -258,7 +276,9 @@ TEST_F(ChartEventsTest, TheMapIsThereForBigChartsAndPicturesAreWritten) {
     EXPECT_FALSE(view->canvas().isMapVisible());
     std::string big = "PROGRAM Main\nINITIAL_STEP S0: END_STEP\n";
     for (int i = 1; i < 60; ++i) big += "STEP S" + std::to_string(i) + ": END_STEP\n";
-    for (int i = 0; i < 60; ++i) big += "TRANSITION FROM S" + std::to_string(i) + " TO S" + std::to_string((i + 1) % 60) + " := S" + std::to_string(i) + ".T > T#1s; END_TRANSITION\n";
+    for (int i = 0; i < 60; ++i)
+        big += "TRANSITION FROM S" + std::to_string(i) + " TO S" + std::to_string((i + 1) % 60) + " := S" +
+               std::to_string(i) + ".T > T#1s; END_TRANSITION\n";
     open((big + "END_PROGRAM\n").c_str());
     EXPECT_TRUE(view->canvas().isMapVisible());
     QTemporaryDir pictures;
@@ -278,7 +298,10 @@ TEST_F(ChartEventsTest, ANestedChartOpensFromItsActionAndRunsLit) {
     ASSERT_NE(view->scene().chart(), nullptr);
     EXPECT_EQ(view->scene().chart()->steps.size(), 2u);
     window->action("run.start")->trigger();
-    EXPECT_TRUE(waitFor([&] { return view->scene().online().isOn && view->scene().online().steps.size() == 2 && view->scene().online().steps[1].isActive; }));
+    EXPECT_TRUE(waitFor([&] {
+        return view->scene().online().isOn && view->scene().online().steps.size() == 2 &&
+               view->scene().online().steps[1].isActive;
+    }));
     EXPECT_TRUE(waitFor([&] { return view->scene().online().actions.value("inner"); }));
     // an edit inside goes to the same text
     select(editor::ChartScene::Step, 0);
@@ -298,10 +321,14 @@ TEST_F(ChartEventsTest, QualifiersConditionsAndTheTakenPathAreLive) {
     const int work = step("Work");
     ASSERT_TRUE(waitFor([&] { return online.isOn && online.steps[static_cast<size_t>(work)].isActive; }));
     const auto delayed = [&] { return online.associations[static_cast<size_t>(work)][1]; };
-    EXPECT_TRUE(waitFor([&] { return online.steps[static_cast<size_t>(work)].isActive && delayed().progress > 0 && delayed().progress < 1 && !delayed().asks; })) << "waits for its time";
+    EXPECT_TRUE(waitFor([&] {
+        return online.steps[static_cast<size_t>(work)].isActive && delayed().progress > 0 && delayed().progress < 1 &&
+               !delayed().asks;
+    })) << "waits for its time";
     EXPECT_TRUE(waitFor([&] { return delayed().asks && delayed().isActive; })) << "the time is over";
     EXPECT_TRUE(waitFor([&] { return online.taken[0] > 0; })) << "the way into Work fades";
-    EXPECT_TRUE(waitFor([&] { return online.transitions[1].has_value() && *online.transitions[1]; }, 15000)) << "the condition holds in the scan in which it is taken";
+    EXPECT_TRUE(waitFor([&] { return online.transitions[1].has_value() && *online.transitions[1]; }, 15000))
+        << "the condition holds in the scan in which it is taken";
 }
 
 TEST_F(ChartEventsTest, ABreakpointStopsWhenTheStepBecomesActiveAndWhenTheTransitionIsTaken) {
@@ -336,7 +363,8 @@ TEST_F(ChartEventsTest, AForcedStepStaysOnAndIsMarked) {
     select(editor::ChartScene::Step, step("Work"));
     view->forceSelected(true);
     const auto work = static_cast<size_t>(step("Work"));
-    EXPECT_TRUE(waitFor([&] { return view->scene().online().steps[work].isForced && view->scene().online().steps[work].isActive; }));
+    EXPECT_TRUE(waitFor(
+        [&] { return view->scene().online().steps[work].isForced && view->scene().online().steps[work].isActive; }));
     select(editor::ChartScene::Step, step("Work"));
     view->forceSelected(false);
     EXPECT_TRUE(waitFor([&] { return !view->scene().online().steps[work].isForced; }));
@@ -352,10 +380,13 @@ TEST_F(ChartEventsTest, TheTimeSliderShowsTheStepsOfThatScan) {
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     auto* session = window->control().session();
-    const auto found = session->history().find(*session->expression("Main.Work.X AND Main.Work.T > T#500ms"), session->recompile("Main.Work.X AND Main.Work.T > T#500ms"), 0, history::History::Direction::Forward);
+    const auto found = session->history().find(*session->expression("Main.Work.X AND Main.Work.T > T#500ms"),
+                                               session->recompile("Main.Work.X AND Main.Work.T > T#500ms"), 0,
+                                               history::History::Direction::Forward);
     ASSERT_TRUE(found);
     window->control().view(*found);
-    EXPECT_TRUE(waitFor([&] { return view->scene().online().steps[work].isActive && view->scene().online().taken[0] > 0.3; }));
+    EXPECT_TRUE(
+        waitFor([&] { return view->scene().online().steps[work].isActive && view->scene().online().taken[0] > 0.3; }));
     EXPECT_TRUE(view->scene().online().associations[work][1].asks) << "D after its 400 ms";
     window->control().view(*found - 35);
     EXPECT_TRUE(waitFor([&] { return !view->scene().online().associations[work][1].asks; }));
@@ -390,11 +421,13 @@ TEST_F(ChartEventsTest, EachLineOfAListShowsItsCurrentResultLiveAndInThePast) {
     ASSERT_TRUE(waitFor([&] { return !shown(6).isEmpty() && shown(8) == "TRUE"; }));
     EXPECT_EQ(shown(10), "5") << "a constant is its own result";
     EXPECT_FALSE(shown(5).isEmpty());
-    if (qEnvironmentVariableIsSet("STEPWISE_PICTURES")) editor().grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + "/list_online.png");
+    if (qEnvironmentVariableIsSet("STEPWISE_PICTURES"))
+        editor().grab().save(qEnvironmentVariable("STEPWISE_PICTURES") + "/list_online.png");
     window->action("run.pause")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
     window->control().view(9);
-    EXPECT_TRUE(waitFor([&] { return shown(6) == "10" && shown(5) == "9" && shown(7) == "10" && shown(8) == "FALSE"; })) << shown(5).toStdString() << " " << shown(6).toStdString();
+    EXPECT_TRUE(waitFor([&] { return shown(6) == "10" && shown(5) == "9" && shown(7) == "10" && shown(8) == "FALSE"; }))
+        << shown(5).toStdString() << " " << shown(6).toStdString();
     window->control().view(std::nullopt);
 }
 

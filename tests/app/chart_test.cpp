@@ -1,4 +1,5 @@
-// The graph of a chart beside its text: what is drawn, edits as minimal text edits, one undo history, and the lit steps while it runs.
+// The graph of a chart beside its text: what is drawn, edits as minimal text edits, one undo history, and the lit steps
+// while it runs.
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
@@ -92,7 +93,8 @@ TEST_F(ChartTest, TheActiveStepIsLitWhileItRuns) {
         const auto& online = view->scene().online();
         return online.isOn && online.steps.size() == 2 && online.steps[1].isActive && online.actions.value("lamp");
     }));
-    EXPECT_TRUE(waitFor([&] { return view->scene().online().steps[0].isActive || view->scene().online().taken[1] > 0; }));
+    EXPECT_TRUE(
+        waitFor([&] { return view->scene().online().steps[0].isActive || view->scene().online().taken[1] > 0; }));
 }
 
 TEST_F(ChartTest, SelectingInTheGraphMovesTheCursor) {

@@ -1,4 +1,5 @@
-// What an engineer does besides typing: breakpoints with conditions, shortcuts, recovery, changes from outside, the next morning.
+// What an engineer does besides typing: breakpoints with conditions, shortcuts, recovery, changes from outside, the
+// next morning.
 #include "app/settings_dialog.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
@@ -7,10 +8,10 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDialogButtonBox>
-#include <QPushButton>
 #include <QDockWidget>
 #include <QKeySequenceEdit>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QTimer>
 #include <QTreeWidget>
@@ -24,8 +25,10 @@ protected:
         QTimer::singleShot(after, qApp, [button] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
-            if (QAbstractButton* found = box->button(button)) found->click();
-            else box->reject();
+            if (QAbstractButton* found = box->button(button))
+                found->click();
+            else
+                box->reject();
         });
     }
     QTreeWidget* listIn(const QString& dock) {
@@ -62,8 +65,11 @@ TEST_F(DayTest, ABreakpointWaitsForItsHit) {
 }
 
 TEST_F(DayTest, ABreakpointInABlockCanBelongToOneInstance) {
-    write("src/motor.st", "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR turns : DINT; END_VAR\nturns := turns + 1;\nEND_FUNCTION_BLOCK\nPROGRAM Two\nVAR a, b : Motor; END_VAR\na();\nb();\nEND_PROGRAM\n"
-                          "CONFIGURATION C\nRESOURCE R ON PLC\nTASK T(INTERVAL := T#10ms, PRIORITY := 1);\nPROGRAM Main WITH T : Main;\nPROGRAM Two WITH T : Two;\nEND_RESOURCE\nEND_CONFIGURATION\n");
+    write("src/motor.st",
+          "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR turns : DINT; END_VAR\nturns := turns + "
+          "1;\nEND_FUNCTION_BLOCK\nPROGRAM Two\nVAR a, b : Motor; END_VAR\na();\nb();\nEND_PROGRAM\n"
+          "CONFIGURATION C\nRESOURCE R ON PLC\nTASK T(INTERVAL := T#10ms, PRIORITY := 1);\nPROGRAM Main WITH T : "
+          "Main;\nPROGRAM Two WITH T : Two;\nEND_RESOURCE\nEND_CONFIGURATION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/motor.st"); }));
     window->tabs().openFile("src/motor.st");
     breakAt("turns := turns + 1");
@@ -79,7 +85,8 @@ TEST_F(DayTest, ABreakpointInABlockCanBelongToOneInstance) {
 
 TEST_F(DayTest, SameNamesInTwoTasksStayApart) {
     write("src/two.st", "PROGRAM Other\nVAR counter : INT := 500; END_VAR\nEND_PROGRAM\n"
-                        "CONFIGURATION C\nRESOURCE R ON PLC\nTASK Fast(INTERVAL := T#10ms, PRIORITY := 1);\nTASK Slow(INTERVAL := T#50ms, PRIORITY := 2);\nPROGRAM Main WITH Fast : Main;\n"
+                        "CONFIGURATION C\nRESOURCE R ON PLC\nTASK Fast(INTERVAL := T#10ms, PRIORITY := 1);\nTASK "
+                        "Slow(INTERVAL := T#50ms, PRIORITY := 2);\nPROGRAM Main WITH Fast : Main;\n"
                         "PROGRAM Other WITH Slow : Other;\nEND_RESOURCE\nEND_CONFIGURATION\n");
     ASSERT_TRUE(waitFor([&] { return window->workspace().files().contains("src/two.st"); }));
     analysed();
@@ -108,7 +115,9 @@ TEST_F(DayTest, TheLogTellsWhatHappenedAndTheMonitorWhatItCost) {
     EXPECT_TRUE(waitFor([&] { return logged("force") || logged("limit"); }));
     QTreeWidget* tasks = listIn("tasks");
     ASSERT_TRUE(waitFor([&] { return tasks->topLevelItemCount() > 0; }));
-    EXPECT_TRUE(waitFor([&] { return tasks->topLevelItem(0)->text(1).toInt() > 0 || tasks->topLevelItem(0)->text(2).toInt() > 0; })) << "its count";
+    EXPECT_TRUE(waitFor([&] {
+        return tasks->topLevelItem(0)->text(1).toInt() > 0 || tasks->topLevelItem(0)->text(2).toInt() > 0;
+    })) << "its count";
     window->action("run.stop")->trigger();
     EXPECT_TRUE(waitFor([&] { return logged("stop"); }));
 }
@@ -120,7 +129,8 @@ TEST_F(DayTest, ShortcutsAreSetInTheSettingsAndStay) {
         auto* table = dialog->findChild<QTableWidget*>();
         ASSERT_NE(table, nullptr);
         for (int row = 0; row < table->rowCount(); ++row)
-            if (table->item(row, 0)->text() == window->action("run.speed")->text()) static_cast<QKeySequenceEdit*>(table->cellWidget(row, 1))->setKeySequence(QKeySequence("Ctrl+Alt+S"));
+            if (table->item(row, 0)->text() == window->action("run.speed")->text())
+                static_cast<QKeySequenceEdit*>(table->cellWidget(row, 1))->setKeySequence(QKeySequence("Ctrl+Alt+S"));
         dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
     });
     window->action("file.settings")->trigger();

@@ -1,4 +1,5 @@
-// Panels in the studio's window: opened from the tree, drawn, undone, live, saved, and what is wrong with them in the list of problems.
+// Panels in the studio's window: opened from the tree, drawn, undone, live, saved, and what is wrong with them in the
+// list of problems.
 #include "app/live_views.h"
 #include "app/problems_view.h"
 #include "app/project_tree.h"
@@ -21,7 +22,9 @@ namespace {
 class DesignTest : public StudioTest {
 protected:
     void SetUp() override {
-        write("hmi/overview.panel.json", "{\n  \"elements\": [\n    {\n      \"kind\": \"number\",\n      \"id\": \"count\",\n      \"rect\": [40, 40, 120, 40],\n      \"value\": \"Main.counter\"\n    }\n  ]\n}\n");
+        write("hmi/overview.panel.json",
+              "{\n  \"elements\": [\n    {\n      \"kind\": \"number\",\n      \"id\": \"count\",\n      \"rect\": "
+              "[40, 40, 120, 40],\n      \"value\": \"Main.counter\"\n    }\n  ]\n}\n");
         StudioTest::SetUp();
     }
     void TearDown() override {
@@ -33,13 +36,16 @@ protected:
         QTimer::singleShot(150, qApp, [button] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
-            if (QAbstractButton* found = box->button(button)) found->click();
-            else box->reject();
+            if (QAbstractButton* found = box->button(button))
+                found->click();
+            else
+                box->reject();
         });
     }
     hmi::PanelDesigner* openFromTree(const QString& name) {
         QTreeWidget& tree = window->projectTree().tree();
-        if (!waitFor([&] { return !tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive).isEmpty(); })) return nullptr;
+        if (!waitFor([&] { return !tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive).isEmpty(); }))
+            return nullptr;
         QTreeWidgetItem* item = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive).first();
         tree.scrollToItem(item);
         QTest::mouseClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, tree.visualItemRect(item).center());
@@ -55,7 +61,9 @@ protected:
     }
     [[nodiscard]] QStringList problemPlaces() const {
         QStringList out;
-        for (int i = 0; i < window->problems().list().topLevelItemCount(); ++i) out << window->problems().list().topLevelItem(i)->text(2) + ": " + window->problems().list().topLevelItem(i)->text(0);
+        for (int i = 0; i < window->problems().list().topLevelItemCount(); ++i)
+            out << window->problems().list().topLevelItem(i)->text(2) + ": " +
+                       window->problems().list().topLevelItem(i)->text(0);
         return out;
     }
 };
@@ -110,14 +118,16 @@ TEST_F(DesignTest, ABindingThatBreaksInTheCodeIsAProblemThatLeadsToTheElement) {
     std::string text = editor().utf8();
     for (size_t at = 0; (at = text.find("counter", at)) != std::string::npos; at += 5) text.replace(at, 7, "ticks");
     editor().applyEdits({{{FileId(), 0, static_cast<uint32_t>(editor().utf8().size())}, text}});
-    ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("overview.panel.json").isEmpty(); })) << problemPlaces().join('\n').toStdString();
+    ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("overview.panel.json").isEmpty(); }))
+        << problemPlaces().join('\n').toStdString();
     QTreeWidget& list = window->problems().list();
     window->showDock("problems");
     for (int i = 0; i < list.topLevelItemCount(); ++i)
         if (list.topLevelItem(i)->text(2).contains("overview.panel.json")) {
             QTest::qWait(20);
             list.scrollToItem(list.topLevelItem(i));
-            QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier, list.visualItemRect(list.topLevelItem(i)).center());
+            QTest::mouseClick(list.viewport(), Qt::LeftButton, Qt::NoModifier,
+                              list.visualItemRect(list.topLevelItem(i)).center());
             break;
         }
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());

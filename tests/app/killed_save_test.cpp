@@ -1,5 +1,5 @@
-// kill -9 in the middle of a save: every file the studio writes is the whole old or the whole new one. A second process saves without end
-// and is killed at moments from a seed; the files are compared with the two texts it writes in turn.
+// kill -9 in the middle of a save: every file the studio writes is the whole old or the whole new one. A second process
+// saves without end and is killed at moments from a seed; the files are compared with the two texts it writes in turn.
 #include "editor/analysis/workspace.h"
 #include "editor/trace/trace_setup.h"
 #include "hmi/player/panel_project.h"
@@ -29,14 +29,16 @@ public:
         QDir().mkpath(folder + "/src");
         for (const char* part : {"hmi", "traces", "expected"}) QDir().mkpath(folder + "/" + part);
         QFile main(folder + "/src/main.st");
-        if (!main.exists() && main.open(QIODevice::WriteOnly)) main.write("PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n");
+        if (!main.exists() && main.open(QIODevice::WriteOnly))
+            main.write("PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n");
         QFile project(folder + "/project.json");
         if (!project.exists() && project.open(QIODevice::WriteOnly)) project.write("{\n  \"name\": \"A\"\n}\n");
         main.close();
         project.close();
         EXPECT_TRUE(m_workspace.open(folder));
         for (const char* example : {"gravel", "agv"}) {
-            const auto opened = projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + example});
+            const auto opened =
+                projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + example});
             m_panels.push_back(hmi::loadPanelProject(*opened));
             m_panels.back().folder = folder;
         }
@@ -45,19 +47,26 @@ public:
             settings.retainFile = (folder + "/retain.json").toStdString();
             QFile::remove(folder + "/retain.json");
             driver::BuildInput input;
-            input.files.push_back({"src/main.st", "PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n"});
+            input.files.push_back(
+                {"src/main.st", "PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n"});
             m_sessions.push_back(std::make_unique<session::Session>(driver::build(input), settings));
-            m_sessions.back()->runHere([&](const controller::Controller& c) { return c.nextScan() >= static_cast<uint64_t>(scans); });
+            m_sessions.back()->runHere(
+                [&](const controller::Controller& c) { return c.nextScan() >= static_cast<uint64_t>(scans); });
         }
     }
 
-    static QStringList files() { return {"src/main.st", "project.json", "hmi/overview.panel.json", "hmi/texts.csv", "hmi/alarms.json", "traces/one.trace.json", "run.rec", "retain.json"}; }
+    static QStringList files() {
+        return {"src/main.st",   "project.json",    "hmi/overview.panel.json",
+                "hmi/texts.csv", "hmi/alarms.json", "traces/one.trace.json",
+                "run.rec",       "retain.json"};
+    }
 
     bool save(const QString& file, int form) {
         const hmi::PanelProject& panels = m_panels[static_cast<size_t>(form)];
         if (file.endsWith(".st")) {
             std::string text = "PROGRAM Main\nVAR RETAIN n : DINT; END_VAR\n";
-            for (int i = 0; i < 2000; ++i) text += form ? "n := n + 2; // the second form\n" : "n := n + 1; // the first\n";
+            for (int i = 0; i < 2000; ++i)
+                text += form ? "n := n + 2; // the second form\n" : "n := n + 1; // the first\n";
             m_workspace.setText(file, text + "END_PROGRAM\n");
             return static_cast<bool>(m_workspace.save(file));
         }
@@ -66,11 +75,18 @@ public:
             project.json["name"] = std::string(form ? 4000 : 3000, form ? 'b' : 'a');
             return static_cast<bool>(projects::saveProjectFile(project));
         }
-        if (file.endsWith(".panel.json")) return static_cast<bool>(hmi::savePanel(panels, {"overview", panels.panels.front().panel}));
+        if (file.endsWith(".panel.json"))
+            return static_cast<bool>(hmi::savePanel(panels, {"overview", panels.panels.front().panel}));
         if (file.endsWith(".csv")) return static_cast<bool>(hmi::saveTexts(panels));
         if (file == "hmi/alarms.json") return static_cast<bool>(hmi::saveAlarms(panels));
-        if (file.endsWith(".trace.json")) return static_cast<bool>(trace::saveSetup(trace::setupOf(form ? std::vector<std::string>{"Main.n", "Main.n * 2"} : std::vector<std::string>{"Main.n"}), (m_folder + "/" + file).toStdString()));
-        if (file.endsWith(".rec")) return static_cast<bool>(m_sessions[static_cast<size_t>(form)]->history().save((m_folder + "/" + file).toStdString()));
+        if (file.endsWith(".trace.json"))
+            return static_cast<bool>(
+                trace::saveSetup(trace::setupOf(form ? std::vector<std::string>{"Main.n", "Main.n * 2"}
+                                                     : std::vector<std::string>{"Main.n"}),
+                                 (m_folder + "/" + file).toStdString()));
+        if (file.endsWith(".rec"))
+            return static_cast<bool>(
+                m_sessions[static_cast<size_t>(form)]->history().save((m_folder + "/" + file).toStdString()));
         return static_cast<bool>(m_sessions[static_cast<size_t>(form)]->saveRetained());
     }
 
@@ -85,7 +101,9 @@ QByteArray contentOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
-QString expected(const QString& folder, const QString& file, int form) { return folder + "/expected/" + QString(file).replace('/', '_') + (form ? ".b" : ".a"); }
+QString expected(const QString& folder, const QString& file, int form) {
+    return folder + "/expected/" + QString(file).replace('/', '_') + (form ? ".b" : ".a");
+}
 
 /// The process that is killed; not a test of its own.
 TEST(KilledSave, DISABLED_SavesWithoutEnd) {
@@ -114,7 +132,8 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
         environment.insert("STEPWISE_SAVE_FOLDER", folder.path());
         environment.insert("QT_QPA_PLATFORM", "offscreen");
         process.setProcessEnvironment(environment);
-        process.start(QCoreApplication::applicationFilePath(), {"--gtest_also_run_disabled_tests", "--gtest_filter=KilledSave.DISABLED_SavesWithoutEnd"});
+        process.start(QCoreApplication::applicationFilePath(),
+                      {"--gtest_also_run_disabled_tests", "--gtest_filter=KilledSave.DISABLED_SavesWithoutEnd"});
         ASSERT_TRUE(process.waitForStarted());
         QByteArray output;
         while (!output.contains("ready\n") && process.waitForReadyRead(60'000)) output += process.readAll();
@@ -124,10 +143,13 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
         process.waitForFinished();
         for (const QString& file : Writers::files()) {
             const QByteArray now = contentOf(folder.path() + "/" + file);
-            const QByteArray forms[2] = {contentOf(expected(folder.path(), file, 0)), contentOf(expected(folder.path(), file, 1))};
+            const QByteArray forms[2] = {contentOf(expected(folder.path(), file, 0)),
+                                         contentOf(expected(folder.path(), file, 1))};
             ASSERT_FALSE(forms[0].isEmpty()) << file.toStdString();
             ASSERT_NE(forms[0], forms[1]) << file.toStdString() << ": the test needs two forms";
-            EXPECT_TRUE(now == forms[0] || now == forms[1]) << file.toStdString() << " is neither, with " << now.size() << " bytes; " << forms[0].size() << " or " << forms[1].size() << " were written";
+            EXPECT_TRUE(now == forms[0] || now == forms[1])
+                << file.toStdString() << " is neither, with " << now.size() << " bytes; " << forms[0].size() << " or "
+                << forms[1].size() << " were written";
             seen[file].insert(now == forms[1]);
         }
     }

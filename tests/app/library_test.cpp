@@ -26,7 +26,9 @@ TEST_F(StudioTest, ABreakpointInALibraryBlockHaltsThere) {
     window->tabs().setCurrentIndex(0);
     window->action("run.start")->trigger();
     ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Halted; }));
-    EXPECT_TRUE(waitFor([&] { return window->tabs().currentEditor() && window->tabs().currentEditor()->file() == file; })) << "the halted line is in front";
+    EXPECT_TRUE(waitFor([&] {
+        return window->tabs().currentEditor() && window->tabs().currentEditor()->file() == file;
+    })) << "the halted line is in front";
 }
 
 TEST_F(StudioTest, CompletionDoesNotOfferWhatALibraryHides) {
@@ -37,14 +39,17 @@ TEST_F(StudioTest, CompletionDoesNotOfferWhatALibraryHides) {
     QStringList hidden;
     for (const auto& file : model->sources().files) {
         const QString text = QString::fromStdString(std::string(file.text()));
-        static const QRegularExpression unit("\\{attribute 'hide'\\}\\s*(?:FUNCTION_BLOCK|FUNCTION)\\s+(?:(?:PUBLIC|INTERNAL|FINAL|ABSTRACT)\\s+)*(\\w+)");
+        static const QRegularExpression unit(
+            "\\{attribute "
+            "'hide'\\}\\s*(?:FUNCTION_BLOCK|FUNCTION)\\s+(?:(?:PUBLIC|INTERNAL|FINAL|ABSTRACT)\\s+)*(\\w+)");
         for (auto it = unit.globalMatch(text); it.hasNext();) hidden << it.next().captured(1);
     }
     ASSERT_FALSE(hidden.isEmpty()) << "the libraries hide something";
     const std::string text = window->workspace().text("src/main.st");
     for (const QString& name : hidden) {
         const std::string typed = text.substr(0, text.find("END_PROGRAM")) + name.left(3).toStdString();
-        const auto offered = model->complete(*model->fileOf("src/main.st"), typed + "\nEND_PROGRAM\n", static_cast<uint32_t>(typed.size()));
+        const auto offered = model->complete(*model->fileOf("src/main.st"), typed + "\nEND_PROGRAM\n",
+                                             static_cast<uint32_t>(typed.size()));
         for (const auto& item : offered.items) EXPECT_NE(QString::fromStdString(item.text), name);
     }
 }

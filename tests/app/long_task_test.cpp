@@ -26,8 +26,10 @@ protected:
         clicker.setInterval(0);
         QObject::connect(&clicker, &QTimer::timeout, [this] {
             for (QWidget* each : QApplication::topLevelWidgets())
-                if (auto* dialog = qobject_cast<QProgressDialog*>(each); dialog && dialog->isVisible() && dialog->value() >= cancelAt)
-                    if (auto* button = dialog->findChild<QPushButton*>()) QTest::mouseClick(button, Qt::LeftButton), ++clicks;
+                if (auto* dialog = qobject_cast<QProgressDialog*>(each);
+                    dialog && dialog->isVisible() && dialog->value() >= cancelAt)
+                    if (auto* button = dialog->findChild<QPushButton*>())
+                        QTest::mouseClick(button, Qt::LeftButton), ++clicks;
         });
     }
     void TearDown() override {
@@ -62,7 +64,8 @@ TEST_F(LongTaskTest, ACancelledReplaceChangesNothing) {
     EXPECT_EQ(window->search().replaceAll(), 0);
     clicker.stop();
     EXPECT_EQ(clicks, 1);
-    for (const QString& file : window->workspace().files()) EXPECT_EQ(window->workspace().text(file).find("thread"), std::string::npos) << file.toStdString();
+    for (const QString& file : window->workspace().files())
+        EXPECT_EQ(window->workspace().text(file).find("thread"), std::string::npos) << file.toStdString();
     EXPECT_EQ(window->search().replaceAll(), kAll);
     EXPECT_NE(window->workspace().text("src/f19.st").find("thread := thread + 1"), std::string::npos);
 }
@@ -80,7 +83,9 @@ TEST_F(LongTaskTest, ACancelledExportLeavesTheFileAsItWas) {
     const auto size = [&] { return QFileInfo(path).size(); };
     const auto save = [&] {
         kit::LongTask task("Saving", window.get());
-        return kit::exportCsv(model, 0, 100'000'000'000LL, path, [&](double share) { return task.reached(share); }).operator bool();
+        return kit::exportCsv(model, 0, 100'000'000'000LL, path, [&](double share) { return task.reached(share); })
+            .
+            operator bool();
     };
     clicker.start();
     EXPECT_TRUE(save());

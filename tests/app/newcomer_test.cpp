@@ -1,5 +1,5 @@
-// What someone sees who starts the studio for the first time: a loop with its trace and its panel, a tour that says what to press,
-// and a start page on which every machine has a picture.
+// What someone sees who starts the studio for the first time: a loop with its trace and its panel, a tour that says
+// what to press, and a start page on which every machine has a picture.
 #include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/settings.h"
@@ -35,14 +35,17 @@ TEST(Newcomer, SeesTraceAndPanelAndIsToldWhatToPress) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
     EXPECT_FALSE(window.settings().sawTour());
     const std::string copy = folder.path().toStdString() + "/pid_pt1";
-    std::filesystem::copy(std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/pid_pt1", copy, std::filesystem::copy_options::recursive);
+    std::filesystem::copy(std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/pid_pt1", copy,
+                          std::filesystem::copy_options::recursive);
     ASSERT_TRUE(window.openProject(QString::fromStdString(copy)));
     window.startTour();
     const auto waitFor = [&](const std::function<bool()>& condition) {
         while (timer.elapsed() < 10'000 && !condition()) QTest::qWait(10);
         return condition();
     };
-    EXPECT_TRUE(waitFor([&] { return window.live().player() && window.live().player()->isVisible() && window.live().traceView().isVisible(); }));
+    EXPECT_TRUE(waitFor([&] {
+        return window.live().player() && window.live().player()->isVisible() && window.live().traceView().isVisible();
+    }));
     EXPECT_EQ(window.live().player()->panelName(), "loop");
     EXPECT_GT(window.live().player()->height(), 200) << "large enough to read";
     auto* tour = window.findChild<Tour*>();
@@ -52,7 +55,8 @@ TEST(Newcomer, SeesTraceAndPanelAndIsToldWhatToPress) {
     EXPECT_TRUE(saysWhatToPress);
     QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : &window, Qt::Key_F5);
     EXPECT_TRUE(waitFor([&] { return window.control().status().scans > 20; })) << "F5 works while the tour stands";
-    EXPECT_TRUE(waitFor([&] { return window.live().player()->values() && window.live().player()->values()->status().scans > 20; }));
+    EXPECT_TRUE(waitFor(
+        [&] { return window.live().player()->values() && window.live().player()->values()->status().scans > 20; }));
     window.control().disconnectSession();
     Settings().setSawTour();
 }

@@ -1,4 +1,5 @@
-// The operator panel in the studio's dock: its alarm history outlives the window, and a recording from a file is the past of the panel, too.
+// The operator panel in the studio's dock: its alarm history outlives the window, and a recording from a file is the
+// past of the panel, too.
 #include "app/live_views.h"
 #include "hmi/player/panel_player.h"
 #include "tests/app/studio_fixture.h"
@@ -13,9 +14,13 @@ namespace {
 class PanelDockTest : public StudioTest {
 protected:
     void SetUp() override {
-        write("hmi/overview.panel.json", "{\n  \"elements\": [\n    {\n      \"kind\": \"number\",\n      \"id\": \"count\",\n      \"rect\": [40, 40, 120, 40],\n      \"value\": \"Main.counter\"\n    }\n  ]\n}\n");
-        write("hmi/alarms.json", "{\n  \"version\": 1,\n  \"classes\": [\n    {\n      \"name\": \"fault\"\n    }\n  ],\n  \"alarms\": [\n    {\n      \"id\": \"high\",\n      \"condition\": \"Main.counter > 5\",\n"
-                                 "      \"class\": \"fault\",\n      \"text\": \"high\"\n    }\n  ]\n}\n");
+        write("hmi/overview.panel.json",
+              "{\n  \"elements\": [\n    {\n      \"kind\": \"number\",\n      \"id\": \"count\",\n      \"rect\": "
+              "[40, 40, 120, 40],\n      \"value\": \"Main.counter\"\n    }\n  ]\n}\n");
+        write("hmi/alarms.json",
+              "{\n  \"version\": 1,\n  \"classes\": [\n    {\n      \"name\": \"fault\"\n    }\n  ],\n  \"alarms\": "
+              "[\n    {\n      \"id\": \"high\",\n      \"condition\": \"Main.counter > 5\",\n"
+              "      \"class\": \"fault\",\n      \"text\": \"high\"\n    }\n  ]\n}\n");
         if (!blocked.isEmpty()) write(blocked, "not a folder");
         StudioTest::SetUp();
     }
@@ -65,7 +70,8 @@ TEST_F(PanelDockReadOnlyTest, WithoutAFolderToWriteTheAlarmHistoryIsInMemoryAndT
     int lines = 0;
     for (QTreeWidget* tree : window->findChildren<QTreeWidget*>())
         for (int i = 0; i < tree->topLevelItemCount(); ++i)
-            for (int column = 0; column < tree->columnCount(); ++column) lines += tree->topLevelItem(i)->text(column).contains("alarm history is kept in memory");
+            for (int column = 0; column < tree->columnCount(); ++column)
+                lines += tree->topLevelItem(i)->text(column).contains("alarm history is kept in memory");
     EXPECT_EQ(lines, 1);
 }
 
@@ -86,7 +92,10 @@ TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
     QTest::qWait(80);
     EXPECT_EQ(shown(), recorded);
     EXPECT_EQ(player().values()->freshness(), hmi::Freshness::Past);
-    EXPECT_EQ(player().post(hmi::WriteRequest{{}, "Main.counter", hmi::WriteKind::Write, hmi::Value::ofInteger(1), {}}).toStdString(), "Not written: the panel shows the past.");
+    EXPECT_EQ(player()
+                  .post(hmi::WriteRequest{{}, "Main.counter", hmi::WriteKind::Write, hmi::Value::ofInteger(1), {}})
+                  .toStdString(),
+              "Not written: the panel shows the past.");
     EXPECT_EQ(player().alarms().present({}, hmi::AlarmOrder::Time).size(), 1u) << "found in the file";
     window->live().slider().stepScans(-1);
     EXPECT_EQ(shown(), recorded - 1);
@@ -96,7 +105,10 @@ TEST_F(PanelDockTest, ARecordingFromAFileIsShownInThePanelAndCanNotBeWritten) {
     window->live().closeRecording();
     ASSERT_TRUE(waitFor([&] { return shown() > recorded + 5; }));
     EXPECT_EQ(player().values()->freshness(), hmi::Freshness::Live);
-    EXPECT_EQ(player().post(hmi::WriteRequest{{}, "Main.limit", hmi::WriteKind::Write, hmi::Value::ofInteger(2000), {}}).toStdString(), "");
+    EXPECT_EQ(player()
+                  .post(hmi::WriteRequest{{}, "Main.limit", hmi::WriteKind::Write, hmi::Value::ofInteger(2000), {}})
+                  .toStdString(),
+              "");
 
     window->control().disconnectSession();
     ASSERT_TRUE(window->live().openRecording(path));

@@ -33,8 +33,10 @@ namespace {
 void copyFolder(const QString& from, const QString& to) {
     QDir().mkpath(to);
     for (const QFileInfo& entry : QDir(from).entryInfoList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
-        if (entry.isDir()) copyFolder(entry.filePath(), to + "/" + entry.fileName());
-        else QFile::copy(entry.filePath(), to + "/" + entry.fileName());
+        if (entry.isDir())
+            copyFolder(entry.filePath(), to + "/" + entry.fileName());
+        else
+            QFile::copy(entry.filePath(), to + "/" + entry.fileName());
     }
 }
 
@@ -44,7 +46,8 @@ int numberOf(const char* variable, int fallback) {
     return ok ? n : fallback;
 }
 
-/// Closes what would wait for an answer: menus, dialogs, drags. Which answer it gives comes from the seed and from how many it gave.
+/// Closes what would wait for an answer: menus, dialogs, drags. Which answer it gives comes from the seed and from how
+/// many it gave.
 class Answers : public QObject {
 public:
     explicit Answers(uint32_t seed) : m_random(seed ^ 0x9e3779b9U) {
@@ -72,7 +75,8 @@ private:
         const uint32_t choice = m_random();
         const QList<QAction*> actions = menu->actions();
         QAction* chosen = actions.isEmpty() ? nullptr : actions[static_cast<int>(choice >> 8) % actions.size()];
-        if (choice % 3 != 0 || !chosen || chosen->menu() || chosen->objectName() == "file.quit") return void(menu->close());
+        if (choice % 3 != 0 || !chosen || chosen->menu() || chosen->objectName() == "file.quit")
+            return void(menu->close());
         menu->setActiveAction(chosen);
         later(menu, [menu] { QTest::keyPress(menu, Qt::Key_Return); });
     }
@@ -86,7 +90,9 @@ private:
         const uint32_t choice = m_random();
         // Files of this machine and limits of memory are not the test's to play with.
         auto* input = qobject_cast<QInputDialog*>(dialog);
-        if (qobject_cast<QFileDialog*>(dialog) || qobject_cast<SettingsDialog*>(dialog) || (input && input->inputMode() == QInputDialog::IntInput)) return dialog->reject();
+        if (qobject_cast<QFileDialog*>(dialog) || qobject_cast<SettingsDialog*>(dialog) ||
+            (input && input->inputMode() == QInputDialog::IntInput))
+            return dialog->reject();
         if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
             const QList<QAbstractButton*> buttons = box->buttons();
             if (buttons.isEmpty()) return box->reject();
@@ -102,7 +108,9 @@ private:
     }
 
     /// An answer may open the next dialog, which needs this timer again: not from within its own call.
-    template <class F> static void later(QObject* context, F&& f) { QTimer::singleShot(0, context, std::forward<F>(f)); }
+    template <class F> static void later(QObject* context, F&& f) {
+        QTimer::singleShot(0, context, std::forward<F>(f));
+    }
 
     QTimer m_timer;
     std::mt19937 m_random;
@@ -115,11 +123,21 @@ struct Event {
     uint32_t kind, x, y, dx, dy, key, modifiers, which;
 };
 
-constexpr std::array kKeys{Qt::Key_Return,   Qt::Key_Tab,    Qt::Key_Backspace, Qt::Key_Delete, Qt::Key_Escape, Qt::Key_Up,   Qt::Key_Down, Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End,
-                           Qt::Key_PageUp,   Qt::Key_PageDown, Qt::Key_F2,      Qt::Key_F3,     Qt::Key_F4,     Qt::Key_F5,   Qt::Key_F7,   Qt::Key_F8,   Qt::Key_F9,    Qt::Key_F10,  Qt::Key_F11,
-                           Qt::Key_F12,      Qt::Key_Space,  Qt::Key_Menu,      Qt::Key_A,      Qt::Key_C,      Qt::Key_V,    Qt::Key_X,    Qt::Key_Z,    Qt::Key_Y,     Qt::Key_D,    Qt::Key_G,
-                           Qt::Key_S,        Qt::Key_F,      Qt::Key_Slash,     Qt::Key_Plus,   Qt::Key_Minus,  Qt::Key_I,    Qt::Key_O,    Qt::Key_P,    Qt::Key_T,     Qt::Key_W,    Qt::Key_Insert};
-constexpr std::array kWords{"IF a THEN\n", "END_IF;", "x := 1;", "pulse.", "(* ", "*)", "'", "VAR\n", "FOR i := 0 TO 3 DO\n", "MAIN(", "{attribute '", "ü", "//", "16#FF", "T#1s", ":=", "END_VAR", "STEP S:", "\"", "[[", "12345678901234567890"};
+constexpr std::array kKeys{
+    Qt::Key_Return, Qt::Key_Tab,   Qt::Key_Backspace, Qt::Key_Delete, Qt::Key_Escape, Qt::Key_Up,       Qt::Key_Down,
+    Qt::Key_Left,   Qt::Key_Right, Qt::Key_Home,      Qt::Key_End,    Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_F2,
+    Qt::Key_F3,     Qt::Key_F4,    Qt::Key_F5,        Qt::Key_F7,     Qt::Key_F8,     Qt::Key_F9,       Qt::Key_F10,
+    Qt::Key_F11,    Qt::Key_F12,   Qt::Key_Space,     Qt::Key_Menu,   Qt::Key_A,      Qt::Key_C,        Qt::Key_V,
+    Qt::Key_X,      Qt::Key_Z,     Qt::Key_Y,         Qt::Key_D,      Qt::Key_G,      Qt::Key_S,        Qt::Key_F,
+    Qt::Key_Slash,  Qt::Key_Plus,  Qt::Key_Minus,     Qt::Key_I,      Qt::Key_O,      Qt::Key_P,        Qt::Key_T,
+    Qt::Key_W,      Qt::Key_Insert};
+constexpr std::array kWords{"IF a THEN\n", "END_IF;",      "x := 1;",
+                            "pulse.",      "(* ",          "*)",
+                            "'",           "VAR\n",        "FOR i := 0 TO 3 DO\n",
+                            "MAIN(",       "{attribute '", "ü",
+                            "//",          "16#FF",        "T#1s",
+                            ":=",          "END_VAR",      "STEP S:",
+                            "\"",          "[[",           "12345678901234567890"};
 
 class RandomEvents : public testing::Test {
 protected:
@@ -127,7 +145,9 @@ protected:
         m_home.emplace("HOME", m_folder.path() + "/home");
         m_examples.emplace("STEPWISE_EXAMPLES", m_folder.path() + "/examples");
         QDir().mkpath(m_folder.path() + "/home");
-        for (const char* name : {"gravel", "pid_pt1"}) copyFolder(QString(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name, m_folder.path() + "/examples/" + name);
+        for (const char* name : {"gravel", "pid_pt1"})
+            copyFolder(QString(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name,
+                       m_folder.path() + "/examples/" + name);
         copyFolder(QString(STEPWISE_SOURCE_DIR) + "/projects/examples/gravel", project());
         QSettings("Stepwise", "Stepwise").clear();
         Settings().setSawTour();
@@ -156,8 +176,12 @@ protected:
         if (QWidget* modal = QApplication::activeModalWidget()) return modal;
         QList<QWidget*> others;
         for (QWidget* each : QApplication::topLevelWidgets())
-            if (each->isVisible() && each != m_window.get() && each->windowType() != Qt::ToolTip && each->windowHandle()) others << each;
-        std::sort(others.begin(), others.end(), [](const QWidget* a, const QWidget* b) { return a->objectName() + a->windowTitle() < b->objectName() + b->windowTitle(); });
+            if (each->isVisible() && each != m_window.get() && each->windowType() != Qt::ToolTip &&
+                each->windowHandle())
+                others << each;
+        std::sort(others.begin(), others.end(), [](const QWidget* a, const QWidget* b) {
+            return a->objectName() + a->windowTitle() < b->objectName() + b->windowTitle();
+        });
         if (others.isEmpty() || which % 4) return m_window.get();
         return others[static_cast<int>(which / 4) % others.size()];
     }
@@ -169,12 +193,18 @@ protected:
         case 0:
             if (!w.live().panels().panels.empty()) w.openDesigner(w.live().panels().panels.front().name);
             return;
-        case 1: return w.openTexts();
-        case 2: return w.openAlarms();
-        case 3: return w.tabs().showChart("src/main.st", "");
-        case 4: return w.showDock("trace");
-        case 5: return w.showDock("panel");
-        case 6: return w.resetLayout();
+        case 1:
+            return w.openTexts();
+        case 2:
+            return w.openAlarms();
+        case 3:
+            return w.tabs().showChart("src/main.st", "");
+        case 4:
+            return w.showDock("trace");
+        case 5:
+            return w.showDock("panel");
+        case 6:
+            return w.resetLayout();
         case 7: {
             const QStringList files = w.workspace().files();
             if (!files.isEmpty()) w.tabs().openFile(files[static_cast<int>(where / 9) % files.size()]);
@@ -182,8 +212,10 @@ protected:
         }
         default: {
             const auto docks = w.findChildren<QDockWidget*>();
-            if (QDockWidget* dock = docks[static_cast<int>(where / 9) % docks.size()]; where & 0x10000) dock->setFloating(!dock->isFloating());
-            else w.showDock(dock->objectName());
+            if (QDockWidget* dock = docks[static_cast<int>(where / 9) % docks.size()]; where & 0x10000)
+                dock->setFloating(!dock->isFloating());
+            else
+                w.showDock(dock->objectName());
             return;
         }
         }
@@ -208,16 +240,30 @@ protected:
         QPointer<QWidget> target = top(event.which);
         if (!target || !target->windowHandle()) return;
         QWindow* window = target->windowHandle();
-        const auto at = [&](uint32_t x, uint32_t y) { return QPoint(static_cast<int>(x % static_cast<uint32_t>(std::max(1, target->width()))), static_cast<int>(y % static_cast<uint32_t>(std::max(1, target->height())))); };
+        const auto at = [&](uint32_t x, uint32_t y) {
+            return QPoint(static_cast<int>(x % static_cast<uint32_t>(std::max(1, target->width()))),
+                          static_cast<int>(y % static_cast<uint32_t>(std::max(1, target->height()))));
+        };
         const QPoint from = at(event.x, event.y);
-        static constexpr std::array<Qt::KeyboardModifier, 6> kModifiers{Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
+        static constexpr std::array<Qt::KeyboardModifier, 6> kModifiers{
+            Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
         const Qt::KeyboardModifiers modifiers = kModifiers[event.modifiers % kModifiers.size()];
         switch (event.kind % 20) {
-        case 0: case 1: case 2: case 3: case 4: return click(window, Qt::LeftButton, modifiers, from);
-        case 5: return click(window, Qt::LeftButton, modifiers, from, 2);
-        case 6: return click(window, Qt::RightButton, Qt::NoModifier, from);
-        case 7: case 8: { // a drag, also a short one
-            const QPoint to = event.dx & 1 ? at(event.dx >> 1, event.dy) : from + QPoint(static_cast<int>(event.dx % 60) - 30, static_cast<int>(event.dy % 60) - 30);
+        case 0:
+        case 1:
+        case 2:
+        case 3:
+        case 4:
+            return click(window, Qt::LeftButton, modifiers, from);
+        case 5:
+            return click(window, Qt::LeftButton, modifiers, from, 2);
+        case 6:
+            return click(window, Qt::RightButton, Qt::NoModifier, from);
+        case 7:
+        case 8: { // a drag, also a short one
+            const QPoint to = event.dx & 1 ? at(event.dx >> 1, event.dy)
+                                           : from + QPoint(static_cast<int>(event.dx % 60) - 30,
+                                                           static_cast<int>(event.dy % 60) - 30);
             QTest::mousePress(window, Qt::LeftButton, modifiers, from);
             QPointer<QWindow> alive(window);
             for (int step = 1; step <= 4 && alive; ++step) QTest::mouseMove(alive, from + (to - from) * step / 4);
@@ -227,28 +273,39 @@ protected:
         case 9: { // the wheel
             QWidget* under = target->childAt(from);
             if (!under) return;
-            QWheelEvent wheel(under->mapFrom(target, from), target->mapToGlobal(from), {}, QPoint(0, event.dy & 1 ? 120 : -120), Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+            QWheelEvent wheel(under->mapFrom(target, from), target->mapToGlobal(from), {},
+                              QPoint(0, event.dy & 1 ? 120 : -120), Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
             QApplication::sendEvent(under, &wheel);
             return;
         }
-        case 10: case 11: case 12: case 13: return key(window, kKeys[event.key % kKeys.size()], modifiers | (event.modifiers & 0x100 ? Qt::ShiftModifier : Qt::NoModifier));
-        case 14: case 15: {
+        case 10:
+        case 11:
+        case 12:
+        case 13:
+            return key(window, kKeys[event.key % kKeys.size()],
+                       modifiers | (event.modifiers & 0x100 ? Qt::ShiftModifier : Qt::NoModifier));
+        case 14:
+        case 15: {
             const QString word = QString::fromUtf8(kWords[event.key % kWords.size()]);
             for (const QChar c : word) {
                 if (!target || !target->windowHandle()) return;
                 window = target->windowHandle();
-                if (c == '\n') key(window, Qt::Key_Return, Qt::NoModifier);
-                else QTest::sendKeyEvent(QTest::Press, window, Qt::Key_unknown, c, Qt::NoModifier);
+                if (c == '\n')
+                    key(window, Qt::Key_Return, Qt::NoModifier);
+                else
+                    QTest::sendKeyEvent(QTest::Press, window, Qt::Key_unknown, c, Qt::NoModifier);
             }
             return;
         }
-        case 16: case 17: { // any action, as from the palette
+        case 16:
+        case 17: { // any action, as from the palette
             const QList<QAction*> actions = m_window->allActions();
             QAction* action = actions[static_cast<int>(event.key >> 1) % actions.size()];
             if (action->objectName() == "file.quit" || QApplication::activeModalWidget()) return;
             return action->trigger();
         }
-        default: return goSomewhere(event.key);
+        default:
+            return goSomewhere(event.key);
         }
     }
 
@@ -256,12 +313,15 @@ protected:
     void checkTexts() {
         if (!m_window->workspace().isOpen()) return;
         for (const QString& file : m_window->tabs().openFiles())
-            ASSERT_EQ(m_window->tabs().pageOf(file)->first().utf8(), m_window->workspace().text(file)) << file.toStdString();
+            ASSERT_EQ(m_window->tabs().pageOf(file)->first().utf8(), m_window->workspace().text(file))
+                << file.toStdString();
     }
 
     /// Sets a variable of the environment for the length of a test.
     struct Variable {
-        Variable(const char* name, const QString& value) : m_name(name), m_before(qgetenv(name)) { qputenv(name, value.toUtf8()); }
+        Variable(const char* name, const QString& value) : m_name(name), m_before(qgetenv(name)) {
+            qputenv(name, value.toUtf8());
+        }
         ~Variable() { m_before.isNull() ? (void)qunsetenv(m_name) : (void)qputenv(m_name, m_before); }
         Variable(const Variable&) = delete;
         Variable& operator=(const Variable&) = delete;
@@ -282,10 +342,13 @@ TEST_F(RandomEvents, NeitherCrashNorLoseAText) {
     Answers answers(seed);
     for (int i = 0; i < count; ++i) {
         Event event{};
-        for (uint32_t* field : {&event.kind, &event.x, &event.y, &event.dx, &event.dy, &event.key, &event.modifiers, &event.which}) *field = random();
+        for (uint32_t* field :
+             {&event.kind, &event.x, &event.y, &event.dx, &event.dy, &event.key, &event.modifiers, &event.which})
+            *field = random();
         if (traced) {
             const QWidget* shown = m_window->tabs().currentWidget();
-            std::fprintf(stderr, "%d: kind %u at %u,%u key %u modifiers %u which %u on %s\n", i, event.kind % 20, event.x % 1440, event.y % 900, event.key, event.modifiers % 6, event.which % 4,
+            std::fprintf(stderr, "%d: kind %u at %u,%u key %u modifiers %u which %u on %s\n", i, event.kind % 20,
+                         event.x % 1440, event.y % 900, event.key, event.modifiers % 6, event.which % 4,
                          shown ? shown->metaObject()->className() : "-");
         }
         apply(event);
@@ -295,9 +358,11 @@ TEST_F(RandomEvents, NeitherCrashNorLoseAText) {
             checkTexts();
             if (HasFatalFailure()) FAIL() << "after event " << i << " of seed " << seed;
         }
-        if (qobject_cast<QWidget*>(QApplication::activeModalWidget()) || QApplication::activePopupWidget()) QTest::qWait(15);
+        if (qobject_cast<QWidget*>(QApplication::activeModalWidget()) || QApplication::activePopupWidget())
+            QTest::qWait(15);
     }
-    for (int i = 0; i < 100 && (QApplication::activeModalWidget() || QApplication::activePopupWidget()); ++i) QTest::qWait(15);
+    for (int i = 0; i < 100 && (QApplication::activeModalWidget() || QApplication::activePopupWidget()); ++i)
+        QTest::qWait(15);
     openAgain();
     checkTexts();
 }

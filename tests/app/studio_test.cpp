@@ -115,7 +115,9 @@ TEST_F(StudioTest, WritesAndForcesFromTheWatch) {
     EXPECT_TRUE(waitFor([&] { return window->control().value("Main.limit").text == "77"; }));
     window->watch().tree().topLevelItem(0)->setText(3, "5");
     window->action("run.force")->trigger();
-    EXPECT_TRUE(waitFor([&] { return window->control().value("Main.limit").text == "5" && window->control().value("Main.limit").isForced; }));
+    EXPECT_TRUE(waitFor([&] {
+        return window->control().value("Main.limit").text == "5" && window->control().value("Main.limit").isForced;
+    }));
     window->action("run.releaseAll")->trigger();
     EXPECT_TRUE(waitFor([&] { return !window->control().value("Main.limit").isForced; }));
 }

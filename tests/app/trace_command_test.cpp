@@ -40,7 +40,8 @@ QList<QByteArray> linesOf(const QString& path) {
 TEST(TraceCommand, DrawsTheProjectsOwnSetup) {
     QTemporaryDir folder;
     const QString picture = folder.filePath("loop.png"), csv = folder.filePath("loop.csv");
-    const Said said = say({Examples + "pid_pt1", "--for", "2s", "--picture", picture.toStdString(), "--csv", csv.toStdString(), "--size", "800x500", "--statistics"});
+    const Said said = say({Examples + "pid_pt1", "--for", "2s", "--picture", picture.toStdString(), "--csv",
+                           csv.toStdString(), "--size", "800x500", "--statistics"});
     EXPECT_EQ(said.code, 0) << said.err;
     EXPECT_EQ(QImage(picture).size(), QSize(800, 500));
     const auto lines = linesOf(csv);
@@ -53,7 +54,8 @@ TEST(TraceCommand, DrawsTheProjectsOwnSetup) {
 TEST(TraceCommand, ChannelsMayHoldCommasInBrackets) {
     QTemporaryDir folder;
     const QString csv = folder.filePath("a.csv");
-    const Said said = say({Examples + "pid_pt1", "--for", "1s", "--channels", "Main.SetPoint,LIMIT(-50.0, Main.SetPoint, 50.0)", "--csv", csv.toStdString()});
+    const Said said = say({Examples + "pid_pt1", "--for", "1s", "--channels",
+                           "Main.SetPoint,LIMIT(-50.0, Main.SetPoint, 50.0)", "--csv", csv.toStdString()});
     ASSERT_EQ(said.code, 0) << said.err;
     const auto lines = linesOf(csv);
     for (qsizetype i = 1; i < lines.size(); ++i) {
@@ -63,10 +65,13 @@ TEST(TraceCommand, ChannelsMayHoldCommasInBrackets) {
 }
 
 TEST(TraceCommand, WritesAndTriggersActAtTheirTimes) {
-    const Said said = say({Examples + "pid_pt1", "--for", "4s", "--set", "Main.Amplitude=30@2s", "--channels", "Main.SetPoint", "--trigger", "ABS(Main.SetPoint) < 50.0", "--before", "100ms", "--after", "1s", "--statistics"});
+    const Said said =
+        say({Examples + "pid_pt1", "--for", "4s", "--set", "Main.Amplitude=30@2s", "--channels", "Main.SetPoint",
+             "--trigger", "ABS(Main.SetPoint) < 50.0", "--before", "100ms", "--after", "1s", "--statistics"});
     ASSERT_EQ(said.code, 0) << said.err;
     EXPECT_NE(said.out.find("Triggered at 2 s"), std::string::npos) << said.out;
-    const Said never = say({Examples + "pid_pt1", "--for", "1s", "--channels", "Main.SetPoint", "--trigger", "Main.SetPoint > 1000.0"});
+    const Said never = say(
+        {Examples + "pid_pt1", "--for", "1s", "--channels", "Main.SetPoint", "--trigger", "Main.SetPoint > 1000.0"});
     EXPECT_EQ(never.code, 0);
     EXPECT_NE(never.out.find("did not fire"), std::string::npos);
 }
@@ -77,8 +82,14 @@ TEST(TraceCommand, ARecordingDrawsLikeTheRun) {
     testing::internal::CaptureStdout();
     ASSERT_EQ(plc::cli::runCommandLine({"run", Examples + "pid_pt1", "--for", "2s", "--record", rec.toStdString()}), 0);
     testing::internal::GetCapturedStdout();
-    ASSERT_EQ(say({"--recording", rec.toStdString(), "--channels", "Main.SetPoint,IO.Drive", "--csv", one.toStdString()}).code, 0);
-    ASSERT_EQ(say({Examples + "pid_pt1", "--for", "2s", "--channels", "Main.SetPoint,IO.Drive", "--csv", two.toStdString()}).code, 0);
+    ASSERT_EQ(
+        say({"--recording", rec.toStdString(), "--channels", "Main.SetPoint,IO.Drive", "--csv", one.toStdString()})
+            .code,
+        0);
+    ASSERT_EQ(
+        say({Examples + "pid_pt1", "--for", "2s", "--channels", "Main.SetPoint,IO.Drive", "--csv", two.toStdString()})
+            .code,
+        0);
     EXPECT_EQ(linesOf(one), linesOf(two));
 }
 
@@ -90,7 +101,8 @@ TEST(TraceCommand, EveryShippedSetupDraws) {
         if (!std::filesystem::is_directory(traces)) continue;
         for (const auto& file : std::filesystem::directory_iterator(traces)) {
             const QString picture = folder.filePath(QString("%1.png").arg(drawn++));
-            const Said said = say({project.path().string(), "--setup", file.path().string(), "--for", "300ms", "--picture", picture.toStdString()});
+            const Said said = say({project.path().string(), "--setup", file.path().string(), "--for", "300ms",
+                                   "--picture", picture.toStdString()});
             EXPECT_EQ(said.code, 0) << file.path() << ": " << said.err;
             EXPECT_FALSE(QImage(picture).isNull()) << file.path();
         }
@@ -99,11 +111,17 @@ TEST(TraceCommand, EveryShippedSetupDraws) {
 }
 
 TEST(TraceCommand, RefusesWrongUseWithAReason) {
-    struct Row { std::vector<std::string> words; const char* part; };
-    for (const Row& row : {Row{{}, "needs a project"}, Row{{Examples + "motor", "--for", "1s", "--channels", "Main.nothing"}, "nothing"},
-                           Row{{Examples + "pid_pt1", "--setup", "missing"}, "missing"}, Row{{Examples + "pid_pt1", "--size", "big"}, "--size"},
-                           Row{{Examples + "pid_pt1", "--for", "1s", "--picture", "a.gif"}, ".png"}, Row{{Examples + "pid_pt1", "--cursors", "1s"}, "--cursors"},
-                           Row{{Examples + "pid_pt1", "--for", "ten"}, "ten"}}) {
+    struct Row {
+        std::vector<std::string> words;
+        const char* part;
+    };
+    for (const Row& row :
+         {Row{{}, "needs a project"}, Row{{Examples + "motor", "--for", "1s", "--channels", "Main.nothing"}, "nothing"},
+          Row{{Examples + "pid_pt1", "--setup", "missing"}, "missing"},
+          Row{{Examples + "pid_pt1", "--size", "big"}, "--size"},
+          Row{{Examples + "pid_pt1", "--for", "1s", "--picture", "a.gif"}, ".png"},
+          Row{{Examples + "pid_pt1", "--cursors", "1s"}, "--cursors"},
+          Row{{Examples + "pid_pt1", "--for", "ten"}, "ten"}}) {
         const Said said = say(row.words);
         EXPECT_EQ(said.code, 2);
         EXPECT_NE(said.err.find(row.part), std::string::npos) << said.err;
@@ -125,7 +143,8 @@ TEST(ReplayCommand, EveryScanIsReadAsTheProgramMeantItThatMadeIt) {
         session.controller().start();
         for (int i = 0; i < 10; ++i) ASSERT_TRUE(session.controller().scan());
         // Another variable lies where `a` was.
-        session.changeProgram(build("PROGRAM Main VAR first : LREAL := 7.0; a : INT; END_VAR a := a + 1; END_PROGRAM"), [](const plc::controller::OnlineChangeReport&) {});
+        session.changeProgram(build("PROGRAM Main VAR first : LREAL := 7.0; a : INT; END_VAR a := a + 1; END_PROGRAM"),
+                              [](const plc::controller::OnlineChangeReport&) {});
         for (int i = 0; i < 10; ++i) ASSERT_TRUE(session.controller().scan());
         ASSERT_TRUE(session.history().save(rec));
     }
@@ -136,13 +155,15 @@ TEST(ReplayCommand, EveryScanIsReadAsTheProgramMeantItThatMadeIt) {
         const int code = plc::cli::runCommandLine(words);
         return Said{code, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
     };
-    const Said found = replay({rec, "--find", "Main.a = 3", "--watch", "Main.a", "--watch", "Main.first", "--csv", csv});
+    const Said found =
+        replay({rec, "--find", "Main.a = 3", "--watch", "Main.a", "--watch", "Main.first", "--csv", csv});
     ASSERT_EQ(found.code, 0) << found.err;
     EXPECT_NE(found.out.find("Main.a      3\n"), std::string::npos) << found.out;
     EXPECT_NE(found.out.find("Main.first  (did not exist at that scan)"), std::string::npos) << found.out;
     const auto lines = linesOf(QString::fromStdString(csv));
     ASSERT_EQ(lines.size(), 21);
-    for (qsizetype i = 1; i < lines.size(); ++i) EXPECT_EQ(lines[i].trimmed().split(',')[2].toInt(), i) << lines[i].constData();
+    for (qsizetype i = 1; i < lines.size(); ++i)
+        EXPECT_EQ(lines[i].trimmed().split(',')[2].toInt(), i) << lines[i].constData();
     EXPECT_EQ(lines[5].trimmed().split(',')[3], "");
     EXPECT_EQ(lines[20].trimmed().split(',')[3].toDouble(), 7.0);
     EXPECT_EQ(replay({rec, "--find", "Main.a"}).code, 2) << "no condition";

@@ -1,4 +1,5 @@
-// The project tree with real events: variables that are dragged, files that are renamed and deleted with what refers to them.
+// The project tree with real events: variables that are dragged, files that are renamed and deleted with what refers to
+// them.
 #include "app/live_views.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
@@ -21,8 +22,11 @@ namespace {
 class TreeTest : public StudioTest {
 protected:
     void SetUp() override {
-        write("src/motor.st", "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR_OUTPUT turns : DINT; END_VAR\nIF run THEN turns := turns + 1; END_IF\nEND_FUNCTION_BLOCK\n");
-        write("hmi/overview.panel.json", "{\n  \"version\": 1,\n  \"elements\": [\n    {\n      \"id\": \"b\",\n      \"kind\": \"button\",\n      \"rect\": [10, 10, 100, 40],\n      \"panel\": \"details\"\n    }\n  ]\n}\n");
+        write("src/motor.st", "FUNCTION_BLOCK Motor\nVAR_INPUT run : BOOL; END_VAR\nVAR_OUTPUT turns : DINT; "
+                              "END_VAR\nIF run THEN turns := turns + 1; END_IF\nEND_FUNCTION_BLOCK\n");
+        write("hmi/overview.panel.json",
+              "{\n  \"version\": 1,\n  \"elements\": [\n    {\n      \"id\": \"b\",\n      \"kind\": \"button\",\n     "
+              " \"rect\": [10, 10, 100, 40],\n      \"panel\": \"details\"\n    }\n  ]\n}\n");
         write("hmi/details.panel.json", "{\n  \"version\": 1,\n  \"elements\": []\n}\n");
         write("traces/start.trace.json", "{}\n");
         StudioTest::SetUp();
@@ -65,7 +69,11 @@ protected:
 TEST_F(TreeTest, AVariableIsDraggedIntoTheWatch) {
     QTreeWidgetItem* counter = item("counter");
     ASSERT_NE(counter, nullptr);
-    const std::unique_ptr<QMimeData> mime(tree().model()->mimeData({tree().model()->match(tree().model()->index(0, 0), Qt::DisplayRole, "counter", 1, Qt::MatchExactly | Qt::MatchRecursive).first()}));
+    const std::unique_ptr<QMimeData> mime(tree().model()->mimeData(
+        {tree()
+             .model()
+             ->match(tree().model()->index(0, 0), Qt::DisplayRole, "counter", 1, Qt::MatchExactly | Qt::MatchRecursive)
+             .first()}));
     ASSERT_NE(mime, nullptr);
     EXPECT_EQ(kit::variablesOf(mime.get()), QStringList{"Main.counter"});
     EXPECT_EQ(mime->text(), "counter") << "the text takes the name";
@@ -95,7 +103,8 @@ TEST_F(TreeTest, APanelIsRenamedWithTheButtonsThatLeadToIt) {
     typeInto("motor");
     QTest::keyClick(&tree(), Qt::Key_F2);
     EXPECT_TRUE(waitFor([&] { return item("motor") != nullptr; }));
-    EXPECT_TRUE(content("hmi/overview.panel.json").contains("\"panel\": \"motor\"")) << content("hmi/overview.panel.json").toStdString();
+    EXPECT_TRUE(content("hmi/overview.panel.json").contains("\"panel\": \"motor\""))
+        << content("hmi/overview.panel.json").toStdString();
     EXPECT_FALSE(QFile::exists(folder.path() + "/hmi/details.panel.json"));
     EXPECT_NE(window->live().panels().find("motor"), nullptr);
 }

@@ -67,29 +67,36 @@ TEST(Tutorial, ItsStepsWork) {
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window.tabs().pageByKey("panel:overview"));
     ASSERT_NE(designer, nullptr);
     hmi::DesignContext& design = *window.live().design();
-    const auto typed = [&](const char* text) { return design.storeText({}, text, "overview", designer->document().undoStack()).toStdString(); };
-    const auto draw = [&](hmi::ElementKind kind, QRectF place, const std::vector<std::pair<std::string, std::string>>& properties) {
+    const auto typed = [&](const char* text) {
+        return design.storeText({}, text, "overview", designer->document().undoStack()).toStdString();
+    };
+    const auto draw = [&](hmi::ElementKind kind, QRectF place,
+                          const std::vector<std::pair<std::string, std::string>>& properties) {
         hmi::Json fields = hmi::newElementFields(kind);
         for (const auto& [key, value] : properties) fields[key] = value;
         fields["rect"] = {place.x(), place.y(), place.width(), place.height()};
         designer->canvas().insertElements(hmi::Json::array({fields}), place.center());
     };
     const std::string start = typed("Start"), stop = typed("Stop contact"), runs = typed("Motor runs");
-    draw(hmi::ElementKind::Switch, {100, 80, 220, 48}, {{"onText", start}, {"offText", start}, {"target", "Main.Start"}});
+    draw(hmi::ElementKind::Switch, {100, 80, 220, 48},
+         {{"onText", start}, {"offText", start}, {"target", "Main.Start"}});
     draw(hmi::ElementKind::Switch, {100, 160, 220, 48}, {{"onText", stop}, {"offText", stop}, {"target", "Main.Stop"}});
     draw(hmi::ElementKind::Lamp, {440, 100, 140, 80}, {{"label", runs}, {"value", "Main.Motor"}});
     draw(hmi::ElementKind::LanguageSelector, {700, 20, 260, 44}, {});
-    for (const auto& [key, german] : std::vector<std::pair<std::string, QString>>{{start, "Start"}, {stop, "Stoppkontakt"}, {runs, "Motor läuft"}}) {
+    for (const auto& [key, german] : std::vector<std::pair<std::string, QString>>{
+             {start, "Start"}, {stop, "Stoppkontakt"}, {runs, "Motor läuft"}}) {
         const int row = design.project().texts.table().rowOf(QString::fromStdString(key.substr(1)));
         ASSERT_GE(row, 0) << key;
-        ASSERT_TRUE(texts->model().setData(texts->model().index(row, hmi::TextModel::FirstLanguage + 1), german, Qt::EditRole));
+        ASSERT_TRUE(
+            texts->model().setData(texts->model().index(row, hmi::TextModel::FirstLanguage + 1), german, Qt::EditRole));
     }
     window.saveDocument();
     const auto drawn = projects::openProject({project.toStdString()});
     ASSERT_TRUE(drawn);
     EXPECT_EQ(drawn->languages, (std::vector<std::string>{"en", "de"}));
     EXPECT_EQ(drawn->panels.size(), 1u);
-    for (const hmi::Finding& finding : hmi::checkPanels(hmi::loadPanelProject(*drawn), design.checked())) ADD_FAILURE() << finding.text().toStdString();
+    for (const hmi::Finding& finding : hmi::checkPanels(hmi::loadPanelProject(*drawn), design.checked()))
+        ADD_FAILURE() << finding.text().toStdString();
     hmi::PanelPlayer* player = window.live().player();
     ASSERT_NE(player, nullptr);
     ASSERT_TRUE(player->showPanel("overview"));
@@ -122,7 +129,8 @@ TEST(Tutorial, ItsStepsWork) {
     ASSERT_TRUE(report);
     EXPECT_FALSE(report->hasErrors) << (report->diagnostics.empty() ? "" : report->diagnostics.front());
     ASSERT_EQ(report->results.size(), 1u);
-    EXPECT_TRUE(report->results[0].passed()) << (report->results[0].failures.empty() ? "" : report->results[0].failures[0].message);
+    EXPECT_TRUE(report->results[0].passed())
+        << (report->results[0].failures.empty() ? "" : report->results[0].failures[0].message);
 }
 
 } // namespace

@@ -10,7 +10,9 @@
 #include <cstdlib>
 
 namespace {
-double secondsSince(std::chrono::steady_clock::time_point begin) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); }
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 /// One station of the text gets another constant: edit → checked → quick code → in the running controller.
 double editTime(const plc::driver::Built& built, std::string text) {
@@ -40,7 +42,8 @@ int main(int argc, char** argv) {
         for (int i = 1; i < argc; ++i) sizes.push_back(static_cast<size_t>(std::atol(argv[i])));
     }
     (void)buildOrDie("warm.st", generateProgram(100)); // the first use of the code generator pays for its tables
-    std::printf("| lines | check | quick code | text to first scan | edit to running | optimised | scan, quick | scan, optimised |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf("| lines | check | quick code | text to first scan | edit to running | optimised | scan, quick | scan, "
+                "optimised |\n|---|---|---|---|---|---|---|---|\n");
     for (const size_t size : sizes) {
         const std::string text = generateProgram(size);
         const auto lines = static_cast<long>(std::count(text.begin(), text.end(), '\n'));
@@ -70,7 +73,8 @@ int main(int argc, char** argv) {
             return best * 1e6;
         };
         const double quick = scanTime(*built.program->quick), optimised = scanTime(*built.program->optimised.load());
-        std::printf("| %ld | %.0f ms | %.0f ms | %.2f s | %.2f s | %.2f s | %.1f µs | %.1f µs |\n", lines, built.checkMs, built.codeMs, first, edit, optimise, quick, optimised);
+        std::printf("| %ld | %.0f ms | %.0f ms | %.2f s | %.2f s | %.2f s | %.1f µs | %.1f µs |\n", lines,
+                    built.checkMs, built.codeMs, first, edit, optimise, quick, optimised);
         std::fflush(stdout);
     }
     return 0;

@@ -26,7 +26,8 @@ driver::Built build(const std::string& text) {
         for (const auto& d : built.checked.analysis->diagnostics) std::fprintf(stderr, "%s\n", d.message().c_str());
         std::exit(1);
     }
-    if (const Result<void> done = driver::optimise(built); !done) std::fprintf(stderr, "%s\n", done.error().message.c_str());
+    if (const Result<void> done = driver::optimise(built); !done)
+        std::fprintf(stderr, "%s\n", done.error().message.c_str());
     return built;
 }
 
@@ -73,54 +74,73 @@ Cost scanCost(const driver::Built& built, bool records, uint64_t scans) {
         settings.record = records;
         session::Session session(built, settings);
         session.runHere([](const controller::Controller& c) { return c.nextScan() == 1000; });
-        const double time = seconds([&] { session.runHere([&](const controller::Controller& c) { return c.nextScan() == 1000 + scans; }); });
+        const double time = seconds(
+            [&] { session.runHere([&](const controller::Controller& c) { return c.nextScan() == 1000 + scans; }); });
         best = std::min(best, time);
-        if (records) cost.bytesPerScan = static_cast<double>(session.history().statistics().bytes) / static_cast<double>(session.history().statistics().scans);
+        if (records)
+            cost.bytesPerScan = static_cast<double>(session.history().statistics().bytes) /
+                                static_cast<double>(session.history().statistics().scans);
     }
     cost.nsPerScan = best / static_cast<double>(scans) * 1e9;
     return cost;
 }
 
 void recordingTable() {
-    std::printf("%-28s %12s %12s %12s %10s %12s %14s\n", "program", "image bytes", "ns/scan off", "ns/scan on", "cost ns", "bytes/scan", "scans/s on");
-    const std::pair<const char*, std::pair<const char*, uint64_t>> programs[] = {{"small", {kSmall, 2'000'000}}, {"8 control loops", {kLoop, 500'000}}, {"1 MB image, 3 words change", {kLarge, 20'000}}};
+    std::printf("%-28s %12s %12s %12s %10s %12s %14s\n", "program", "image bytes", "ns/scan off", "ns/scan on",
+                "cost ns", "bytes/scan", "scans/s on");
+    const std::pair<const char*, std::pair<const char*, uint64_t>> programs[] = {
+        {"small", {kSmall, 2'000'000}},
+        {"8 control loops", {kLoop, 500'000}},
+        {"1 MB image, 3 words change", {kLarge, 20'000}}};
     for (const auto& [name, program] : programs) {
         const driver::Built built = build(program.first);
         const Cost off = scanCost(built, false, program.second);
         const Cost on = scanCost(built, true, program.second);
-        std::printf("%-28s %12u %12.0f %12.0f %10.0f %12.1f %14.0f\n", name, built.program->layout.dataEnd, off.nsPerScan, on.nsPerScan, on.nsPerScan - off.nsPerScan, on.bytesPerScan, 1e9 / on.nsPerScan);
+        std::printf("%-28s %12u %12.0f %12.0f %10.0f %12.1f %14.0f\n", name, built.program->layout.dataEnd,
+                    off.nsPerScan, on.nsPerScan, on.nsPerScan - off.nsPerScan, on.bytesPerScan, 1e9 / on.nsPerScan);
     }
 }
 
 void hourTable() {
     std::string text = kLoop;
-    text += "\nCONFIGURATION C RESOURCE R ON PLC TASK T (INTERVAL := T#1ms, PRIORITY := 1); PROGRAM Main WITH T : Main; END_RESOURCE END_CONFIGURATION";
+    text += "\nCONFIGURATION C RESOURCE R ON PLC TASK T (INTERVAL := T#1ms, PRIORITY := 1); PROGRAM Main WITH T : "
+            "Main; END_RESOURCE END_CONFIGURATION";
     session::Settings settings;
     settings.historyBudget = size_t(4) << 30;
     session::Session session(build(text), settings);
     constexpr uint64_t kHour = 3'600'000;
-    const double recorded = seconds([&] { session.runHere([&](const controller::Controller& c) { return c.nextScan() == kHour; }); });
+    const double recorded =
+        seconds([&] { session.runHere([&](const controller::Controller& c) { return c.nextScan() == kHour; }); });
     const history::Statistics statistics = session.history().statistics();
     std::printf("\nan hour of 1 ms scans of 8 control loops\n");
     std::printf("  %-44s %10.2f s\n", "run and recorded in", recorded);
-    std::printf("  %-44s %10.1f MB (%.1f bytes a scan, %zu segments)\n", "memory", static_cast<double>(statistics.bytes) / 1e6, static_cast<double>(statistics.bytes) / static_cast<double>(kHour), statistics.segments);
+    std::printf("  %-44s %10.1f MB (%.1f bytes a scan, %zu segments)\n", "memory",
+                static_cast<double>(statistics.bytes) / 1e6,
+                static_cast<double>(statistics.bytes) / static_cast<double>(kHour), statistics.segments);
     std::mt19937 dice(1);
     size_t sum = 0;
     const double seek = seconds([&] {
         for (int i = 0; i < 500; ++i) sum += session.history().seek(dice() % kHour).size();
     });
     std::printf("  %-44s %10.3f ms\n", "seek to a random scan", seek / 500 * 1e3);
-    const auto report = [&](const char* what, const std::string& expression, const std::function<void(const expression::Expression&)>& work) {
+    const auto report = [&](const char* what, const std::string& expression,
+                            const std::function<void(const expression::Expression&)>& work) {
         const Result<expression::Expression> compiled = session.expression(expression);
         if (!compiled) std::exit(1);
         std::printf("  %-44s %10.1f ms\n", what, seconds([&] { work(*compiled); }) * 1e3);
     };
     using Direction = history::History::Direction;
-    report("series of a variable, 2,500 buckets", "Main.mean", [&](const auto& e) { sum += session.history().series(e, {}, 0, kHour, 2500).size(); });
-    report("series of an expression, 2,500 buckets", "Main.pv[1] - Main.pv[2] * 2.0", [&](const auto& e) { sum += session.history().series(e, {}, 0, kHour, 2500).size(); });
-    report("find over the whole hour (never true)", "Main.mean > 1.0E9", [&](const auto& e) { sum += session.history().find(e, {}, 0, Direction::Forward).has_value(); });
-    report("find backwards over the whole hour", "Main.mean > 1.0E9", [&](const auto& e) { sum += session.history().find(e, {}, kHour, Direction::Backward).has_value(); });
-    report("find a change that took place once", "Main.t[3].Q", [&](const auto& e) { sum += session.history().findChange(e, {}, kHour - 1, Direction::Backward).has_value(); });
+    report("series of a variable, 2,500 buckets", "Main.mean",
+           [&](const auto& e) { sum += session.history().series(e, {}, 0, kHour, 2500).size(); });
+    report("series of an expression, 2,500 buckets", "Main.pv[1] - Main.pv[2] * 2.0",
+           [&](const auto& e) { sum += session.history().series(e, {}, 0, kHour, 2500).size(); });
+    report("find over the whole hour (never true)", "Main.mean > 1.0E9",
+           [&](const auto& e) { sum += session.history().find(e, {}, 0, Direction::Forward).has_value(); });
+    report("find backwards over the whole hour", "Main.mean > 1.0E9",
+           [&](const auto& e) { sum += session.history().find(e, {}, kHour, Direction::Backward).has_value(); });
+    report("find a change that took place once", "Main.t[3].Q", [&](const auto& e) {
+        sum += session.history().findChange(e, {}, kHour - 1, Direction::Backward).has_value();
+    });
     if (sum == 0) std::printf("\n");
 }
 

@@ -10,7 +10,8 @@ namespace plc::bench {
 
 namespace {
 [[noreturn]] void stop(image::RuntimeContext* context) {
-    std::fprintf(stderr, "the program faulted: code %u at site %u\n", static_cast<unsigned>(context->fault), context->faultSite);
+    std::fprintf(stderr, "the program faulted: code %u at site %u\n", static_cast<unsigned>(context->fault),
+                 context->faultSite);
     std::exit(1);
 }
 void refill(image::RuntimeContext* context) { context->loopBudget = INT64_MAX / 2; }
@@ -19,7 +20,8 @@ void atSite(image::RuntimeContext*, uint32_t, uint32_t, uint32_t) {}
 
 void registerBenchSymbols() { jit::setRuntimeSymbols({stop, refill, atSite}); }
 
-BenchImage::BenchImage(const image::CompiledProgram& program) : m_program(program), m_bytes(program.layout.imageSize + 64) {
+BenchImage::BenchImage(const image::CompiledProgram& program)
+    : m_program(program), m_bytes(program.layout.imageSize + 64) {
     m_image = m_bytes.data() + (64 - reinterpret_cast<uintptr_t>(m_bytes.data()) % 64) % 64;
     std::memcpy(m_image, program.initialImage.data(), program.initialImage.size());
     static std::vector<uint8_t> flags;
@@ -59,7 +61,8 @@ driver::Built buildOrDie(const std::string& name, const std::string& text) {
     driver::Built built = driver::build(input);
     if (built.program) return built;
     for (const auto& diagnostic : built.checked.analysis->diagnostics)
-        if (diagnostic.severity == diagnostics::Severity::Error) std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message().c_str());
+        if (diagnostic.severity == diagnostics::Severity::Error)
+            std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message().c_str());
     std::fprintf(stderr, "%s does not compile %s\n", name.c_str(), built.failure.c_str());
     std::exit(1);
 }

@@ -12,7 +12,8 @@
 namespace plc::bench {
 namespace {
 
-const char* const kKernels[] = {"integer", "real", "array", "matrix", "blocks", "strings", "machine", "pid", "calls", "checksum", "timers"};
+const char* const kKernels[] = {"integer", "real", "array", "matrix",   "blocks", "strings",
+                                "machine", "pid",  "calls", "checksum", "timers"};
 
 struct Loaded {
     std::string name;
@@ -35,9 +36,11 @@ void compareResults(Loaded& loaded) {
         loaded.quick->scan(*loaded.built.program->quick);
         loaded.optimised->scan(*loaded.built.program->optimised.load());
         loaded.kernel->scan(loaded.guards);
-        const double wanted = loaded.kernel->check(), quick = loaded.quick->number("Main.check"), optimised = loaded.optimised->number("Main.check");
+        const double wanted = loaded.kernel->check(), quick = loaded.quick->number("Main.check"),
+                     optimised = loaded.optimised->number("Main.check");
         if (quick == wanted && optimised == wanted) continue;
-        std::fprintf(stderr, "%s: C++ gives %.9g, quick code %.9g, optimised code %.9g\n", loaded.name.c_str(), wanted, quick, optimised);
+        std::fprintf(stderr, "%s: C++ gives %.9g, quick code %.9g, optimised code %.9g\n", loaded.name.c_str(), wanted,
+                     quick, optimised);
         std::exit(1);
     }
 }
@@ -45,7 +48,8 @@ void compareResults(Loaded& loaded) {
 std::unique_ptr<Loaded> loadKernel(const char* name) {
     auto loaded = std::make_unique<Loaded>();
     loaded->name = name;
-    loaded->built = buildOrDie(std::string(name) + ".st", readFile(std::string(STEPWISE_SOURCE_DIR) + "/tests/bench/kernels/" + name + ".st"));
+    loaded->built = buildOrDie(std::string(name) + ".st",
+                               readFile(std::string(STEPWISE_SOURCE_DIR) + "/tests/bench/kernels/" + name + ".st"));
     if (const auto done = driver::optimise(loaded->built); !done) {
         std::fprintf(stderr, "%s\n", done.error().text().c_str());
         std::exit(1);
@@ -73,10 +77,11 @@ int main(int argc, char** argv) {
         configure(benchmark::RegisterBenchmark((loaded->name + ":cpp").c_str(), [loaded](benchmark::State& state) {
             for (auto _ : state) loaded->kernel->scan(loaded->guards);
         }));
-        configure(benchmark::RegisterBenchmark((loaded->name + ":optimised").c_str(), [loaded](benchmark::State& state) {
-            const auto* code = loaded->built.program->optimised.load();
-            for (auto _ : state) loaded->optimised->scan(*code);
-        }));
+        configure(
+            benchmark::RegisterBenchmark((loaded->name + ":optimised").c_str(), [loaded](benchmark::State& state) {
+                const auto* code = loaded->built.program->optimised.load();
+                for (auto _ : state) loaded->optimised->scan(*code);
+            }));
         configure(benchmark::RegisterBenchmark((loaded->name + ":quick").c_str(), [loaded](benchmark::State& state) {
             for (auto _ : state) loaded->quick->scan(*loaded->built.program->quick);
         }));
@@ -85,9 +90,11 @@ int main(int argc, char** argv) {
     if (!runBenchmarks(argc, argv, times)) return 2;
     std::printf("\n| kernel | C++ -O2 | optimised | ratio | quick | ratio |\n|---|---|---|---|---|---|\n");
     for (const auto& loaded : all) {
-        const double cpp = times.best(loaded->name + ":cpp"), optimised = times.best(loaded->name + ":optimised"), quick = times.best(loaded->name + ":quick");
+        const double cpp = times.best(loaded->name + ":cpp"), optimised = times.best(loaded->name + ":optimised"),
+                     quick = times.best(loaded->name + ":quick");
         if (cpp == 0) continue;
-        std::printf("| %s | %.1f µs | %.1f µs | %.2f | %.1f µs | %.1f |\n", loaded->name.c_str(), cpp / 1000, optimised / 1000, optimised / cpp, quick / 1000, quick / cpp);
+        std::printf("| %s | %.1f µs | %.1f µs | %.2f | %.1f µs | %.1f |\n", loaded->name.c_str(), cpp / 1000,
+                    optimised / 1000, optimised / cpp, quick / 1000, quick / cpp);
     }
     return 0;
 }

@@ -1,5 +1,5 @@
-// A panel of 1,000 bound elements: what a frame costs when everything changes, what share of a core that is at 30 frames a
-// second, and how long opening takes. Figures to hold against: under half a core, under 500 ms.
+// A panel of 1,000 bound elements: what a frame costs when everything changes, what share of a core that is at 30
+// frames a second, and how long opening takes. Figures to hold against: under half a core, under 500 ms.
 #include "hmi/player/panel_player.h"
 
 #include <QApplication>
@@ -16,9 +16,16 @@ struct Kind {
     const char* property;
     bool isBool;
 };
-constexpr Kind kKinds[] = {{ElementKind::NumericDisplay, "value", false}, {ElementKind::Lamp, "value", true},       {ElementKind::Bar, "value", false},        {ElementKind::NumericDisplay, "value", false},
-                           {ElementKind::Symbol, "state", true},         {ElementKind::Progress, "value", false},  {ElementKind::Switch, "target", true},     {ElementKind::MultiState, "value", false},
-                           {ElementKind::NumericEntry, "target", false}, {ElementKind::TankLevel, "value", false}};
+constexpr Kind kKinds[] = {{ElementKind::NumericDisplay, "value", false},
+                           {ElementKind::Lamp, "value", true},
+                           {ElementKind::Bar, "value", false},
+                           {ElementKind::NumericDisplay, "value", false},
+                           {ElementKind::Symbol, "state", true},
+                           {ElementKind::Progress, "value", false},
+                           {ElementKind::Switch, "target", true},
+                           {ElementKind::MultiState, "value", false},
+                           {ElementKind::NumericEntry, "target", false},
+                           {ElementKind::TankLevel, "value", false}};
 
 /// 40 columns of 25 small elements on 1920 × 1080.
 Panel bigPanel() {
@@ -26,8 +33,10 @@ Panel bigPanel() {
     panel.set("size", Json::array({1920, 1080}));
     for (int i = 0; i < kElements; ++i) {
         const Kind& kind = kKinds[i % std::size(kKinds)];
-        Element element = Element::make(kind.kind, QStringLiteral("e%1").arg(i), QRectF(4 + i % 40 * 48, 4 + i / 40 * 43, 44, 39));
-        element.set(kind.property, kind.isBool ? "Main.b[" + std::to_string(i) + "]" : "Main.r[" + std::to_string(i) + "]");
+        Element element =
+            Element::make(kind.kind, QStringLiteral("e%1").arg(i), QRectF(4 + i % 40 * 48, 4 + i / 40 * 43, 44, 39));
+        element.set(kind.property,
+                    kind.isBool ? "Main.b[" + std::to_string(i) + "]" : "Main.r[" + std::to_string(i) + "]");
         if (element.descriptor().property("fontSize")) element.set("fontSize", 11);
         if (element.descriptor().property("showValue")) element.set("showValue", false);
         panel.elements().push_back(std::move(element));
@@ -37,7 +46,8 @@ Panel bigPanel() {
 
 /// Seconds of work per second at 30 frames: the rate's inverse times 30.
 void showShare(benchmark::State& state) {
-    state.counters["core_at_30_per_s"] = benchmark::Counter(1 / 30.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["core_at_30_per_s"] =
+        benchmark::Counter(1 / 30.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// `every`: each n-th element changes from frame to frame.
@@ -66,8 +76,10 @@ BENCHMARK(BM_Frame)->Arg(1)->Arg(10)->Unit(benchmark::kMillisecond)->UseRealTime
 
 driver::Built bigProgram() {
     driver::BuildInput input;
-    input.files.push_back({"main.st", "PROGRAM Main VAR b : ARRAY[0..999] OF BOOL; r : ARRAY[0..999] OF REAL; i, n : DINT; END_VAR\n"
-                                      "n := n + 1; FOR i := 0 TO 999 DO r[i] := 50.0 + 45.0 * SIN(DINT_TO_REAL(n) * 0.3 + DINT_TO_REAL(i)); b[i] := (n + i) MOD 2 = 0; END_FOR;\nEND_PROGRAM\n"});
+    input.files.push_back(
+        {"main.st", "PROGRAM Main VAR b : ARRAY[0..999] OF BOOL; r : ARRAY[0..999] OF REAL; i, n : DINT; END_VAR\n"
+                    "n := n + 1; FOR i := 0 TO 999 DO r[i] := 50.0 + 45.0 * SIN(DINT_TO_REAL(n) * 0.3 + "
+                    "DINT_TO_REAL(i)); b[i] := (n + i) MOD 2 = 0; END_FOR;\nEND_PROGRAM\n"});
     return driver::build(input);
 }
 

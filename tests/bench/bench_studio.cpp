@@ -1,6 +1,6 @@
-// What the engineer waits for in the real window, on a project of 10,000 lines: start, open, keystroke to diagnostics, completion, rename;
-// and what the window costs while a program runs at 1 ms with online values, watch and trace in sight. Needs no display:
-// QT_QPA_PLATFORM=offscreen bench_studio [LINES [SECONDS]]
+// What the engineer waits for in the real window, on a project of 10,000 lines: start, open, keystroke to diagnostics,
+// completion, rename; and what the window costs while a program runs at 1 ms with online values, watch and trace in
+// sight. Needs no display: QT_QPA_PLATFORM=offscreen bench_studio [LINES [SECONDS]]
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/main_window.h"
@@ -64,7 +64,8 @@ protected:
 bool runUntil(const std::function<bool()>& condition, int ms = 20'000) {
     QElapsedTimer timer;
     timer.start();
-    while (!condition() && timer.elapsed() < ms) QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
+    while (!condition() && timer.elapsed() < ms)
+        QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
     return condition();
 }
 
@@ -73,8 +74,10 @@ struct Figures {
     void add(double seconds) { ms.push_back(seconds * 1e3); }
     void print(const char* name, const char* target = "") {
         std::sort(ms.begin(), ms.end());
-        if (ms.empty()) std::printf("%-46s        –\n", name);
-        else std::printf("%-46s %8.1f ms   worst %8.1f ms   %s\n", name, ms[ms.size() / 2], ms.back(), target);
+        if (ms.empty())
+            std::printf("%-46s        –\n", name);
+        else
+            std::printf("%-46s %8.1f ms   worst %8.1f ms   %s\n", name, ms[ms.size() / 2], ms.back(), target);
         std::fflush(stdout);
     }
 };
@@ -110,7 +113,10 @@ int main(int argc, char** argv) {
     // ---- open
     const QString folder = scratch.path() + "/plant";
     writeFile(folder + "/project.json", "{\n  \"name\": \"Plant\",\n  \"libraries\": []\n}\n");
-    writeFile(folder + "/src/plant.st", bench::generateProgram(lines) + "\nCONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Fast(INTERVAL := T#1ms, PRIORITY := 1);\n        PROGRAM Main WITH Fast : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n");
+    writeFile(folder + "/src/plant.st",
+              bench::generateProgram(lines) +
+                  "\nCONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Fast(INTERVAL := T#1ms, PRIORITY := 1);\n "
+                  "       PROGRAM Main WITH Fast : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n");
     double begin = seconds(CLOCK_MONOTONIC);
     window.openProject(folder);
     auto* page = window.tabs().openFile("src/plant.st");
@@ -179,11 +185,13 @@ int main(int argc, char** argv) {
     Figures edits, applied;
     size_t places = 0;
     for (int i = 0; i < 6; ++i) {
-        const std::string from = i % 2 == 0 ? "ScaleReading" : "ScaledReading", to = i % 2 == 0 ? "ScaledReading" : "ScaleReading";
+        const std::string from = i % 2 == 0 ? "ScaleReading" : "ScaledReading",
+                          to = i % 2 == 0 ? "ScaledReading" : "ScaleReading";
         runUntil(isChecked);
         const auto model = window.workspace().model();
         begin = seconds(CLOCK_MONOTONIC);
-        const auto found = model->rename(*model->fileOf("src/plant.st"), static_cast<uint32_t>(editor.utf8().find("FUNCTION " + from) + 9), to);
+        const auto found = model->rename(*model->fileOf("src/plant.st"),
+                                         static_cast<uint32_t>(editor.utf8().find("FUNCTION " + from) + 9), to);
         if (!found) {
             std::fprintf(stderr, "rename: %s\n", found.error().text().c_str());
             return 1;
@@ -202,26 +210,35 @@ int main(int argc, char** argv) {
 
     // ---- the window while it runs
     window.showDock("watch");
-    window.watch().setExpressions({"Main.tick", "Main.level", "Main.station1", "Main.station1.mean", "Main.station1.mode", "Main.station2.message", "Main.station3.fillTime.ET", "plantRunning"});
+    window.watch().setExpressions({"Main.tick", "Main.level", "Main.station1", "Main.station1.mean",
+                                   "Main.station1.mode", "Main.station2.message", "Main.station3.fillTime.ET",
+                                   "plantRunning"});
     window.showDock("trace");
-    for (const char* channel : {"Main.level", "Main.station1.mean", "Main.station1.mode", "Main.station1.heater"}) window.live().traceView().addChannel(channel);
+    for (const char* channel : {"Main.level", "Main.station1.mean", "Main.station1.mode", "Main.station1.heater"})
+        window.live().traceView().addChannel(channel);
     editor.goTo(static_cast<uint32_t>(editor.utf8().find("PROGRAM Main")));
     window.action("run.start")->trigger();
     if (!runUntil([&] { return window.control().status().scans > 500; })) {
         std::fprintf(stderr, "the program does not run\n");
         return 1;
     }
-    const auto inSight = [](QWidget* widget) { return widget && widget->isVisible() && !widget->visibleRegion().isEmpty(); };
-    std::printf("in sight: text %d, watch %d, trace %d\n", inSight(&editor), inSight(&window.watch()), inSight(&window.live().traceView()));
+    const auto inSight = [](QWidget* widget) {
+        return widget && widget->isVisible() && !widget->visibleRegion().isEmpty();
+    };
+    std::printf("in sight: text %d, watch %d, trace %d\n", inSight(&editor), inSight(&window.watch()),
+                inSight(&window.live().traceView()));
     const auto measure = [&](const char* name) {
         const session::Status before = window.control().status();
         paints.paints = 0;
-        const double wall = seconds(CLOCK_MONOTONIC), thread = seconds(CLOCK_THREAD_CPUTIME_ID), process = seconds(CLOCK_PROCESS_CPUTIME_ID);
+        const double wall = seconds(CLOCK_MONOTONIC), thread = seconds(CLOCK_THREAD_CPUTIME_ID),
+                     process = seconds(CLOCK_PROCESS_CPUTIME_ID);
         QTest::qWait(runFor * 1000);
-        const double took = seconds(CLOCK_MONOTONIC) - wall, own = seconds(CLOCK_THREAD_CPUTIME_ID) - thread, all = seconds(CLOCK_PROCESS_CPUTIME_ID) - process;
+        const double took = seconds(CLOCK_MONOTONIC) - wall, own = seconds(CLOCK_THREAD_CPUTIME_ID) - thread,
+                     all = seconds(CLOCK_PROCESS_CPUTIME_ID) - process;
         const session::Status after = window.control().status();
-        std::printf("%-46s %8.1f %% of a core   all threads %.1f %%   %.0f scans/s, %llu skipped, %.0f paints/s\n", name, own / took * 100, all / took * 100,
-                    static_cast<double>(after.scans - before.scans) / took, static_cast<unsigned long long>(after.skippedScans - before.skippedScans), paints.paints / took);
+        std::printf("%-46s %8.1f %% of a core   all threads %.1f %%   %.0f scans/s, %llu skipped, %.0f paints/s\n",
+                    name, own / took * 100, all / took * 100, static_cast<double>(after.scans - before.scans) / took,
+                    static_cast<unsigned long long>(after.skippedScans - before.skippedScans), paints.paints / took);
         std::fflush(stdout);
     };
     QTest::qWait(5000); // optimised code is made meanwhile

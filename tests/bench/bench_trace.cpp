@@ -1,5 +1,5 @@
-// Charts of 8 channels with 10 million samples each: memory, first picture, and a frame of pan and zoom at 1920 × 1080. The figure
-// to reach is 16 ms a frame. Runs without a display. STEPWISE_TRACE_SAMPLES changes the number of samples.
+// Charts of 8 channels with 10 million samples each: memory, first picture, and a frame of pan and zoom at 1920 × 1080.
+// The figure to reach is 16 ms a frame. Runs without a display. STEPWISE_TRACE_SAMPLES changes the number of samples.
 #include "editor/kit/plot_renderer.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/trace_feed.h"
@@ -41,14 +41,16 @@ struct Data {
             for (int64_t i = 0; i < count; ++i) {
                 noise ^= noise << 13, noise ^= noise >> 7, noise ^= noise << 17;
                 const double t = static_cast<double>(i) * 1e-3, grain = static_cast<double>(noise % 1000) * 1e-3;
-                column.append(i * Ms, isBool ? (i / 700) % 2 : std::sin(t * (0.01 + 0.05 * c)) * 10 + std::sin(t * 40) + grain + c);
+                column.append(i * Ms, isBool ? (i / 700) % 2
+                                             : std::sin(t * (0.01 + 0.05 * c)) * 10 + std::sin(t * 40) + grain + c);
             }
             kit::PlotCurve curve;
             curve.id = curve.name = QStringLiteral("Main.channel%1").arg(c + 1);
             curve.color = kit::lightColors().curve(c);
             curve.style = isBool ? kit::CurveStyle::Digital : c % 2 ? kit::CurveStyle::Hold : kit::CurveStyle::Line;
             curve.chart = c < 4 ? 0 : 1;
-            curve.source = std::make_shared<trace::ColumnSource>(store, id, isBool ? kit::PlotValueKind::Bool : kit::PlotValueKind::Single);
+            curve.source = std::make_shared<trace::ColumnSource>(
+                store, id, isBool ? kit::PlotValueKind::Bool : kit::PlotValueKind::Single);
             model.curves.push_back(std::move(curve));
         }
         model.from = 0;
@@ -149,9 +151,12 @@ int main(int argc, char** argv) {
     data(); // filled before the clock runs
     bench::BestTimes times;
     if (!bench::runBenchmarks(argc, argv, times)) return 1;
-    std::printf("\n%d channels of %lld samples, %.0f MB; a frame of 1920 x 1080 beside the 16 ms of 60 frames a second:\n", Channels,
-                static_cast<long long>(sampleCount()), static_cast<double>(data().store->bytes()) / 1048576.0);
-    for (const char* name : {"buckets", "firstPicture", "pan/most", "pan/tenth", "pan/hundredth", "pan/thousand_samples", "zoom"})
-        if (const double best = times.best(name); best > 0) std::printf("  %-22s %7.2f ms  %5.2f of a frame\n", name, best / 1e6, best / 16e6);
+    std::printf(
+        "\n%d channels of %lld samples, %.0f MB; a frame of 1920 x 1080 beside the 16 ms of 60 frames a second:\n",
+        Channels, static_cast<long long>(sampleCount()), static_cast<double>(data().store->bytes()) / 1048576.0);
+    for (const char* name :
+         {"buckets", "firstPicture", "pan/most", "pan/tenth", "pan/hundredth", "pan/thousand_samples", "zoom"})
+        if (const double best = times.best(name); best > 0)
+            std::printf("  %-22s %7.2f ms  %5.2f of a frame\n", name, best / 1e6, best / 16e6);
     return 0;
 }

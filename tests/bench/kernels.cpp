@@ -22,21 +22,31 @@ namespace {
 
 inline void charge(Guards& g, int64_t passes) {
     g.budget -= passes;
-    if (g.budget < 0) [[unlikely]] budgetUsedUp(g);
+    if (g.budget < 0) [[unlikely]]
+        budgetUsedUp(g);
 }
 inline size_t at(int64_t index, int64_t low, int64_t high) {
-    if (index < low || index > high) [[unlikely]] fault("index", index, low, high);
+    if (index < low || index > high) [[unlikely]]
+        fault("index", index, low, high);
     return static_cast<size_t>(index - low);
 }
-inline int32_t add(int32_t a, int32_t b) { return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b)); }
-inline int32_t sub(int32_t a, int32_t b) { return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b)); }
-inline int32_t mul(int32_t a, int32_t b) { return static_cast<int32_t>(static_cast<uint32_t>(a) * static_cast<uint32_t>(b)); }
+inline int32_t add(int32_t a, int32_t b) {
+    return static_cast<int32_t>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b));
+}
+inline int32_t sub(int32_t a, int32_t b) {
+    return static_cast<int32_t>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b));
+}
+inline int32_t mul(int32_t a, int32_t b) {
+    return static_cast<int32_t>(static_cast<uint32_t>(a) * static_cast<uint32_t>(b));
+}
 inline int32_t quotient(int32_t a, int32_t b) {
-    if (b == 0) [[unlikely]] fault("division", 0, 0, 0);
+    if (b == 0) [[unlikely]]
+        fault("division", 0, 0, 0);
     return b == -1 ? sub(0, a) : a / b;
 }
 inline int32_t remainder(int32_t a, int32_t b) {
-    if (b == 0) [[unlikely]] fault("division", 0, 0, 0);
+    if (b == 0) [[unlikely]]
+        fault("division", 0, 0, 0);
     return b == -1 ? 0 : a % b;
 }
 
@@ -70,7 +80,8 @@ public:
         for (m_i = 0; m_i <= 999; ++m_i) {
             m_phase = m_phase + 0.0123f;
             if (m_phase > 3.0f) m_phase = m_phase - 6.0f;
-            m_samples[at(m_i, 0, 999)] = ((((0.00833f * m_phase * m_phase) - 0.16667f) * m_phase * m_phase) + 1.0f) * m_phase;
+            m_samples[at(m_i, 0, 999)] =
+                ((((0.00833f * m_phase * m_phase) - 0.16667f) * m_phase * m_phase) + 1.0f) * m_phase;
         }
         charge(g, 1000);
         for (m_i = 0; m_i <= 999; ++m_i) {
@@ -153,7 +164,8 @@ public:
             for (m_j = 1; m_j <= 40; ++m_j) {
                 m_sum = 0;
                 charge(g, 40);
-                for (m_k = 1; m_k <= 40; ++m_k) m_sum += m_a[at(m_i, 1, 40)][at(m_k, 1, 40)] * m_b[at(m_k, 1, 40)][at(m_j, 1, 40)];
+                for (m_k = 1; m_k <= 40; ++m_k)
+                    m_sum += m_a[at(m_i, 1, 40)][at(m_k, 1, 40)] * m_b[at(m_k, 1, 40)][at(m_j, 1, 40)];
                 m_c[at(m_i, 1, 40)][at(m_j, 1, 40)] = m_sum;
             }
         }
@@ -232,7 +244,8 @@ public:
             plc_text_mid(longer, 80, m_line, 80, 7, static_cast<int16_t>(m_at - 7));
             plc_text_assign(m_part, 20, longer, 80);
             uint8_t ok = 0;
-            const auto value = static_cast<int32_t>(plc_text_to_integer(m_part, 20, static_cast<uint32_t>(types::TypeKind::Dint), &ok));
+            const auto value = static_cast<int32_t>(
+                plc_text_to_integer(m_part, 20, static_cast<uint32_t>(types::TypeKind::Dint), &ok));
             m_n = add(m_n, add(value, static_cast<int16_t>(plc_text_length(m_line, 80))));
             if (plc_text_compare(m_part, 20, "370", 3) == 0) m_n = add(m_n, 1);
         }
@@ -255,9 +268,12 @@ public:
             m_start = m_pattern & 1;
             m_stop = ((m_pattern >> 3) & 1) && ((m_pattern >> 7) & 1);
             m_ready = (m_pattern >> 5) & 1;
-            m_pattern = static_cast<uint16_t>(static_cast<uint16_t>((m_pattern << 1) | (m_pattern >> 15)) ^ static_cast<uint16_t>(m_i & 3));
+            m_pattern = static_cast<uint16_t>(static_cast<uint16_t>((m_pattern << 1) | (m_pattern >> 15)) ^
+                                              static_cast<uint16_t>(m_i & 3));
             switch (m_state) {
-            case 0: if (m_start) m_state = 1; break;
+            case 0:
+                if (m_start) m_state = 1;
+                break;
             case 1:
                 if (m_ready) {
                     m_state = 2;
@@ -266,8 +282,12 @@ public:
                     m_state = 9;
                 }
                 break;
-            case 2: m_state = 3; break;
-            case 3: if (m_start && m_ready) m_state = 4; break;
+            case 2:
+                m_state = 3;
+                break;
+            case 3:
+                if (m_start && m_ready) m_state = 4;
+                break;
             case 4:
                 if (m_stop) {
                     m_state = 9;
@@ -276,12 +296,16 @@ public:
                     m_moves = add(m_moves, 1);
                 }
                 break;
-            case 5: if (!m_ready) m_state = 6; break;
+            case 5:
+                if (!m_ready) m_state = 6;
+                break;
             case 6:
                 m_state = 7;
                 m_good = add(m_good, 1);
                 break;
-            case 7: if (m_start || m_stop) m_state = 8; break;
+            case 7:
+                if (m_start || m_stop) m_state = 8;
+                break;
             case 8:
                 m_state = 0;
                 m_moves = add(m_moves, 1);
@@ -403,8 +427,10 @@ public:
             m_crc = m_crc ^ m_telegram[at(m_i, 0, 1023)];
             charge(g, 8);
             for (m_bit = 1; m_bit <= 8; ++m_bit) {
-                if (m_crc & 1) m_crc = static_cast<uint16_t>(m_crc >> 1) ^ 0xA001;
-                else m_crc = m_crc >> 1;
+                if (m_crc & 1)
+                    m_crc = static_cast<uint16_t>(m_crc >> 1) ^ 0xA001;
+                else
+                    m_crc = m_crc >> 1;
             }
         }
         m_check = m_crc;
@@ -453,8 +479,10 @@ struct Ctu {
     void call() {
         const bool edge = cu && !before;
         before = cu;
-        if (r) cv = 0;
-        else if (edge && cv < 32767) cv = static_cast<int16_t>(cv + 1);
+        if (r)
+            cv = 0;
+        else if (edge && cv < 32767)
+            cv = static_cast<int16_t>(cv + 1);
         q = cv >= pv;
     }
 };

@@ -1,5 +1,5 @@
-// The kernels of kernels/*.st in C++, as a careful programmer would write them by hand: state in a structure that lives on
-// between scans, wrapping integers, the same guards (index, division, loop budget). Compiled with -O2.
+// The kernels of kernels/*.st in C++, as a careful programmer would write them by hand: state in a structure that lives
+// on between scans, wrapping integers, the same guards (index, division, loop budget). Compiled with -O2.
 #pragma once
 #include <cstdint>
 #include <memory>

@@ -93,8 +93,10 @@ FOR i := 0 TO 7 DO
     END_IF
 END_FOR
 mean := sum / 8.0;
-setpoint := recipes[LIMIT(1, recipe, 10)].temperature + )" + k + R"(.5;
-fillTime(IN := mode = Mode.Filling, PT := T#)" + k + R"(s);
+setpoint := recipes[LIMIT(1, recipe, 10)].temperature + )" +
+           k + R"(.5;
+fillTime(IN := mode = Mode.Filling, PT := T#)" +
+           k + R"(s);
 heatTime(IN := mode = Mode.Heating, PT := T#90s);
 stirTime(IN := mode = Mode.Stirring, PT := recipes[1].duration);
 CASE mode OF
@@ -140,7 +142,8 @@ ELSE
     message := 'failed';
 END_CASE
 done := mode = Mode.Idle AND faults = 0;
-batches(CU := done, R := stop, PV := )" + k + R"(0);
+batches(CU := done, R := stop, PV := )" +
+           k + R"(0);
 IF stop THEN
     mode := Mode.Idle;
     faults := 0;
@@ -164,10 +167,12 @@ std::string generateProgram(size_t lines) {
         const std::string n = std::to_string(i);
         text += station(i);
         declarations += "    station" + n + " : Station" + n + ";\n";
-        calls += "station" + n + "(start := plantRunning AND tick MOD 50 = " + std::to_string(i % 50) + ", level := level, temperature := level / 2,\n    recipe := " +
-                 std::to_string(i % 10 + 1) + ");\n";
+        calls += "station" + n + "(start := plantRunning AND tick MOD 50 = " + std::to_string(i % 50) +
+                 ", level := level, temperature := level / 2,\n    recipe := " + std::to_string(i % 10 + 1) + ");\n";
     }
-    text += "PROGRAM Main\nVAR\n" + declarations + "    tick : DINT;\n    level : INT;\nEND_VAR\ntick := tick + 1;\nplantRunning := TRUE;\nlevel := level + 100;\n" +
+    text += "PROGRAM Main\nVAR\n" + declarations +
+            "    tick : DINT;\n    level : INT;\nEND_VAR\ntick := tick + 1;\nplantRunning := TRUE;\nlevel := level + "
+            "100;\n" +
             "IF level > 25000 THEN\n    level := 0;\nEND_IF\n" + calls + "END_PROGRAM\n";
     return text;
 }

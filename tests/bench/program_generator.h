@@ -1,5 +1,5 @@
-// Writes realistic programs of a wanted size: stations with timers, counters, a step machine, scaling functions, recipes and
-// alarms, called from one main program. The same size gives the same text.
+// Writes realistic programs of a wanted size: stations with timers, counters, a step machine, scaling functions,
+// recipes and alarms, called from one main program. The same size gives the same text.
 #pragma once
 #include <cstddef>
 #include <string>

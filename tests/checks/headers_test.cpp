@@ -16,7 +16,8 @@ TEST(Headers, BeginByWhatTheyAre) {
             std::ifstream in(entry.path());
             std::string first;
             std::getline(in, first);
-            EXPECT_TRUE(first.starts_with("// ") || first.starts_with("/// ")) << entry.path() << " begins with: " << first;
+            EXPECT_TRUE(first.starts_with("// ") || first.starts_with("/// "))
+                << entry.path() << " begins with: " << first;
         }
 }
 
@@ -28,7 +29,8 @@ TEST(Texts, NamePathsOfNoMachine) {
             if (ending != ".h" && ending != ".cpp" && ending != ".md" && ending != ".st" && ending != ".json") continue;
             if (entry.path().filename() == "headers_test.cpp") continue;
             std::ifstream in(entry.path());
-            for (std::string line; std::getline(in, line);) EXPECT_EQ(line.find("/work/"), std::string::npos) << entry.path() << ": " << line;
+            for (std::string line; std::getline(in, line);)
+                EXPECT_EQ(line.find("/work/"), std::string::npos) << entry.path() << ": " << line;
         }
     }
 }

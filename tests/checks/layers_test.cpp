@@ -1,5 +1,5 @@
-// Layers hold only where something refuses to cross them (D10): every #include "folder/…" of a module must lie in the module
-// itself or in one it declares to use. The declared uses come from the configure step (module_uses.txt).
+// Layers hold only where something refuses to cross them (D10): every #include "folder/…" of a module must lie in the
+// module itself or in one it declares to use. The declared uses come from the configure step (module_uses.txt).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -41,7 +41,8 @@ std::vector<std::string> includesOf(const fs::path& file) {
     std::ifstream in(file);
     for (std::string line; std::getline(in, line);) {
         const size_t at = line.find("#include \"");
-        if (at != std::string::npos && line.find_first_not_of(" \t") == at) out.push_back(line.substr(at + 10, line.find('"', at + 10) - at - 10));
+        if (at != std::string::npos && line.find_first_not_of(" \t") == at)
+            out.push_back(line.substr(at + 10, line.find('"', at + 10) - at - 10));
     }
     return out;
 }
@@ -60,7 +61,8 @@ TEST(Layers, EveryIncludeLiesInADeclaredUse) {
                 const std::string folder = fs::path(include).parent_path().string();
                 if (!uses.contains(folder)) continue; // system header, generated file
                 ++checked;
-                EXPECT_TRUE(allowed.contains(folder)) << entry.path() << " includes " << include << ", but " << module << " does not use " << folder;
+                EXPECT_TRUE(allowed.contains(folder))
+                    << entry.path() << " includes " << include << ", but " << module << " does not use " << folder;
             }
         }
     }
@@ -73,7 +75,8 @@ TEST(Layers, RuntimeAndProjectsKnowNoQt) {
             const std::string ending = entry.path().extension();
             if (ending != ".h" && ending != ".cpp") continue;
             std::ifstream in(entry.path());
-            for (std::string line; std::getline(in, line);) EXPECT_EQ(line.find("#include <Q"), std::string::npos) << entry.path();
+            for (std::string line; std::getline(in, line);)
+                EXPECT_EQ(line.find("#include <Q"), std::string::npos) << entry.path();
         }
 }
 
@@ -81,11 +84,14 @@ TEST(Layers, OnlyCodegenAndJitKnowLlvm) {
     for (const char* top : {"runtime", "projects", "editor", "hmi", "app"})
         for (const auto& entry : fs::recursive_directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) {
             const std::string path = entry.path().generic_string();
-            if (path.find("compiler/codegen/") != std::string::npos || path.find("compiler/jit/") != std::string::npos || !entry.is_regular_file()) continue;
+            if (path.find("compiler/codegen/") != std::string::npos ||
+                path.find("compiler/jit/") != std::string::npos || !entry.is_regular_file())
+                continue;
             const std::string ending = entry.path().extension();
             if (ending != ".h" && ending != ".cpp") continue;
             std::ifstream in(entry.path());
-            for (std::string line; std::getline(in, line);) EXPECT_EQ(line.find("#include <llvm/"), std::string::npos) << path;
+            for (std::string line; std::getline(in, line);)
+                EXPECT_EQ(line.find("#include <llvm/"), std::string::npos) << path;
         }
 }
 
@@ -96,7 +102,8 @@ TEST(Layers, QtChartsIsIncludedByThePlotOnly) {
             if (path.find("editor/kit/plot") != std::string::npos || !entry.is_regular_file()) continue;
             std::ifstream in(entry.path());
             for (std::string line; std::getline(in, line);) {
-                const bool charts = line.find("#include <QtCharts") != std::string::npos || line.find("#include <QChart") != std::string::npos;
+                const bool charts = line.find("#include <QtCharts") != std::string::npos ||
+                                    line.find("#include <QChart") != std::string::npos;
                 EXPECT_FALSE(charts) << path;
             }
         }

@@ -26,12 +26,14 @@ std::string contentOf(const fs::path& file) {
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view by) {
-    for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) text.replace(at, what.size(), by);
+    for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+        text.replace(at, what.size(), by);
     return text;
 }
 
 std::string fromXml(std::string text) {
-    constexpr std::array<std::array<const char*, 2>, 5> entities{{{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&amp;", "&"}}};
+    constexpr std::array<std::array<const char*, 2>, 5> entities{
+        {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&amp;", "&"}}};
     for (const auto& [entity, character] : entities) text = replaced(std::move(text), entity, character);
     return text;
 }
@@ -56,12 +58,15 @@ Message parseMessage(const std::string& context, std::string_view text) {
     Message message{context, fromXml(element(text, "source").value_or("")), {}};
     message.isPlural = text.substr(0, text.find('>')).find("numerus=\"yes\"") != std::string_view::npos;
     message.isUnfinished = text.find("type=\"unfinished\"") != std::string_view::npos;
-    message.isVanished = text.find("type=\"vanished\"") != std::string_view::npos || text.find("type=\"obsolete\"") != std::string_view::npos;
+    message.isVanished = text.find("type=\"vanished\"") != std::string_view::npos ||
+                         text.find("type=\"obsolete\"") != std::string_view::npos;
     const std::string translation = element(text, "translation").value_or("");
     if (!message.isPlural) return message.translations = {fromXml(translation)}, message;
     constexpr std::string_view end = "</numerusform>";
-    for (size_t at = 0; (at = translation.find("<numerusform>", at)) != std::string::npos; at = translation.find(end, at) + end.size())
-        message.translations.push_back(fromXml(element(std::string_view(translation).substr(at), "numerusform").value_or("")));
+    for (size_t at = 0; (at = translation.find("<numerusform>", at)) != std::string::npos;
+         at = translation.find(end, at) + end.size())
+        message.translations.push_back(
+            fromXml(element(std::string_view(translation).substr(at), "numerusform").value_or("")));
     return message;
 }
 
@@ -87,9 +92,12 @@ std::optional<std::string> literal(const std::string& code, size_t& at) {
         if (quote == std::string::npos || code[quote] != '"') return out;
         if (!out) out.emplace();
         for (at = quote + 1; at < code.size() && code[at] != '"'; ++at) {
-            if (code[at] != '\\') *out += code[at];
-            else if (code[++at] == 'n') *out += '\n';
-            else *out += code[at];
+            if (code[at] != '\\')
+                *out += code[at];
+            else if (code[++at] == 'n')
+                *out += '\n';
+            else
+                *out += code[at];
         }
         ++at;
     }
@@ -104,7 +112,8 @@ void collectUses(const fs::path& file, std::vector<Use>& out) {
     const std::string code = contentOf(file);
     for (const std::string call : {"tr(", "translate(", "QT_TRANSLATE_NOOP("})
         for (size_t at = 0; (at = code.find(call, at)) != std::string::npos;) {
-            const bool isName = at > 0 && (std::isalnum(static_cast<unsigned char>(code[at - 1])) || code[at - 1] == '_');
+            const bool isName =
+                at > 0 && (std::isalnum(static_cast<unsigned char>(code[at - 1])) || code[at - 1] == '_');
             at += call.size();
             if (isName) continue;
             const std::optional<std::string> first = literal(code, at);
@@ -116,7 +125,8 @@ void collectUses(const fs::path& file, std::vector<Use>& out) {
             const size_t comma = code.find_first_not_of(" \t\r\n", at);
             if (comma == std::string::npos || code[comma] != ',') continue;
             at = comma + 1;
-            if (const std::optional<std::string> second = literal(code, at)) out.push_back({*first, *second, file.string()});
+            if (const std::optional<std::string> second = literal(code, at))
+                out.push_back({*first, *second, file.string()});
         }
 }
 
@@ -130,7 +140,8 @@ std::vector<Use> usesInSources() {
                 std::vector<Use> uses;
                 collectUses(entry.path(), uses);
                 for (Use& use : uses)
-                    if (use.source != "sentence with {0}") out.push_back(std::move(use)); // the comment that explains the list
+                    if (use.source != "sentence with {0}")
+                        out.push_back(std::move(use)); // the comment that explains the list
             }
         }
     return out;
@@ -142,7 +153,8 @@ std::set<std::string> placeholders(const std::string& text) {
     for (size_t i = 0; i + 1 < text.size(); ++i) {
         if (text[i] == '%') {
             const size_t digit = text[i + 1] == 'L' ? i + 2 : i + 1;
-            if (digit < text.size() && (std::isdigit(static_cast<unsigned char>(text[digit])) || text[digit] == 'n')) out.insert(std::string("%") + text[digit]);
+            if (digit < text.size() && (std::isdigit(static_cast<unsigned char>(text[digit])) || text[digit] == 'n'))
+                out.insert(std::string("%") + text[digit]);
         }
         if (text[i] == '{' && std::isdigit(static_cast<unsigned char>(text[i + 1]))) out.insert(text.substr(i, 3));
     }
@@ -160,7 +172,9 @@ TEST_P(Translations, HaveEveryTextOfTheSources) {
     }
     const std::vector<Use> uses = usesInSources();
     EXPECT_GT(uses.size(), 500u) << "the sources were not read";
-    for (const Use& use : uses) EXPECT_TRUE(known.contains({use.context, use.source})) << GetParam() << " lacks “" << use.source << "” of " << use.file;
+    for (const Use& use : uses)
+        EXPECT_TRUE(known.contains({use.context, use.source}))
+            << GetParam() << " lacks “" << use.source << "” of " << use.file;
 }
 
 TEST_P(Translations, AreFinishedAndKeepThePlaceholders) {
@@ -176,7 +190,8 @@ TEST_P(Translations, AreFinishedAndKeepThePlaceholders) {
 }
 
 /// Calls whose first literal a user reads. A text in them must come from tr() or translate().
-const std::regex kShownLiteral(R"re((?:setText|setWindowTitle|setToolTip|setStatusTip|setWhatsThis|setPlaceholderText|setAccessibleName|setTitle|setSuffix|setHeaderLabels?|setHorizontalHeaderLabels|addAction|addMenu|addTab|addRow|addItems?|addToolBar|addButton|say|setDescription|setLabelText|new QLabel|new QPushButton|new QCheckBox|new QRadioButton|new QGroupBox|new QAction|new QToolBar|new QDockWidget|QMessageBox::\w+\(this|QInputDialog::\w+\(this)[(,{ ]+(?:(?:QStringLiteral|QString|QLatin1String)\()?"((?:[^"\\]|\\.)*)")re");
+const std::regex kShownLiteral(
+    R"re((?:setText|setWindowTitle|setToolTip|setStatusTip|setWhatsThis|setPlaceholderText|setAccessibleName|setTitle|setSuffix|setHeaderLabels?|setHorizontalHeaderLabels|addAction|addMenu|addTab|addRow|addItems?|addToolBar|addButton|say|setDescription|setLabelText|new QLabel|new QPushButton|new QCheckBox|new QRadioButton|new QGroupBox|new QAction|new QToolBar|new QDockWidget|QMessageBox::\w+\(this|QInputDialog::\w+\(this)[(,{ ]+(?:(?:QStringLiteral|QString|QLatin1String)\()?"((?:[^"\\]|\\.)*)")re");
 
 TEST(ShownTexts, ComeFromTheTranslation) {
     const std::set<std::string> names{"Stepwise", "English", "Deutsch", "Dansk"}; // the same in every language
@@ -191,11 +206,15 @@ TEST(ShownTexts, ComeFromTheTranslation) {
             std::string line;
             for (int number = 1; std::getline(lines, line); ++number) {
                 // lupdate does not look through macros: a text behind one of ours is never translated.
-                EXPECT_FALSE(line.starts_with("#define") && line.find("TR_NOOP") != std::string::npos) << file << ":" << number;
-                EXPECT_FALSE(line.starts_with("#define") && line.find("TRANSLATE_NOOP") != std::string::npos) << file << ":" << number;
-                for (auto hit = std::sregex_iterator(line.begin(), line.end(), kShownLiteral); hit != std::sregex_iterator(); ++hit) {
+                EXPECT_FALSE(line.starts_with("#define") && line.find("TR_NOOP") != std::string::npos)
+                    << file << ":" << number;
+                EXPECT_FALSE(line.starts_with("#define") && line.find("TRANSLATE_NOOP") != std::string::npos)
+                    << file << ":" << number;
+                for (auto hit = std::sregex_iterator(line.begin(), line.end(), kShownLiteral);
+                     hit != std::sregex_iterator(); ++hit) {
                     const std::string text = (*hit)[1];
-                    const bool isText = !names.contains(text) && std::regex_search(std::regex_replace(text, marks, ""), word);
+                    const bool isText =
+                        !names.contains(text) && std::regex_search(std::regex_replace(text, marks, ""), word);
                     EXPECT_FALSE(isText) << file << ":" << number << ": “" << text << "” is shown, but not in tr()";
                 }
             }
@@ -209,7 +228,8 @@ TEST(EnglishPlurals, CoverThePluralsOfTheOtherLanguages) {
     for (const Message& message : messagesOf("en")) {
         EXPECT_FALSE(message.isUnfinished) << message.source;
         EXPECT_EQ(message.translations.size(), 2u) << message.source;
-        for (const std::string& form : message.translations) EXPECT_EQ(placeholders(form), placeholders(message.source)) << form;
+        for (const std::string& form : message.translations)
+            EXPECT_EQ(placeholders(form), placeholders(message.source)) << form;
         english.emplace(message.context, message.source);
     }
     for (const Message& message : messagesOf("de"))

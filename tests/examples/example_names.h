@@ -7,7 +7,9 @@
 
 namespace plc {
 
-inline std::string exampleFolder(const std::string& name) { return std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name; }
+inline std::string exampleFolder(const std::string& name) {
+    return std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name;
+}
 
 /// Every folder, whatever it holds: one without a project is a finding, not left out.
 inline std::vector<std::string> exampleNames() {

@@ -1,5 +1,5 @@
-// Whoever opens an example sees a machine at work: it is whole (texts, pictures, trace, tests), its panels are without findings in
-// every language, and in a minute of plant time with its start actions nothing faults and the panel moves.
+// Whoever opens an example sees a machine at work: it is whole (texts, pictures, trace, tests), its panels are without
+// findings in every language, and in a minute of plant time with its start actions nothing faults and the panel moves.
 #include "tests/examples/example_names.h"
 
 #include "app/cli/command.h"
@@ -38,8 +38,8 @@ std::vector<std::string> filesWith(const std::string& folder, const std::string&
     return out;
 }
 
-/// The words of a line of docs/pictures.txt: `panel …` and `trace …` say what starts the machine and when its picture is taken,
-/// `elements NUMBER` how many elements of its panels must then change (5 where it does not say).
+/// The words of a line of docs/pictures.txt: `panel …` and `trace …` say what starts the machine and when its picture
+/// is taken, `elements NUMBER` how many elements of its panels must then change (5 where it does not say).
 std::vector<std::string> pictureOptions(const std::string& folder, const std::string& kind) {
     std::istringstream file(textOf(folder + "/docs/pictures.txt"));
     for (std::string line; std::getline(file, line);) {
@@ -74,7 +74,9 @@ TEST_P(Example, HasReadmeWithPicturesPanelTraceTestsAndFourLanguages) {
     EXPECT_FALSE(filesWith(folder + "/tests", ".st").empty());
     EXPECT_GE(project.languages.size(), 4u);
     for (const std::string needed : {"en", "de", "da"})
-        EXPECT_TRUE(std::any_of(project.languages.begin(), project.languages.end(), [&](const std::string& tag) { return tag == needed || tag.starts_with(needed + "-"); })) << needed;
+        EXPECT_TRUE(std::any_of(project.languages.begin(), project.languages.end(), [&](const std::string& tag) {
+            return tag == needed || tag.starts_with(needed + "-");
+        })) << needed;
     EXPECT_FALSE(pictureOptions(folder, "panel").empty()) << "docs/pictures.txt says how the machine is started";
     EXPECT_FALSE(pictureOptions(folder, "trace").empty());
 
@@ -83,9 +85,11 @@ TEST_P(Example, HasReadmeWithPicturesPanelTraceTestsAndFourLanguages) {
     EXPECT_NE(readme.find("## What to try"), std::string::npos);
     std::set<std::string> pictures;
     const std::regex picture(R"(!\[[^\]]+\]\(([^)]+)\))");
-    for (std::sregex_iterator at(readme.begin(), readme.end(), picture), end; at != end; ++at) pictures.insert((*at)[1]);
+    for (std::sregex_iterator at(readme.begin(), readme.end(), picture), end; at != end; ++at)
+        pictures.insert((*at)[1]);
     EXPECT_TRUE(pictures.count("docs/panel.png") && pictures.count("docs/trace.png"));
-    for (const std::string& path : pictures) EXPECT_FALSE(QImage(QString::fromStdString(folder + "/" + path)).isNull()) << path;
+    for (const std::string& path : pictures)
+        EXPECT_FALSE(QImage(QString::fromStdString(folder + "/" + path)).isNull()) << path;
 }
 
 /// Each alarm of a project comes in one of its tests at least.
@@ -101,13 +105,17 @@ TEST_P(Example, TestsTheConditionsOfItsAlarms) {
             const auto expression = session.expression(condition);
             ASSERT_TRUE(expression) << condition << ": " << expression.error().message;
             isThere = expression->isTrue(history.seek(history.statistics().first)) ||
-                      history.find(*expression, session.recompile(condition), history.statistics().first, history::History::Direction::Forward).has_value();
+                      history
+                          .find(*expression, session.recompile(condition), history.statistics().first,
+                                history::History::Direction::Forward)
+                          .has_value();
         }
     };
     const auto report = plc::testing::runTests(project, options);
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->failed(), 0u);
-    for (const auto& [condition, isThere] : came) EXPECT_TRUE(isThere) << "no test of the project in which " << condition;
+    for (const auto& [condition, isThere] : came)
+        EXPECT_TRUE(isThere) << "no test of the project in which " << condition;
 }
 
 TEST_P(Example, SpeaksEveryLanguageAndItsPanelsAreWithoutFindings) {
@@ -149,7 +157,9 @@ TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     for (const hmi::NamedPanel& panel : panels.panels)
         for (const hmi::Element& element : panel.panel.elements())
             hmi::forEachBinding(element, [&](const hmi::Found& found) {
-                if (found.type != hmi::PropertyType::Target) elements[(panel.name + "/" + element.caption()).toStdString()].bindings.push_back(values.bind(found.text));
+                if (found.type != hmi::PropertyType::Target)
+                    elements[(panel.name + "/" + element.caption()).toStdString()].bindings.push_back(
+                        values.bind(found.text));
             });
     for (nanoseconds at{0}; at < length; at += std::chrono::milliseconds(250)) {
         values.setPosition(session.history().positionAt(at));
@@ -167,8 +177,10 @@ TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     size_t moved = 0;
     std::string still;
     for (const auto& [name, shown] : elements) {
-        if (shown.looks.size() > 1) ++moved;
-        else still += " " + name;
+        if (shown.looks.size() > 1)
+            ++moved;
+        else
+            still += " " + name;
     }
     std::cout << GetParam() << ": " << moved << " of " << elements.size() << " elements with values change\n";
     const std::vector<std::string> named = pictureOptions(folder, "elements");
@@ -177,7 +189,8 @@ TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     EXPECT_GE(moved, wanted) << "still:" << still;
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, Example, ::testing::ValuesIn(exampleNames()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Examples, Example, ::testing::ValuesIn(exampleNames()),
+                         [](const auto& info) { return info.param; });
 
 } // namespace
 } // namespace plc

@@ -1,4 +1,5 @@
-// Every example runs a while in quick and in optimised code side by side: after each scan the two images must be the same bytes.
+// Every example runs a while in quick and in optimised code side by side: after each scan the two images must be the
+// same bytes.
 #include "tests/examples/example_names.h"
 
 #include "projects/storage/project_file.h"
@@ -42,7 +43,8 @@ TEST_P(BothTiers, LeaveTheSameImageAfterEveryScan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, BothTiers, ::testing::ValuesIn(exampleNames()), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Examples, BothTiers, ::testing::ValuesIn(exampleNames()),
+                         [](const auto& info) { return info.param; });
 
 } // namespace
 } // namespace plc

@@ -34,7 +34,8 @@ void parseText(std::string_view bytes) {
     diagnostics::Sink sink;
     const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
     promise(file != nullptr);
-    for (const diagnostics::Diagnostic& d : sink.all()) promise(d.range.begin <= d.range.end && d.range.end <= text.size());
+    for (const diagnostics::Diagnostic& d : sink.all())
+        promise(d.range.begin <= d.range.end && d.range.end <= text.size());
     const std::string once = format::format(text, {});
     promise(format::format(once, {}) == once);
 }

@@ -1,5 +1,6 @@
-// What is done with each file that comes from outside besides ST: read, used and written again. Nothing it holds may crash, hang or
-// be lost on the way. Used by the libFuzzer program fuzz_inputs and by tests/loaders. Needs a QApplication; main thread.
+// What is done with each file that comes from outside besides ST: read, used and written again. Nothing it holds may
+// crash, hang or be lost on the way. Used by the libFuzzer program fuzz_inputs and by tests/loaders. Needs a
+// QApplication; main thread.
 #pragma once
 #include <string>
 
@@ -18,7 +19,8 @@ struct Input {
     void (*read)(const std::string&);
 };
 inline constexpr Input kInputs[] = {
-    {"panel", readPanel}, {"texts", readTexts}, {"alarms", readAlarms}, {"trace", readTraceSetup}, {"project", readProjectFile}, {"recording", readRecording}, {"retain", readRetainFile},
+    {"panel", readPanel},         {"texts", readTexts},         {"alarms", readAlarms},     {"trace", readTraceSetup},
+    {"project", readProjectFile}, {"recording", readRecording}, {"retain", readRetainFile},
 };
 
 } // namespace plc::fuzz

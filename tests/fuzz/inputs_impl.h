@@ -27,7 +27,10 @@ inline void mustHold(bool kept) {
 /// A folder of this process, removed at its end; in memory where there is such a place.
 class Scratch {
 public:
-    Scratch() : m_folder((std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) / ("stepwise_inputs_" + std::to_string(::getpid()))) {
+    Scratch()
+        : m_folder((std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm")
+                                                        : std::filesystem::temp_directory_path()) /
+                   ("stepwise_inputs_" + std::to_string(::getpid()))) {
         std::filesystem::create_directories(m_folder / "src");
         write("src/main.st", "PROGRAM Main VAR x : INT; END_VAR x := x + 1; END_PROGRAM\n");
     }
@@ -36,7 +39,8 @@ public:
         std::filesystem::remove_all(m_folder, none);
     }
     std::string write(const char* name, const std::string& bytes) const {
-        std::ofstream(m_folder / name, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        std::ofstream(m_folder / name, std::ios::binary | std::ios::trunc)
+            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         return (m_folder / name).string();
     }
     std::string path() const { return m_folder.string(); }

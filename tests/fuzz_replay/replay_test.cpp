@@ -1,5 +1,5 @@
-// Every seed and every past finding goes through all three fuzz entries, in each preset; and every seed cut at each token and with one
-// token swapped: no crash, no hang.
+// Every seed and every past finding goes through all three fuzz entries, in each preset; and every seed cut at each
+// token and with one token swapped: no crash, no hang.
 #include "tests/fuzz/entries_impl.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,9 @@ TEST_F(FuzzReplay, SeedsCutAtEachTokenAndWithOneTokenSwapped) {
             plc::fuzz::parseText(std::string_view(text).substr(0, list.tokens[i].begin));
             if (i + 2 >= list.tokens.size()) continue;
             const auto &a = list.tokens[i], &b = list.tokens[i + 1];
-            std::string swapped = text.substr(0, a.begin) + text.substr(b.begin, b.end - b.begin) + text.substr(a.end, b.begin - a.end) + text.substr(a.begin, a.end - a.begin) + text.substr(b.end);
+            std::string swapped = text.substr(0, a.begin) + text.substr(b.begin, b.end - b.begin) +
+                                  text.substr(a.end, b.begin - a.end) + text.substr(a.begin, a.end - a.begin) +
+                                  text.substr(b.end);
             plc::fuzz::parseText(swapped);
         }
     }

@@ -1,5 +1,6 @@
-// One meaning everywhere: each row below is computed by the constant folder, by quick and by optimised code and by the expression
-// evaluator, and all four must give the same. Rows are made from the tables of types and standard functions, so that nothing is left out.
+// One meaning everywhere: each row below is computed by the constant folder, by quick and by optimised code and by the
+// expression evaluator, and all four must give the same. Rows are made from the tables of types and standard functions,
+// so that nothing is left out.
 #include "tests/golden/agreement_test.h"
 
 #include "runtime/compiler/driver/driver.h"
@@ -25,14 +26,18 @@ struct Row {
 
 bool isQuoted(const Operand& operand) { return operand.literal.starts_with('\'') || operand.literal.starts_with('"'); }
 std::string typedLiteral(const Operand& operand) {
-    return isQuoted(operand) || operand.literal.find('#') != std::string::npos || operand.type == "BOOL" ? operand.literal : operand.type + "#" + operand.literal;
+    return isQuoted(operand) || operand.literal.find('#') != std::string::npos || operand.type == "BOOL"
+               ? operand.literal
+               : operand.type + "#" + operand.literal;
 }
 
 template <class Name> std::string filledIn(const Row& row, Name name) {
     std::string text;
     for (size_t i = 0; i < row.expression.size(); ++i) {
-        if (row.expression[i] == '$') text += name(static_cast<size_t>(row.expression[++i] - '0'));
-        else text += row.expression[i];
+        if (row.expression[i] == '$')
+            text += name(static_cast<size_t>(row.expression[++i] - '0'));
+        else
+            text += row.expression[i];
     }
     return text;
 }
@@ -43,11 +48,13 @@ std::string programOf(const std::vector<Row>& rows) {
     std::string declarations, statements;
     for (size_t r = 0; r < rows.size(); ++r) {
         for (size_t i = 0; i < rows[r].operands.size(); ++i)
-            declarations += variable(r, i) + " : " + rows[r].operands[i].type + " := " + rows[r].operands[i].literal + ";\n";
+            declarations +=
+                variable(r, i) + " : " + rows[r].operands[i].type + " := " + rows[r].operands[i].literal + ";\n";
         const std::string number = std::to_string(r);
         declarations += "v" + number + ", c" + number + " : " + rows[r].result + ";\n";
         statements += "v" + number + " := " + filledIn(rows[r], [&](size_t i) { return variable(r, i); }) + ";\n";
-        statements += "c" + number + " := " + filledIn(rows[r], [&](size_t i) { return typedLiteral(rows[r].operands[i]); }) + ";\n";
+        statements += "c" + number +
+                      " := " + filledIn(rows[r], [&](size_t i) { return typedLiteral(rows[r].operands[i]); }) + ";\n";
     }
     return "PROGRAM Main\nVAR\n" + declarations + "END_VAR\n" + statements + "END_PROGRAM\n";
 }
@@ -55,7 +62,8 @@ std::string programOf(const std::vector<Row>& rows) {
 std::string valueAt(const image::CompiledProgram& program, std::span<const std::byte> image, const std::string& path) {
     const auto place = program.layout.find(path);
     if (!place) return place.error().text();
-    return types::toText(*program.layout.types, types::readValue(*program.layout.types, place->type, image.subspan(place->offset), place->bit));
+    return types::toText(*program.layout.types, types::readValue(*program.layout.types, place->type,
+                                                                 image.subspan(place->offset), place->bit));
 }
 
 void expectAgreement(const std::vector<Row>& rows) {
@@ -64,7 +72,8 @@ void expectAgreement(const std::vector<Row>& rows) {
     const driver::Built built = driver::build(input);
     ASSERT_EQ(built.failure, "");
     for (const auto& diagnostic : built.checked.analysis->diagnostics)
-        if (diagnostic.severity == diagnostics::Severity::Error) ADD_FAILURE() << diagnostics::renderText(*built.checked.sources, diagnostic, false);
+        if (diagnostic.severity == diagnostics::Severity::Error)
+            ADD_FAILURE() << diagnostics::renderText(*built.checked.sources, diagnostic, false);
     ASSERT_TRUE(built.program);
     const auto scanned = [&] {
         controller::Controller controller(built.program);
@@ -76,11 +85,15 @@ void expectAgreement(const std::vector<Row>& rows) {
     ASSERT_TRUE(driver::optimise(built));
     const std::vector<std::byte> optimised = scanned();
     for (size_t r = 0; r < rows.size(); ++r) {
-        const std::string number = std::to_string(r), shown = filledIn(rows[r], [&](size_t i) { return rows[r].operands[i].type + " " + rows[r].operands[i].literal; });
+        const std::string number = std::to_string(r),
+                          shown = filledIn(rows[r], [&](size_t i) {
+                              return rows[r].operands[i].type + " " + rows[r].operands[i].literal;
+                          });
         const std::string value = valueAt(*built.program, quick, "Main.v" + number);
         EXPECT_EQ(valueAt(*built.program, optimised, "Main.v" + number), value) << "optimised " << shown;
         EXPECT_EQ(valueAt(*built.program, quick, "Main.c" + number), value) << "folded " << shown;
-        const auto expression = driver::compileExpression(built.checked, filledIn(rows[r], [&](size_t i) { return variable(r, i); }), "Main");
+        const auto expression = driver::compileExpression(
+            built.checked, filledIn(rows[r], [&](size_t i) { return variable(r, i); }), "Main");
         if (!expression) {
             ADD_FAILURE() << shown << ": " << expression.error().message;
             continue;
@@ -88,17 +101,22 @@ void expectAgreement(const std::vector<Row>& rows) {
         const auto outcome = expression->evaluate(quick);
         const auto place = built.program->layout.find("Main.v" + number);
         ASSERT_TRUE(outcome.hasValue()) << shown << ": " << outcome.reason;
-        EXPECT_EQ(types::toText(expression->types(), types::convert(expression->types(), outcome.value, place->type)), value) << "evaluated " << shown;
+        EXPECT_EQ(types::toText(expression->types(), types::convert(expression->types(), outcome.value, place->type)),
+                  value)
+            << "evaluated " << shown;
     }
 }
 
-const std::vector<std::string> kTypes{"BOOL", "BYTE", "WORD", "DWORD", "LWORD", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "REAL", "LREAL", "TIME", "LTIME",
-                                      "DATE", "LDATE", "TOD", "LTOD", "DT", "LDT", "CHAR", "WCHAR", "STRING", "WSTRING"};
+const std::vector<std::string> kTypes{"BOOL",  "BYTE", "WORD",  "DWORD", "LWORD",  "SINT",   "INT",
+                                      "DINT",  "LINT", "USINT", "UINT",  "UDINT",  "ULINT",  "REAL",
+                                      "LREAL", "TIME", "LTIME", "DATE",  "LDATE",  "TOD",    "LTOD",
+                                      "DT",    "LDT",  "CHAR",  "WCHAR", "STRING", "WSTRING"};
 
 std::vector<std::string> samplesOf(const std::string& type) {
     if (type == "BOOL") return {"FALSE", "TRUE"};
     if (type == "REAL") return {"0.0", "0.5", "1.5", "2.5", "-2.5", "1.0E10", "-1.0E30", "16777217.0", "300.7", "0.1"};
-    if (type == "LREAL") return {"0.0", "0.5", "1.5", "2.5", "-2.5", "1.0E19", "-1.0E300", "9007199254740993.0", "65535.5", "0.1"};
+    if (type == "LREAL")
+        return {"0.0", "0.5", "1.5", "2.5", "-2.5", "1.0E19", "-1.0E300", "9007199254740993.0", "65535.5", "0.1"};
     if (type == "TIME") return {"T#0s", "T#1s500ms", "T#-1500us", "T#50d", "T#1d2h3m4s5ms6us7ns"};
     if (type == "LTIME") return {"LTIME#0s", "LTIME#1us7ns", "LTIME#-3s"};
     if (type == "DATE") return {"D#1970-01-01", "D#2024-02-29", "D#1969-12-31"};
@@ -109,7 +127,10 @@ std::vector<std::string> samplesOf(const std::string& type) {
     if (type == "LDT") return {"LDT#1970-01-01-00:00:01", "LDT#2024-02-29-06:30:15.000000001"};
     if (type == "CHAR") return {"'A'", "'\u00e9'", "'5'"};
     if (type == "WCHAR") return {"\"A\"", "\"\u20ac\""};
-    if (type == "STRING") return {"''", "'123'", "' -5 x'", "'3.75'", "'TRUE'", "'T#1s'", "'D#2024-02-29'", "'DT#2024-02-29-06:30:00'", "'TOD#06:30'", "'99999999999'", "'abc\u00e9'"};
+    if (type == "STRING")
+        return {"''",          "'123'",         "' -5 x'",        "'3.75'",
+                "'TRUE'",      "'T#1s'",        "'D#2024-02-29'", "'DT#2024-02-29-06:30:00'",
+                "'TOD#06:30'", "'99999999999'", "'abc\u00e9'"};
     if (type == "WSTRING") return {"\"\"", "\"123\"", "\"\u20ac5\"", "\"-1.5e3\"", "\"T#1s\""};
     const types::TypeTable table;
     for (uint32_t k = 0; k <= static_cast<uint32_t>(types::TypeKind::Wchar); ++k) {
@@ -130,7 +151,8 @@ public:
         constexpr size_t kRowsOfOneProgram = 200; // a single body with thousands of statements takes the optimiser long
         for (size_t at = 0; at < m_rows.size(); at += kRowsOfOneProgram) {
             const auto end = std::min(m_rows.size(), at + kRowsOfOneProgram);
-            expectAgreement({m_rows.begin() + static_cast<std::ptrdiff_t>(at), m_rows.begin() + static_cast<std::ptrdiff_t>(end)});
+            expectAgreement(
+                {m_rows.begin() + static_cast<std::ptrdiff_t>(at), m_rows.begin() + static_cast<std::ptrdiff_t>(end)});
         }
     }
 
@@ -139,14 +161,16 @@ private:
 };
 
 void add(const std::string& name, std::vector<Row> rows) {
-    testing::RegisterTest("Agreement", name.c_str(), nullptr, nullptr, __FILE__, __LINE__, [rows = std::move(rows)]() -> testing::Test* { return new AgreementTest(rows); });
+    testing::RegisterTest("Agreement", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                          [rows = std::move(rows)]() -> testing::Test* { return new AgreementTest(rows); });
 }
 
 void addConversions() {
     for (const std::string& from : kTypes) {
         std::vector<Row> rows;
         for (const std::string& to : kTypes)
-            for (const std::string& sample : samplesOf(from)) rows.push_back({to, from + "_TO_" + to + "($0)", {{from, sample}}});
+            for (const std::string& sample : samplesOf(from))
+                rows.push_back({to, from + "_TO_" + to + "($0)", {{from, sample}}});
         add("ConversionsFrom" + from, std::move(rows));
     }
 }
@@ -156,7 +180,8 @@ bool isOneOf(const std::string& type, std::initializer_list<const char*> list) {
 }
 bool isReal(const std::string& type) { return isOneOf(type, {"REAL", "LREAL"}); }
 bool isInteger(const std::string& type) {
-    return isOneOf(type, {"BYTE", "WORD", "DWORD", "LWORD", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT"});
+    return isOneOf(
+        type, {"BYTE", "WORD", "DWORD", "LWORD", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT"});
 }
 
 void addOperators() {
@@ -166,15 +191,18 @@ void addOperators() {
         for (const std::string& a : samples) {
             for (const std::string& b : samples) {
                 const std::vector<Operand> operands{{type, a}, {type, b}};
-                for (const char* op : {"=", "<>", "<", "<=", ">", ">="}) rows.push_back({"BOOL", std::string("$0 ") + op + " $1", operands});
+                for (const char* op : {"=", "<>", "<", "<=", ">", ">="})
+                    rows.push_back({"BOOL", std::string("$0 ") + op + " $1", operands});
                 if (isReal(type) || isInteger(type) || isOneOf(type, {"TIME", "LTIME"}))
                     for (const char* op : {"+", "-"}) rows.push_back({type, std::string("$0 ") + op + " $1", operands});
                 if (isReal(type) || isInteger(type)) rows.push_back({type, "$0 * $1", operands});
                 if (isReal(type) || (isInteger(type) && b != "0")) rows.push_back({type, "$0 / $1", operands});
                 if (isInteger(type) && b != "0") rows.push_back({type, "$0 MOD $1", operands});
                 if (isInteger(type) || type == "BOOL")
-                    for (const char* op : {"AND", "OR", "XOR"}) rows.push_back({type, std::string("$0 ") + op + " $1", operands});
-                for (const char* function : {"MAX", "MIN"}) rows.push_back({type, std::string(function) + "($0, $1)", operands});
+                    for (const char* op : {"AND", "OR", "XOR"})
+                        rows.push_back({type, std::string("$0 ") + op + " $1", operands});
+                for (const char* function : {"MAX", "MIN"})
+                    rows.push_back({type, std::string(function) + "($0, $1)", operands});
                 rows.push_back({type, "SEL(TRUE, $0, $1)", operands});
                 rows.push_back({type, "MUX(1, $0, $1)", operands});
                 rows.push_back({type, "LIMIT($0, $1, $0)", operands});
@@ -185,7 +213,8 @@ void addOperators() {
             }
             if (isInteger(type) || type == "BOOL") rows.push_back({type, "NOT $0", {{type, a}}});
             if (isInteger(type))
-                for (const char* function : {"INC($0)", "DEC($0)", "SQR($0)"}) rows.push_back({type, function, {{type, a}}});
+                for (const char* function : {"INC($0)", "DEC($0)", "SQR($0)"})
+                    rows.push_back({type, function, {{type, a}}});
         }
         add("OperatorsOn" + type, std::move(rows));
     }
@@ -197,7 +226,8 @@ void addShifts() {
         if (!isInteger(type)) continue;
         for (const char* function : {"SHL", "SHR", "ROL", "ROR"})
             for (const char* count : {"-1", "0", "1", "7", "8", "15", "16", "31", "33", "63", "64", "100"})
-                for (const std::string& a : samplesOf(type)) rows.push_back({type, std::string(function) + "($0, $1)", {{type, a}, {"INT", count}}});
+                for (const std::string& a : samplesOf(type))
+                    rows.push_back({type, std::string(function) + "($0, $1)", {{type, a}, {"INT", count}}});
     }
     add("Shifts", std::move(rows));
 }
@@ -207,16 +237,20 @@ void addRealFunctions() {
     std::vector<Row> rows;
     for (const std::string& type : {std::string("REAL"), std::string("LREAL")}) {
         std::vector<std::string> values{"0.0", "1.0", "-1.0", "0.5", "2.5", "-2.5", "100.0"};
-        for (int i = 0; i < 40; ++i) values.push_back(std::to_string(std::uniform_real_distribution<>(i % 2 ? -1.0 : -500.0, i % 2 ? 1.0 : 500.0)(random)));
+        for (int i = 0; i < 40; ++i)
+            values.push_back(
+                std::to_string(std::uniform_real_distribution<>(i % 2 ? -1.0 : -500.0, i % 2 ? 1.0 : 500.0)(random)));
         for (const std::string& x : values) {
-            for (const char* function : {"SQRT", "LN", "LOG", "EXP", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SINH", "COSH", "TANH", "FLOOR", "CEIL", "ROUND", "FRAC", "LTRUNC",
-                                         "DEG_TO_RAD", "RAD_TO_DEG", "SQR"})
+            for (const char* function : {"SQRT", "LN",    "LOG",  "EXP",    "SIN",        "COS",        "TAN",
+                                         "ASIN", "ACOS",  "ATAN", "SINH",   "COSH",       "TANH",       "FLOOR",
+                                         "CEIL", "ROUND", "FRAC", "LTRUNC", "DEG_TO_RAD", "RAD_TO_DEG", "SQR"})
                 rows.push_back({type, std::string(function) + "($0)", {{type, x}}});
             rows.push_back({"DINT", "TRUNC($0)", {{type, x}}});
             rows.push_back({"BOOL", "IS_VALID(LN($0))", {{type, x}}});
             rows.push_back({type, "ATAN2($0, $1)", {{type, x}, {type, values[random() % values.size()]}}});
             rows.push_back({type, "EXPT($0, $1)", {{type, x}, {type, values[random() % values.size()]}}});
-            rows.push_back({type, "EXPT($0, $1)", {{type, x}, {"INT", std::to_string(static_cast<int>(random() % 9) - 4)}}});
+            rows.push_back(
+                {type, "EXPT($0, $1)", {{type, x}, {"INT", std::to_string(static_cast<int>(random() % 9) - 4)}}});
             rows.push_back({"TIME", "MULTIME($0, $1)", {{"TIME", "T#1s7ms"}, {type, x}}});
             rows.push_back({"TIME", "DIVTIME($0, $1)", {{"TIME", "T#1s7ms"}, {type, x}}});
         }
@@ -229,7 +263,8 @@ void addPowers() {
     for (const std::string& type : kTypes) {
         if (!isInteger(type)) continue;
         for (const std::string& base : samplesOf(type))
-            for (const char* exponent : {"0", "1", "2", "3", "7", "63"}) rows.push_back({type, "$0 ** $1", {{type, base}, {type, exponent}}});
+            for (const char* exponent : {"0", "1", "2", "3", "7", "63"})
+                rows.push_back({type, "$0 ** $1", {{type, base}, {type, exponent}}});
     }
     add("Powers", std::move(rows));
 }
@@ -246,8 +281,10 @@ void addTexts() {
         };
         const auto number = [&] { return Operand{"INT", std::to_string(static_cast<int>(random() % 13) - 2)}; };
         for (int i = 0; i < 60; ++i) {
-            for (const char* function : {"LEFT", "RIGHT"}) rows.push_back({type, std::string(function) + "($0, $1)", {text(), number()}});
-            for (const char* function : {"MID", "DELETE"}) rows.push_back({type, std::string(function) + "($0, $1, $2)", {text(), number(), number()}});
+            for (const char* function : {"LEFT", "RIGHT"})
+                rows.push_back({type, std::string(function) + "($0, $1)", {text(), number()}});
+            for (const char* function : {"MID", "DELETE"})
+                rows.push_back({type, std::string(function) + "($0, $1, $2)", {text(), number(), number()}});
             rows.push_back({type, "CONCAT($0, $1)", {text(), text()}});
             rows.push_back({type, "CONCAT($0, $1, $2)", {text(), text(), text()}});
             rows.push_back({type, "INSERT($0, $1, $2)", {text(), text(), number()}});
@@ -267,12 +304,14 @@ void addTexts() {
 void addDates() {
     std::vector<Row> rows;
     for (const char* date : {"D#1970-01-01", "D#2000-02-29", "D#1969-12-31", "D#2099-12-31", "D#2024-03-01"}) {
-        for (const char* part : {"YEAR_OF", "MONTH_OF", "DAY_OF", "DAY_OF_WEEK"}) rows.push_back({"INT", std::string(part) + "($0)", {{"DATE", date}}});
+        for (const char* part : {"YEAR_OF", "MONTH_OF", "DAY_OF", "DAY_OF_WEEK"})
+            rows.push_back({"INT", std::string(part) + "($0)", {{"DATE", date}}});
         rows.push_back({"DT", "CONCAT_DATE_TOD($0, $1)", {{"DATE", date}, {"TOD", "TOD#06:30:00"}}});
         rows.push_back({"TIME", "$0 - $1", {{"DATE", date}, {"DATE", "D#2000-01-01"}}});
     }
     for (const char* time : {"TOD#00:00:00", "TOD#23:59:59.999", "TOD#06:30:15.5"}) {
-        for (const char* part : {"HOUR_OF", "MINUTE_OF", "SECOND_OF", "MILLISECOND_OF"}) rows.push_back({"INT", std::string(part) + "($0)", {{"TOD", time}}});
+        for (const char* part : {"HOUR_OF", "MINUTE_OF", "SECOND_OF", "MILLISECOND_OF"})
+            rows.push_back({"INT", std::string(part) + "($0)", {{"TOD", time}}});
         for (const char* span : {"T#1h", "T#-7h", "T#25h"}) {
             rows.push_back({"TOD", "$0 + $1", {{"TOD", time}, {"TIME", span}}});
             rows.push_back({"TOD", "$0 - $1", {{"TOD", time}, {"TIME", span}}});
@@ -289,18 +328,23 @@ void addDates() {
     }
     for (const char* year : {"1600", "1970", "2023", "2024", "9999"})
         for (const char* month : {"0", "2", "12"})
-            for (const char* day : {"0", "29", "31"}) rows.push_back({"DATE", "CONCAT_DATE($0, $1, $2)", {{"INT", year}, {"INT", month}, {"INT", day}}});
+            for (const char* day : {"0", "29", "31"})
+                rows.push_back({"DATE", "CONCAT_DATE($0, $1, $2)", {{"INT", year}, {"INT", month}, {"INT", day}}});
     for (const char* hour : {"-1", "0", "23", "24"})
-        rows.push_back({"TOD", "CONCAT_TOD($0, $1, $2, $3)", {{"INT", hour}, {"INT", "30"}, {"INT", "15"}, {"INT", "250"}}});
-    for (const char* factor : {"-3", "0", "7"}) rows.push_back({"TIME", "$0 * $1", {{"TIME", "T#1s1ms"}, {"INT", factor}}});
-    for (const char* divisor : {"-3", "7", "1"}) rows.push_back({"TIME", "$0 / $1", {{"TIME", "T#1s1ms"}, {"INT", divisor}}});
+        rows.push_back(
+            {"TOD", "CONCAT_TOD($0, $1, $2, $3)", {{"INT", hour}, {"INT", "30"}, {"INT", "15"}, {"INT", "250"}}});
+    for (const char* factor : {"-3", "0", "7"})
+        rows.push_back({"TIME", "$0 * $1", {{"TIME", "T#1s1ms"}, {"INT", factor}}});
+    for (const char* divisor : {"-3", "7", "1"})
+        rows.push_back({"TIME", "$0 / $1", {{"TIME", "T#1s1ms"}, {"INT", divisor}}});
     add("Dates", std::move(rows));
 }
 
 void addCodes() {
     std::vector<Row> rows;
     for (const char* word : {"0", "16#1234", "16#9999", "16#00A0", "16#FFFF"}) {
-        for (const char* to : {"INT", "UINT", "SINT", "ULINT"}) rows.push_back({to, std::string("BCD_TO_") + to + "($0)", {{"WORD", word}}});
+        for (const char* to : {"INT", "UINT", "SINT", "ULINT"})
+            rows.push_back({to, std::string("BCD_TO_") + to + "($0)", {{"WORD", word}}});
         rows.push_back({"BOOL", "IS_VALID_BCD($0)", {{"WORD", word}}});
         rows.push_back({"WORD", "SWAP($0)", {{"WORD", word}}});
         rows.push_back({"WORD", "TO_BIG_ENDIAN($0)", {{"WORD", word}}});

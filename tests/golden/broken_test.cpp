@@ -1,6 +1,6 @@
-// Every golden (and every listing of the corpus, where there is one) cut at each token, with one token left out and with two
-// swapped: checking it ends, with messages that lie inside the text; what still compiles also runs. STEPWISE_LONG=1 takes every
-// token, otherwise a part of them.
+// Every golden (and every listing of the corpus, where there is one) cut at each token, with one token left out and
+// with two swapped: checking it ends, with messages that lie inside the text; what still compiles also runs.
+// STEPWISE_LONG=1 takes every token, otherwise a part of them.
 #include "tests/golden/broken_test.h"
 
 #include "runtime/compiler/driver/driver.h"
@@ -32,7 +32,9 @@ void checkBroken(const std::string& text, bool runs) {
     EXPECT_LT(Clock::now() - begin, kLongest) << text;
     for (const auto& diagnostic : checked.analysis->diagnostics) {
         if (!diagnostic.range.file.isValid()) continue; // about the program as a whole
-        ASSERT_LE(diagnostic.range.end, (*checked.sources)[diagnostic.range.file].text().size()) << diagnostic.message() << "\n" << text;
+        ASSERT_LE(diagnostic.range.end, (*checked.sources)[diagnostic.range.file].text().size())
+            << diagnostic.message() << "\n"
+            << text;
         ASSERT_LE(diagnostic.range.begin, diagnostic.range.end) << diagnostic.message() << "\n" << text;
         ASSERT_FALSE(diagnostics::renderText(*checked.sources, diagnostic, false).empty());
     }
@@ -55,7 +57,8 @@ void breakEverywhere(const std::string& text, size_t first, size_t step) {
         const auto &a = list.tokens[i], &b = list.tokens[i + 1];
         checkBroken(text.substr(0, a.begin), false);
         checkBroken(text.substr(0, a.begin) + text.substr(a.end), i % 16 == 0);
-        checkBroken(text.substr(0, a.begin) + text.substr(b.begin, b.end - b.begin) + text.substr(a.end, b.begin - a.end) + text.substr(a.begin, a.end - a.begin) +
+        checkBroken(text.substr(0, a.begin) + text.substr(b.begin, b.end - b.begin) +
+                        text.substr(a.end, b.begin - a.end) + text.substr(a.begin, a.end - a.begin) +
                         text.substr(b.end),
                     i % 16 == 8);
         if (testing::Test::HasFatalFailure()) return;
@@ -94,7 +97,9 @@ std::vector<fs::path> sourcesBelow(const fs::path& folder) {
 }
 
 void add(const char* name, std::vector<fs::path> files, size_t share) {
-    testing::RegisterTest("Broken", name, nullptr, nullptr, __FILE__, __LINE__, [files = std::move(files), share]() -> testing::Test* { return new BrokenTest(files, share); });
+    testing::RegisterTest(
+        "Broken", name, nullptr, nullptr, __FILE__, __LINE__,
+        [files = std::move(files), share]() -> testing::Test* { return new BrokenTest(files, share); });
 }
 
 } // namespace

@@ -33,8 +33,8 @@ struct Corpus {
     }
 };
 
-/// Where the index does not say what this project decided: 047 divides REAL by zero, which gives INF and is no fault here (D11); the
-/// harness of 235 gives CYCLE 100 ms where its vector counts 10 ms.
+/// Where the index does not say what this project decided: 047 divides REAL by zero, which gives INF and is no fault
+/// here (D11); the harness of 235 gives CYCLE 100 ms where its vector counts 10 ms.
 std::string harnessText(const Corpus& corpus, const json& listing) {
     std::string text = corpus.read(listing, "harness");
     if (listing["id"] == "235")
@@ -44,7 +44,8 @@ std::string harnessText(const Corpus& corpus, const json& listing) {
 
 /// The text of a listing that is meant to compile: the mended one where the printed one has a slip.
 std::string unitText(const Corpus& corpus, const json& listing, bool asPrinted) {
-    std::string text = !asPrinted && listing["files"].contains("fixed") ? corpus.read(listing, "fixed") : corpus.read(listing, "st");
+    std::string text =
+        !asPrinted && listing["files"].contains("fixed") ? corpus.read(listing, "fixed") : corpus.read(listing, "st");
     if (listing["assemble"] == "body") text = corpus.read(listing, "decl") + "\n" + text + "\nEND_PROGRAM\n";
     return text;
 }
@@ -53,7 +54,8 @@ driver::BuildInput inputFor(const Corpus& corpus, const json& listing, bool asPr
     driver::BuildInput input;
     for (const auto& required : listing["requires"]) {
         const auto found = corpus.listings.find(required.get<std::string>());
-        if (found != corpus.listings.end()) input.files.push_back({found->first + ".st", unitText(corpus, found->second, false)});
+        if (found != corpus.listings.end())
+            input.files.push_back({found->first + ".st", unitText(corpus, found->second, false)});
     }
     input.files.push_back({listing["id"].get<std::string>() + ".st", unitText(corpus, listing, asPrinted)});
     const std::string harness = harnessText(corpus, listing);
@@ -71,7 +73,9 @@ std::string errorsOf(const driver::Checked& checked) {
     std::string text;
     for (const auto& diagnostic : checked.analysis->diagnostics) {
         using diagnostics::Kind;
-        if (diagnostic.severity != diagnostics::Severity::Error || diagnostic.kind == Kind::NoProgram || diagnostic.kind == Kind::SeveralPrograms) continue;
+        if (diagnostic.severity != diagnostics::Severity::Error || diagnostic.kind == Kind::NoProgram ||
+            diagnostic.kind == Kind::SeveralPrograms)
+            continue;
         text += diagnostics::renderText(*checked.sources, diagnostic, false) + "\n";
     }
     return text;
@@ -80,7 +84,10 @@ std::string errorsOf(const driver::Checked& checked) {
 /// One vector: a program, set inputs, scans, expected values.
 class VectorRun {
 public:
-    VectorRun(const driver::Built& built, std::string instance) : m_built(built), m_instance(std::move(instance)), m_controller(built.program) { m_controller.start(); }
+    VectorRun(const driver::Built& built, std::string instance)
+        : m_built(built), m_instance(std::move(instance)), m_controller(built.program) {
+        m_controller.start();
+    }
 
     void perform(const json& vector) {
         for (const json& step : vector["steps"]) {
@@ -90,7 +97,10 @@ public:
             if (step.contains("scans")) scan(step["scans"].get<int>());
             if (step.contains("expect"))
                 for (const auto& [name, value] : step["expect"].items()) expect(name, value);
-            ASSERT_FALSE(m_controller.fault()) << m_controller.fault()->message << " at line " << m_built.program->sources[m_controller.fault()->range.file].lineColumn(m_controller.fault()->range.begin).line;
+            ASSERT_FALSE(m_controller.fault()) << m_controller.fault()->message << " at line "
+                                               << m_built.program->sources[m_controller.fault()->range.file]
+                                                      .lineColumn(m_controller.fault()->range.begin)
+                                                      .line;
         }
     }
 
@@ -127,7 +137,8 @@ private:
     }
 
     void expect(const std::string& name, const json& expected) {
-        if (expected.is_string() && isRelation(expected.get<std::string>())) return expectRelation(name, expected.get<std::string>());
+        if (expected.is_string() && isRelation(expected.get<std::string>()))
+            return expectRelation(name, expected.get<std::string>());
         auto expression = driver::compileExpression(m_built.checked, m_instance + "." + name);
         if (!expression) expression = driver::compileExpression(m_built.checked, name);
         ASSERT_TRUE(expression) << name << ": " << expression.error().message;
@@ -138,7 +149,10 @@ private:
         if (expected.is_boolean()) {
             EXPECT_EQ(outcome.value.isTrue(), expected.get<bool>()) << shown;
         } else if (expected.is_string()) {
-            const auto parsed = types::parseValue(types, outcome.value.type, types.isText(outcome.value.type) ? "'" + expected.get<std::string>() + "'" : expected.get<std::string>());
+            const auto parsed =
+                types::parseValue(types, outcome.value.type,
+                                  types.isText(outcome.value.type) ? "'" + expected.get<std::string>() + "'"
+                                                                   : expected.get<std::string>());
             ASSERT_TRUE(parsed) << shown;
             EXPECT_EQ(types::toText(types, outcome.value), types::toText(types, *parsed)) << name;
         } else if (const auto* real = std::get_if<double>(&outcome.value.data)) {
@@ -171,8 +185,11 @@ int64_t cycleOf(const json& vector) {
 void runVector(driver::BuildInput input, const json& vector) {
     std::string instance = vector["program"].get<std::string>();
     if (!hasConfiguration(input)) {
-        input.files.push_back({"configuration.st", "CONFIGURATION Bench\nRESOURCE Cpu ON Pc\nTASK Cycle(INTERVAL := T#" + std::to_string(cycleOf(vector)) +
-                                                       "ms, PRIORITY := 1);\nPROGRAM BenchInstance WITH Cycle : " + instance + ";\nEND_RESOURCE\nEND_CONFIGURATION\n"});
+        input.files.push_back(
+            {"configuration.st", "CONFIGURATION Bench\nRESOURCE Cpu ON Pc\nTASK Cycle(INTERVAL := T#" +
+                                     std::to_string(cycleOf(vector)) +
+                                     "ms, PRIORITY := 1);\nPROGRAM BenchInstance WITH Cycle : " + instance +
+                                     ";\nEND_RESOURCE\nEND_CONFIGURATION\n"});
         instance = "BenchInstance";
     }
     const driver::Built built = driver::build(input);
@@ -185,7 +202,8 @@ void runVector(driver::BuildInput input, const json& vector) {
 
 class ListingTest : public testing::Test {
 public:
-    ListingTest(std::shared_ptr<const Corpus> corpus, std::string id) : m_corpus(std::move(corpus)), m_id(std::move(id)) {}
+    ListingTest(std::shared_ptr<const Corpus> corpus, std::string id)
+        : m_corpus(std::move(corpus)), m_id(std::move(id)) {}
     void TestBody() override {
         const json& listing = m_corpus->listings.at(m_id);
         if (listing["assemble"] == "none") return;
@@ -218,7 +236,8 @@ public:
 void registerCorpus() {
     const char* folder = std::getenv("STEPWISE_CORPUS");
     if (!folder || !fs::exists(fs::path(folder) / "index.json")) {
-        testing::RegisterTest("Corpus", "Listings", nullptr, nullptr, __FILE__, __LINE__, []() -> testing::Test* { return new NotRunTest; });
+        testing::RegisterTest("Corpus", "Listings", nullptr, nullptr, __FILE__, __LINE__,
+                              []() -> testing::Test* { return new NotRunTest; });
         return;
     }
     auto corpus = std::make_shared<Corpus>();
@@ -232,7 +251,9 @@ void registerCorpus() {
     for (const auto& [id, listing] : corpus->listings) {
         const std::string name = "Listing" + id;
         testing::RegisterTest("Corpus", name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                              [corpus = std::shared_ptr<const Corpus>(corpus), id = id]() -> testing::Test* { return new ListingTest(corpus, id); });
+                              [corpus = std::shared_ptr<const Corpus>(corpus), id = id]() -> testing::Test* {
+                                  return new ListingTest(corpus, id);
+                              });
     }
 }
 

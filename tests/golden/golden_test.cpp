@@ -46,18 +46,22 @@ driver::BuildInput inputFor(const fs::path& source, const std::vector<Line>& scr
 }
 
 std::string shown(const SourceSet& sources, const diagnostics::Diagnostic& diagnostic) {
-    if (!diagnostic.range.file.isValid()) return std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
+    if (!diagnostic.range.file.isValid())
+        return std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
     const auto& file = sources[diagnostic.range.file];
     const auto begin = file.lineColumn(diagnostic.range.begin), end = file.lineColumn(diagnostic.range.end);
     const std::string place = diagnostic.range.file.index() == 0 ? "" : file.path() + ":";
-    return place + std::to_string(begin.line) + ":" + std::to_string(begin.column) + "-" + (end.line == begin.line ? "" : std::to_string(end.line) + ":") +
-           std::to_string(end.column) + " " + std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
+    return place + std::to_string(begin.line) + ":" + std::to_string(begin.column) + "-" +
+           (end.line == begin.line ? "" : std::to_string(end.line) + ":") + std::to_string(end.column) + " " +
+           std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
 }
 
 /// One run of a script on one tier. Lines of `script` are rewritten to what came out.
 class Run {
 public:
-    Run(const driver::Built& built, const char* tier) : m_built(built), m_tier(tier), m_controller(built.program) { m_controller.start(); }
+    Run(const driver::Built& built, const char* tier) : m_built(built), m_tier(tier), m_controller(built.program) {
+        m_controller.start();
+    }
 
     void perform(std::vector<Line>& script) {
         for (Line& line : script) perform(line);
@@ -68,22 +72,28 @@ private:
         switch (line.kind) {
         case LineKind::Comment:
         case LineKind::Library:
-        case LineKind::With: return;
+        case LineKind::With:
+            return;
         case LineKind::Scans:
             for (int i = std::stoi(line.left); i > 0 && !m_controller.fault(); --i) m_controller.scan();
             return;
         case LineKind::Write:
-        case LineKind::Force: return write(line);
-        case LineKind::Release: return expectDone(line, m_controller.release(line.left));
+        case LineKind::Force:
+            return write(line);
+        case LineKind::Release:
+            return expectDone(line, m_controller.release(line.left));
         case LineKind::Reset:
             m_controller.reset(line.left == "warm"   ? controller::ResetKind::Warm
                                : line.left == "cold" ? controller::ResetKind::Cold
                                                      : controller::ResetKind::Origin);
             m_controller.start();
             return;
-        case LineKind::Expect: return expect(line);
-        case LineKind::Fault: return expectFault(line);
-        case LineKind::Unknown: ADD_FAILURE() << m_tier << ": not understood: " << line.text;
+        case LineKind::Expect:
+            return expect(line);
+        case LineKind::Fault:
+            return expectFault(line);
+        case LineKind::Unknown:
+            ADD_FAILURE() << m_tier << ": not understood: " << line.text;
         }
     }
 
@@ -102,7 +112,8 @@ private:
             ADD_FAILURE() << m_tier << ": " << line.right << " is no value of " << line.left;
             return;
         }
-        expectDone(line, line.kind == LineKind::Force ? m_controller.force(line.left, *value) : m_controller.write(line.left, *value));
+        expectDone(line, line.kind == LineKind::Force ? m_controller.force(line.left, *value)
+                                                      : m_controller.write(line.left, *value));
     }
 
     void expect(Line& line) {
@@ -112,7 +123,9 @@ private:
             return;
         }
         const expression::Outcome outcome = expression->evaluate(m_controller.image());
-        settle(line, outcome.hasValue() ? types::toText(expression->types(), outcome.value) : "(" + outcome.reason + ")", line.left + " = ", line.right);
+        settle(line,
+               outcome.hasValue() ? types::toText(expression->types(), outcome.value) : "(" + outcome.reason + ")",
+               line.left + " = ", line.right);
     }
 
     void expectFault(Line& line) {
@@ -120,7 +133,8 @@ private:
         std::string actual = "none";
         if (fault) {
             const auto& file = m_built.program->sources[fault->range.file];
-            actual = std::string(controller::name(fault->code)) + " at " + std::to_string(file.lineColumn(fault->range.begin).line);
+            actual = std::string(controller::name(fault->code)) + " at " +
+                     std::to_string(file.lineColumn(fault->range.begin).line);
         }
         settle(line, actual, "fault ", line.left + (line.right.empty() ? "" : " at " + line.right));
     }
@@ -139,7 +153,8 @@ private:
 
 void expectNoErrors(const driver::Checked& checked) {
     for (const auto& diagnostic : checked.analysis->diagnostics)
-        if (diagnostic.severity == diagnostics::Severity::Error) ADD_FAILURE() << diagnostics::renderText(*checked.sources, diagnostic, false);
+        if (diagnostic.severity == diagnostics::Severity::Error)
+            ADD_FAILURE() << diagnostics::renderText(*checked.sources, diagnostic, false);
 }
 
 void runGolden(const fs::path& source) {
@@ -153,7 +168,8 @@ void runGolden(const fs::path& source) {
     const auto optimised = driver::optimise(built);
     ASSERT_TRUE(optimised) << optimised.error().text();
     Run(built, "optimised").perform(script);
-    for (size_t i = 0; i < script.size(); ++i) EXPECT_EQ(quick[i].text, script[i].text) << "quick and optimised code differ";
+    for (size_t i = 0; i < script.size(); ++i)
+        EXPECT_EQ(quick[i].text, script[i].text) << "quick and optimised code differ";
     if (!updates) return;
     std::string text;
     for (const Line& line : script) text += line.text + "\n";
@@ -167,7 +183,8 @@ void checkGolden(const fs::path& source) {
     const driver::Checked checked = driver::check(inputFor(source, script));
     std::string actual;
     for (const Line& line : script)
-        if (line.kind == LineKind::Comment || line.kind == LineKind::With || line.kind == LineKind::Library) actual += line.text + "\n";
+        if (line.kind == LineKind::Comment || line.kind == LineKind::With || line.kind == LineKind::Library)
+            actual += line.text + "\n";
     for (const auto& diagnostic : checked.analysis->diagnostics) actual += shown(*checked.sources, diagnostic) + "\n";
     if (updates) return writeText(expectedFile, actual);
     EXPECT_EQ(actual, expected);
@@ -177,7 +194,8 @@ class GoldenTest : public testing::Test {
 public:
     explicit GoldenTest(fs::path source) : m_source(std::move(source)) {}
     void TestBody() override {
-        const bool hasRun = fs::exists(withExtension(m_source, ".expected")), hasCheck = fs::exists(withExtension(m_source, ".diagnostics"));
+        const bool hasRun = fs::exists(withExtension(m_source, ".expected")),
+                   hasCheck = fs::exists(withExtension(m_source, ".diagnostics"));
         if (hasRun) runGolden(m_source);
         if (hasCheck) checkGolden(m_source);
     }
@@ -197,13 +215,15 @@ void registerGoldens() {
     std::vector<fs::path> sources;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
         if (entry.path().extension() != ".st") continue;
-        if (fs::exists(withExtension(entry.path(), ".expected")) || fs::exists(withExtension(entry.path(), ".diagnostics"))) sources.push_back(entry.path());
+        if (fs::exists(withExtension(entry.path(), ".expected")) ||
+            fs::exists(withExtension(entry.path(), ".diagnostics")))
+            sources.push_back(entry.path());
     }
     std::ranges::sort(sources);
     for (const fs::path& source : sources) {
         const std::string suite = "Golden_" + nameOf(fs::relative(source.parent_path(), root).string());
-        testing::RegisterTest(suite.c_str(), nameOf(source.stem().string()).c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                              [source]() -> testing::Test* { return new GoldenTest(source); });
+        testing::RegisterTest(suite.c_str(), nameOf(source.stem().string()).c_str(), nullptr, nullptr, __FILE__,
+                              __LINE__, [source]() -> testing::Test* { return new GoldenTest(source); });
     }
 }
 

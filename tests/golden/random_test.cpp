@@ -1,6 +1,6 @@
-// Random programs: whatever they compute, quick and optimised code leave the same image after each scan, fault at the same place, and
-// their expressions have the same value for the expression evaluator. STEPWISE_LONG=1 makes many more of them; a failure prints its seed
-// and its program.
+// Random programs: whatever they compute, quick and optimised code leave the same image after each scan, fault at the
+// same place, and their expressions have the same value for the expression evaluator. STEPWISE_LONG=1 makes many more
+// of them; a failure prints its seed and its program.
 #include "tests/golden/random_test.h"
 
 #include "runtime/compiler/driver/driver.h"
@@ -15,7 +15,8 @@
 namespace plc::golden {
 namespace {
 
-constexpr const char* kIntegers[] = {"SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "BYTE", "WORD", "DWORD", "LWORD"};
+constexpr const char* kIntegers[] = {"SINT",  "INT",   "DINT", "LINT", "USINT", "UINT",
+                                     "UDINT", "ULINT", "BYTE", "WORD", "DWORD", "LWORD"};
 constexpr const char* kReals[] = {"REAL", "LREAL"};
 
 class Generator {
@@ -25,7 +26,13 @@ public:
     size_t pick(size_t count) { return m_random() % count; }
     bool chance(size_t percent) { return pick(100) < percent; }
     template <size_t N> std::string oneOf(const char* const (&list)[N]) { return list[pick(N)]; }
-    std::string anyType() { return chance(60) ? oneOf(kIntegers) : chance(50) ? oneOf(kReals) : chance(40) ? "BOOL" : chance(50) ? "TIME" : "STRING"; }
+    std::string anyType() {
+        return chance(60)   ? oneOf(kIntegers)
+               : chance(50) ? oneOf(kReals)
+               : chance(40) ? "BOOL"
+               : chance(50) ? "TIME"
+                            : "STRING";
+    }
     static bool isReal(const std::string& type) { return type == "REAL" || type == "LREAL"; }
 
     /// A variable of `type`: v_INT_1 and so on, or an element of a_INT.
@@ -47,7 +54,8 @@ public:
             for (size_t n = pick(6); n > 0; --n) text += "abc12 "[pick(6)];
             return text + "'";
         }
-        if (isReal(type)) return type + "#" + std::to_string(static_cast<int>(pick(2000)) - 1000) + "." + std::to_string(pick(100));
+        if (isReal(type))
+            return type + "#" + std::to_string(static_cast<int>(pick(2000)) - 1000) + "." + std::to_string(pick(100));
         const bool isSigned = type == "SINT" || type == "INT" || type == "DINT" || type == "LINT";
         return type + "#" + (isSigned && chance(30) ? "-" : "") + std::to_string(pick(chance(50) ? 8 : 128));
     }
@@ -66,17 +74,24 @@ public:
             const std::string type = anyType();
             return variable(type) + " := " + expression(type, 3) + ";\n";
         }
-        if (kind < 7) return "IF " + expression("BOOL", 2) + " THEN\n" + block(depth - 1) + (chance(50) ? "ELSE\n" + block(depth - 1) : "") + "END_IF\n";
+        if (kind < 7)
+            return "IF " + expression("BOOL", 2) + " THEN\n" + block(depth - 1) +
+                   (chance(50) ? "ELSE\n" + block(depth - 1) : "") + "END_IF\n";
         if (kind == 7) {
             const std::string counter = "i" + std::to_string(m_loops++);
             m_counters += counter + " : INT;\n";
-            return "FOR " + counter + " := " + std::to_string(static_cast<int>(pick(4)) - 1) + " TO " + std::to_string(pick(6)) + (chance(30) ? " BY 2" : "") + " DO\n" + block(depth - 1) +
-                   (chance(60) ? "a_INT[LIMIT(0, " + counter + ", 4)] := " + expression("INT", 2) + " + " + counter + ";\n" : "") +
+            return "FOR " + counter + " := " + std::to_string(static_cast<int>(pick(4)) - 1) + " TO " +
+                   std::to_string(pick(6)) + (chance(30) ? " BY 2" : "") + " DO\n" + block(depth - 1) +
+                   (chance(60)
+                        ? "a_INT[LIMIT(0, " + counter + ", 4)] := " + expression("INT", 2) + " + " + counter + ";\n"
+                        : "") +
                    (chance(20) ? "IF " + expression("BOOL", 1) + " THEN EXIT; END_IF\n" : "") + "END_FOR\n";
         }
         if (kind == 8)
-            return "CASE " + expression("INT", 2) + " OF\n0, 2: " + block(depth - 1) + "-5..-1: " + block(depth - 1) + "7..100: " + block(depth - 1) + "ELSE\n" + block(depth - 1) + "END_CASE\n";
-        return "f_" + std::to_string(1 + pick(2)) + "(x := " + expression("INT", 2) + ", y := " + expression("REAL", 2) + ");\n";
+            return "CASE " + expression("INT", 2) + " OF\n0, 2: " + block(depth - 1) + "-5..-1: " + block(depth - 1) +
+                   "7..100: " + block(depth - 1) + "ELSE\n" + block(depth - 1) + "END_CASE\n";
+        return "f_" + std::to_string(1 + pick(2)) + "(x := " + expression("INT", 2) +
+               ", y := " + expression("REAL", 2) + ");\n";
     }
     std::string block(int depth) {
         std::string out;
@@ -100,13 +115,20 @@ public:
         }
         std::string declarations;
         const auto declare = [&](const std::string& type) {
-            for (int i = 1; i <= 3; ++i) declarations += "v_" + type + "_" + std::to_string(i) + " : " + (type == "STRING" ? "STRING(12)" : type) + " := " + literal(type) + ";\n";
-            if (type != "STRING") declarations += "a_" + type + " : ARRAY[0..4] OF " + type + " := [" + literal(type) + ", " + literal(type) + ", " + literal(type) + "];\n";
+            for (int i = 1; i <= 3; ++i)
+                declarations += "v_" + type + "_" + std::to_string(i) + " : " +
+                                (type == "STRING" ? "STRING(12)" : type) + " := " + literal(type) + ";\n";
+            if (type != "STRING")
+                declarations += "a_" + type + " : ARRAY[0..4] OF " + type + " := [" + literal(type) + ", " +
+                                literal(type) + ", " + literal(type) + "];\n";
         };
         for (const char* type : kIntegers) declare(type);
         for (const char* type : {"REAL", "LREAL", "BOOL", "TIME", "STRING"}) declare(type);
-        return "FUNCTION_BLOCK Part\nVAR_INPUT\nx : INT;\ny : REAL;\nEND_VAR\nVAR_OUTPUT\nsum : DINT;\nout : REAL;\nEND_VAR\nsum := sum + x;\nIF y > out THEN out := y; ELSE out := out * 0.5; END_IF\nEND_FUNCTION_BLOCK\n"
-               "FUNCTION Mixed : INT\nVAR_INPUT\np, q : INT;\nEND_VAR\nVAR\nk : INT;\nEND_VAR\nFOR k := 1 TO 3 DO Mixed := Mixed + p * k - q; END_FOR\nEND_FUNCTION\n"
+        return "FUNCTION_BLOCK Part\nVAR_INPUT\nx : INT;\ny : REAL;\nEND_VAR\nVAR_OUTPUT\nsum : DINT;\nout : "
+               "REAL;\nEND_VAR\nsum := sum + x;\nIF y > out THEN out := y; ELSE out := out * 0.5; "
+               "END_IF\nEND_FUNCTION_BLOCK\n"
+               "FUNCTION Mixed : INT\nVAR_INPUT\np, q : INT;\nEND_VAR\nVAR\nk : INT;\nEND_VAR\nFOR k := 1 TO 3 DO "
+               "Mixed := Mixed + p * k - q; END_FOR\nEND_FUNCTION\n"
                "PROGRAM Main\nVAR\n" +
                declarations + m_counters + watches + "f_1, f_2 : Part;\nEND_VAR\n" + body + "END_PROGRAM\n";
     }
@@ -116,10 +138,14 @@ public:
 private:
     std::string truth(int depth) {
         switch (pick(6)) {
-        case 0: return "(" + expression("BOOL", depth) + (chance(50) ? " AND " : " OR ") + expression("BOOL", depth) + ")";
-        case 1: return "NOT (" + expression("BOOL", depth) + ")";
-        case 2: return "(" + expression("BOOL", depth) + " XOR " + expression("BOOL", depth) + ")";
-        case 3: return variable("BOOL");
+        case 0:
+            return "(" + expression("BOOL", depth) + (chance(50) ? " AND " : " OR ") + expression("BOOL", depth) + ")";
+        case 1:
+            return "NOT (" + expression("BOOL", depth) + ")";
+        case 2:
+            return "(" + expression("BOOL", depth) + " XOR " + expression("BOOL", depth) + ")";
+        case 3:
+            return variable("BOOL");
         default: {
             const std::string type = anyType();
             constexpr const char* kCompare[] = {"=", "<>", "<", "<=", ">", ">="};
@@ -130,15 +156,25 @@ private:
     std::string integer(const std::string& type, int depth) {
         const auto self = [&] { return "(" + expression(type, depth) + ")"; };
         switch (pick(15)) {
-        case 0: return self() + " + " + self();
-        case 1: return self() + " - " + self();
-        case 2: return self() + " * " + self();
-        case 3: return self() + (chance(50) ? " / " : " MOD ") + (m_mayFault && chance(10) ? self() : "(" + self() + " OR " + type + "#1)");
-        case 4: return self() + (chance(50) ? " AND " : " XOR ") + self();
-        case 5: return (chance(50) ? "SHL(" : "SHR(") + self() + ", " + expression("INT", 1) + ")";
-        case 6: return (chance(50) ? "MIN(" : "MAX(") + self() + ", " + self() + ")";
-        case 7: return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
-        case 8: return "LIMIT(" + self() + ", " + self() + ", " + self() + ")";
+        case 0:
+            return self() + " + " + self();
+        case 1:
+            return self() + " - " + self();
+        case 2:
+            return self() + " * " + self();
+        case 3:
+            return self() + (chance(50) ? " / " : " MOD ") +
+                   (m_mayFault && chance(10) ? self() : "(" + self() + " OR " + type + "#1)");
+        case 4:
+            return self() + (chance(50) ? " AND " : " XOR ") + self();
+        case 5:
+            return (chance(50) ? "SHL(" : "SHR(") + self() + ", " + expression("INT", 1) + ")";
+        case 6:
+            return (chance(50) ? "MIN(" : "MAX(") + self() + ", " + self() + ")";
+        case 7:
+            return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
+        case 8:
+            return "LIMIT(" + self() + ", " + self() + ", " + self() + ")";
         case 9:
         case 10: {
             const std::string from = oneOf(kIntegers);
@@ -148,46 +184,72 @@ private:
             const std::string from = chance(70) ? oneOf(kReals) : chance(50) ? "TIME" : "BOOL";
             return from + "_TO_" + type + "(" + expression(from, depth) + ")";
         }
-        case 12: return "STRING_TO_" + type + "(" + expression("STRING", depth) + ")";
-        case 13: return type == "INT" ? "Mixed(" + expression("INT", depth) + ", " + expression("INT", depth) + ")" : "NOT " + self();
-        default: return (chance(50) ? "ABS(" : "MUX(" + expression("INT", 1) + ", " + self() + ", ") + self() + ")";
+        case 12:
+            return "STRING_TO_" + type + "(" + expression("STRING", depth) + ")";
+        case 13:
+            return type == "INT" ? "Mixed(" + expression("INT", depth) + ", " + expression("INT", depth) + ")"
+                                 : "NOT " + self();
+        default:
+            return (chance(50) ? "ABS(" : "MUX(" + expression("INT", 1) + ", " + self() + ", ") + self() + ")";
         }
     }
     std::string real(const std::string& type, int depth) {
         const auto self = [&] { return "(" + expression(type, depth) + ")"; };
         switch (pick(10)) {
-        case 0: return self() + " + " + self();
-        case 1: return self() + " - " + self();
-        case 2: return self() + " * " + self();
-        case 3: return self() + " / " + self();
-        case 4: return "SQRT(" + self() + ")";
-        case 5: return "SIN(" + self() + ")";
-        case 6: return "MAX(" + self() + ", " + self() + ")";
+        case 0:
+            return self() + " + " + self();
+        case 1:
+            return self() + " - " + self();
+        case 2:
+            return self() + " * " + self();
+        case 3:
+            return self() + " / " + self();
+        case 4:
+            return "SQRT(" + self() + ")";
+        case 5:
+            return "SIN(" + self() + ")";
+        case 6:
+            return "MAX(" + self() + ", " + self() + ")";
         case 7: {
             const std::string from = chance(70) ? oneOf(kIntegers) : type == "REAL" ? "LREAL" : "REAL";
             return from + "_TO_" + type + "(" + expression(from, depth) + ")";
         }
-        case 8: return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
-        default: return "-" + self();
+        case 8:
+            return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
+        default:
+            return "-" + self();
         }
     }
     std::string duration(int depth) {
         switch (pick(5)) {
-        case 0: return "(" + expression("TIME", depth) + ") + (" + expression("TIME", depth) + ")";
-        case 1: return "(" + expression("TIME", depth) + ") - (" + expression("TIME", depth) + ")";
-        case 2: return "(" + expression("TIME", depth) + ") * (" + expression("INT", depth) + ")";
-        case 3: return "DINT_TO_TIME(" + expression("DINT", depth) + ")";
-        default: return "MIN(" + expression("TIME", depth) + ", " + expression("TIME", depth) + ")";
+        case 0:
+            return "(" + expression("TIME", depth) + ") + (" + expression("TIME", depth) + ")";
+        case 1:
+            return "(" + expression("TIME", depth) + ") - (" + expression("TIME", depth) + ")";
+        case 2:
+            return "(" + expression("TIME", depth) + ") * (" + expression("INT", depth) + ")";
+        case 3:
+            return "DINT_TO_TIME(" + expression("DINT", depth) + ")";
+        default:
+            return "MIN(" + expression("TIME", depth) + ", " + expression("TIME", depth) + ")";
         }
     }
     std::string text(int depth) {
         switch (pick(6)) {
-        case 0: return "CONCAT(" + expression("STRING", depth) + ", " + expression("STRING", depth) + ")";
-        case 1: return "LEFT(" + expression("STRING", depth) + ", " + expression("INT", 1) + ")";
-        case 2: return "MID(" + expression("STRING", depth) + ", " + expression("INT", 1) + ", " + expression("INT", 1) + ")";
-        case 3: return "INT_TO_STRING(" + expression("INT", depth) + ")";
-        case 4: return "REPLACE(" + expression("STRING", depth) + ", " + expression("STRING", depth) + ", 1, 2)";
-        default: return "SEL(" + expression("BOOL", depth) + ", " + expression("STRING", depth) + ", " + expression("STRING", depth) + ")";
+        case 0:
+            return "CONCAT(" + expression("STRING", depth) + ", " + expression("STRING", depth) + ")";
+        case 1:
+            return "LEFT(" + expression("STRING", depth) + ", " + expression("INT", 1) + ")";
+        case 2:
+            return "MID(" + expression("STRING", depth) + ", " + expression("INT", 1) + ", " + expression("INT", 1) +
+                   ")";
+        case 3:
+            return "INT_TO_STRING(" + expression("INT", depth) + ")";
+        case 4:
+            return "REPLACE(" + expression("STRING", depth) + ", " + expression("STRING", depth) + ", 1, 2)";
+        default:
+            return "SEL(" + expression("BOOL", depth) + ", " + expression("STRING", depth) + ", " +
+                   expression("STRING", depth) + ")";
         }
     }
 
@@ -214,23 +276,29 @@ Scanned scanned(const driver::Built& built) {
     }
     if (controller.fault()) {
         const auto& fault = *controller.fault();
-        out.fault = fault.message + " at line " + std::to_string(built.program->sources[fault.range.file].lineColumn(fault.range.begin).line);
+        out.fault = fault.message + " at line " +
+                    std::to_string(built.program->sources[fault.range.file].lineColumn(fault.range.begin).line);
     }
     return out;
 }
 
 /// A NaN keeps its sign or not; texts differ behind their end.
-bool isSame(const image::CompiledProgram& program, const std::vector<std::byte>& a, const std::vector<std::byte>& b, std::string& difference) {
+bool isSame(const image::CompiledProgram& program, const std::vector<std::byte>& a, const std::vector<std::byte>& b,
+            std::string& difference) {
     if (a == b) return true;
     bool same = true;
     const auto& types = *program.layout.types;
     for (const image::Root& root : program.layout.roots) {
-        program.layout.forEachLeaf(root.name, {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
-            const auto text = [&](const std::vector<std::byte>& image) { return types::toText(types, types::readValue(types, place.type, std::span(image).subspan(place.offset), place.bit)); };
-            if (text(a) == text(b)) return true;
-            difference = path + ": " + text(a) + " and " + text(b);
-            return same = false;
-        });
+        program.layout.forEachLeaf(
+            root.name, {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
+                const auto text = [&](const std::vector<std::byte>& image) {
+                    return types::toText(
+                        types, types::readValue(types, place.type, std::span(image).subspan(place.offset), place.bit));
+                };
+                if (text(a) == text(b)) return true;
+                difference = path + ": " + text(a) + " and " + text(b);
+                return same = false;
+            });
         if (!same) return false;
     }
     return true;
@@ -251,8 +319,11 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
     ASSERT_EQ(built.failure, "") << "seed " << seed << "\n" << text;
     for (const auto& diagnostic : built.checked.analysis->diagnostics) {
         // chance made a constant index or divisor that can not be
-        if (diagnostic.kind == diagnostics::Kind::ConstantIndexOutOfRange || diagnostic.kind == diagnostics::Kind::DivisionByConstantZero) return;
-        if (diagnostic.severity == diagnostics::Severity::Error) FAIL() << "seed " << seed << "\n" << diagnostics::renderText(*built.checked.sources, diagnostic, false);
+        if (diagnostic.kind == diagnostics::Kind::ConstantIndexOutOfRange ||
+            diagnostic.kind == diagnostics::Kind::DivisionByConstantZero)
+            return;
+        if (diagnostic.severity == diagnostics::Severity::Error)
+            FAIL() << "seed " << seed << "\n" << diagnostics::renderText(*built.checked.sources, diagnostic, false);
     }
     ASSERT_TRUE(built.program);
     const Scanned quick = scanned(built);
@@ -262,14 +333,17 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
     ASSERT_EQ(quick.images.size(), optimised.images.size()) << "seed " << seed;
     for (size_t i = 0; i < quick.images.size(); ++i) {
         std::string difference;
-        ASSERT_TRUE(isSame(*built.program, quick.images[i], optimised.images[i], difference)) << "seed " << seed << ", scan " << i << ", " << difference << "\n" << text;
+        ASSERT_TRUE(isSame(*built.program, quick.images[i], optimised.images[i], difference))
+            << "seed " << seed << ", scan " << i << ", " << difference << "\n"
+            << text;
     }
     ++(quick.fault.empty() ? tally.finished : tally.faulted);
     if (!quick.fault.empty()) return;
     for (const auto& [name, expr] : watched) {
         const auto expression = driver::compileExpression(built.checked, expr, "Main");
         if (!expression) {
-            if (expr.find("Mixed(") == std::string::npos) ADD_FAILURE() << "seed " << seed << ": " << expr << ": " << expression.error().message;
+            if (expr.find("Mixed(") == std::string::npos)
+                ADD_FAILURE() << "seed " << seed << ": " << expr << ": " << expression.error().message;
             continue; // calls of functions are not for watches
         }
         const auto place = built.program->layout.find("Main." + name);
@@ -277,8 +351,13 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
         const auto& types = expression->types();
         const auto outcome = expression->evaluate(quick.images.back());
         std::string value = outcome.hasValue() ? types::toText(types, outcome.value) : outcome.reason;
-        if (types.isText(place->type) && outcome.hasValue() && std::get<std::string>(outcome.value.data).size() > types[place->type].capacity) continue; // cut when it was stored
-        EXPECT_EQ(value, types::toText(types, types::readValue(types, place->type, std::span(quick.images.back()).subspan(place->offset), place->bit))) << "seed " << seed << ": " << expr;
+        if (types.isText(place->type) && outcome.hasValue() &&
+            std::get<std::string>(outcome.value.data).size() > types[place->type].capacity)
+            continue; // cut when it was stored
+        EXPECT_EQ(value, types::toText(types, types::readValue(types, place->type,
+                                                               std::span(quick.images.back()).subspan(place->offset),
+                                                               place->bit)))
+            << "seed " << seed << ": " << expr;
     }
 }
 
@@ -289,9 +368,11 @@ public:
         Tally tally;
         const char* everything = std::getenv("STEPWISE_LONG");
         const uint32_t count = everything && *everything == '1' ? m_count * 40 : m_count;
-        for (uint32_t seed = m_first; seed < m_first + count && !HasFailure(); ++seed) runRandom(seed, m_mayFault, tally);
+        for (uint32_t seed = m_first; seed < m_first + count && !HasFailure(); ++seed)
+            runRandom(seed, m_mayFault, tally);
         EXPECT_GT(tally.finished, 0);
-        EXPECT_EQ(tally.faulted > 0, m_mayFault) << "faulted " << tally.faulted << " of " << tally.faulted + tally.finished;
+        EXPECT_EQ(tally.faulted > 0, m_mayFault)
+            << "faulted " << tally.faulted << " of " << tally.faulted + tally.finished;
         RecordProperty("finished", tally.finished);
         RecordProperty("faulted", tally.faulted);
     }
@@ -306,8 +387,10 @@ private:
 void registerRandom() {
     const char* from = std::getenv("STEPWISE_SEED");
     const auto first = static_cast<uint32_t>(from ? std::strtoul(from, nullptr, 10) : 1);
-    testing::RegisterTest("Random", "ProgramsGiveTheSameInEachTier", nullptr, nullptr, __FILE__, __LINE__, [first]() -> testing::Test* { return new RandomTest(true, first, 12); });
-    testing::RegisterTest("Random", "ExpressionsGiveTheSameToTheEvaluator", nullptr, nullptr, __FILE__, __LINE__, [first]() -> testing::Test* { return new RandomTest(false, first, 12); });
+    testing::RegisterTest("Random", "ProgramsGiveTheSameInEachTier", nullptr, nullptr, __FILE__, __LINE__,
+                          [first]() -> testing::Test* { return new RandomTest(true, first, 12); });
+    testing::RegisterTest("Random", "ExpressionsGiveTheSameToTheEvaluator", nullptr, nullptr, __FILE__, __LINE__,
+                          [first]() -> testing::Test* { return new RandomTest(false, first, 12); });
 }
 
 } // namespace plc::golden

@@ -12,7 +12,8 @@ const char* const kElements = R"({"id":"a","kind":"rectangle","rect":[10,10,100,
 
 std::string rects(const Panel& panel) {
     std::string out;
-    for (const Element& element : panel.elements()) out += toUtf8(element.id()) + writeCompact(rectToJson(element.rect())) + " ";
+    for (const Element& element : panel.elements())
+        out += toUtf8(element.id()) + writeCompact(rectToJson(element.rect())) + " ";
     return out;
 }
 
@@ -23,16 +24,32 @@ TEST(Arrange, EachActionAndItsUndo) {
         std::function<Edit(const Panel&)> edit;
         const char* expected;
     } rows[] = {
-        {"left", [&](const Panel& p) { return align(p, all, Alignment::Left); }, "a[10, 10, 100, 40] b[10, 30, 60, 20] c[10, 100, 80, 80] "},
-        {"right", [&](const Panel& p) { return align(p, all, Alignment::Right); }, "a[380, 10, 100, 40] b[420, 30, 60, 20] c[400, 100, 80, 80] "},
-        {"middle", [&](const Panel& p) { return align(p, all, Alignment::CenterY); }, "a[10, 75, 100, 40] b[150, 85, 60, 20] c[400, 55, 80, 80] "},
-        {"one to the panel", [&](const Panel& p) { return align(p, {QStringLiteral("b")}, Alignment::Bottom); }, "a[10, 10, 100, 40] b[150, 380, 60, 20] c[400, 100, 80, 80] "},
-        {"gaps", [&](const Panel& p) { return distribute(p, all, Direction::Horizontal); }, "a[10, 10, 100, 40] b[225, 30, 60, 20] c[400, 100, 80, 80] "},
-        {"same size", [&](const Panel& p) { return makeSameSize(p, all, SameSize::Both); }, "a[10, 10, 100, 40] b[150, 30, 100, 40] c[400, 100, 100, 40] "},
-        {"front", [&](const Panel& p) { return reorder(p, {QStringLiteral("a")}, Order::Front); }, "b[150, 30, 60, 20] c[400, 100, 80, 80] a[10, 10, 100, 40] "},
-        {"back", [&](const Panel& p) { return reorder(p, {QStringLiteral("c"), QStringLiteral("b")}, Order::Back); }, "b[150, 30, 60, 20] c[400, 100, 80, 80] a[10, 10, 100, 40] "},
-        {"forward", [&](const Panel& p) { return reorder(p, {QStringLiteral("a")}, Order::Forward); }, "b[150, 30, 60, 20] a[10, 10, 100, 40] c[400, 100, 80, 80] "},
-        {"group", [&](const Panel& p) { return makeGroup(p, {QStringLiteral("b"), QStringLiteral("c")}); }, "a[10, 10, 100, 40] group1[150, 30, 330, 150] b[150, 30, 60, 20] c[400, 100, 80, 80] "},
+        {"left", [&](const Panel& p) { return align(p, all, Alignment::Left); },
+         "a[10, 10, 100, 40] b[10, 30, 60, 20] c[10, 100, 80, 80] "},
+        {"right", [&](const Panel& p) { return align(p, all, Alignment::Right); },
+         "a[380, 10, 100, 40] b[420, 30, 60, 20] c[400, 100, 80, 80] "},
+        {"middle", [&](const Panel& p) { return align(p, all, Alignment::CenterY); },
+         "a[10, 75, 100, 40] b[150, 85, 60, 20] c[400, 55, 80, 80] "},
+        {"one to the panel", [&](const Panel& p) { return align(p, {QStringLiteral("b")}, Alignment::Bottom); },
+         "a[10, 10, 100, 40] b[150, 380, 60, 20] c[400, 100, 80, 80] "},
+        {"gaps", [&](const Panel& p) { return distribute(p, all, Direction::Horizontal); },
+         "a[10, 10, 100, 40] b[225, 30, 60, 20] c[400, 100, 80, 80] "},
+        {"same size", [&](const Panel& p) { return makeSameSize(p, all, SameSize::Both); },
+         "a[10, 10, 100, 40] b[150, 30, 100, 40] c[400, 100, 100, 40] "},
+        {"front", [&](const Panel& p) { return reorder(p, {QStringLiteral("a")}, Order::Front); },
+         "b[150, 30, 60, 20] c[400, 100, 80, 80] a[10, 10, 100, 40] "},
+        {"back",
+         [&](const Panel& p) {
+             return reorder(p, {QStringLiteral("c"), QStringLiteral("b")}, Order::Back);
+         },
+         "b[150, 30, 60, 20] c[400, 100, 80, 80] a[10, 10, 100, 40] "},
+        {"forward", [&](const Panel& p) { return reorder(p, {QStringLiteral("a")}, Order::Forward); },
+         "b[150, 30, 60, 20] a[10, 10, 100, 40] c[400, 100, 80, 80] "},
+        {"group",
+         [&](const Panel& p) {
+             return makeGroup(p, {QStringLiteral("b"), QStringLiteral("c")});
+         },
+         "a[10, 10, 100, 40] group1[150, 30, 330, 150] b[150, 30, 60, 20] c[400, 100, 80, 80] "},
     };
     for (const auto& row : rows) {
         Panel panel = panelOf(kElements);
@@ -59,7 +76,8 @@ TEST(Arrange, AGroupMovesAndScalesWithItsContentsAndDissolves) {
 }
 
 TEST(Arrange, DuplicatesAsAnArrayWithCountingIndexAndTexts) {
-    Panel panel = panelOf(R"({"id":"lamp1","kind":"lamp","rect":[10,10,50,50],"value":"Motor[1].on AND Line[9]","label":"Motor 1","when":[{"if":"Motor[1].fault"}]})");
+    Panel panel = panelOf(
+        R"({"id":"lamp1","kind":"lamp","rect":[10,10,50,50],"value":"Motor[1].on AND Line[9]","label":"Motor 1","when":[{"if":"Motor[1].fault"}]})");
     ElementIds added;
     applyTo(panel, duplicatedAsArray(panel, {QStringLiteral("lamp1")}, {8, 4, QPointF(10, 20), 1}, &added));
     ASSERT_EQ(panel.elements().size(), 8u);
@@ -86,24 +104,34 @@ TEST(Arrange, RenamesAVariableButNothingThatOnlyLooksLikeIt) {
     const struct {
         const char *before, *after;
     } rows[] = {
-        {"Main.start", "Main.go"},           {"main.START AND x", "Main.go AND x"},    {"Main.starter", "Main.starter"},       {"Other.Main.start", "Other.Main.start"},
-        {"'Main.start'", "'Main.start'"},    {"NOT Main.start.x", "NOT Main.go.x"},     {"XMain.start", "XMain.start"},         {"f(Main.start,Main.start)", "f(Main.go,Main.go)"},
+        {"Main.start", "Main.go"},
+        {"main.START AND x", "Main.go AND x"},
+        {"Main.starter", "Main.starter"},
+        {"Other.Main.start", "Other.Main.start"},
+        {"'Main.start'", "'Main.start'"},
+        {"NOT Main.start.x", "NOT Main.go.x"},
+        {"XMain.start", "XMain.start"},
+        {"f(Main.start,Main.start)", "f(Main.go,Main.go)"},
         {"'a$'Main.start' = Main.start", "'a$'Main.start' = Main.go"},
     };
     for (const auto& row : rows)
-        EXPECT_EQ(withRenamedPath(QLatin1String(row.before), QStringLiteral("Main.start"), QStringLiteral("Main.go")).toStdString(), row.after);
+        EXPECT_EQ(withRenamedPath(QLatin1String(row.before), QStringLiteral("Main.start"), QStringLiteral("Main.go"))
+                      .toStdString(),
+                  row.after);
 }
 
 TEST(Snapping, EdgesCentresGapsThenTheGrid) {
     SnapField field;
     field.panel = QRectF(0, 0, 800, 480);
     field.others = {QRectF(100, 100, 80, 40), QRectF(220, 100, 80, 40)};
-    const auto x = [&](double at, double y = 300, double width = 50) { return at + snapMove(QRectF(at, y, width, 40), field).offset.x(); };
-    EXPECT_EQ(x(103), 100);                // left edges
-    EXPECT_EQ(x(133), 130);                // right edges: 130 + 50 = 180
-    EXPECT_EQ(x(112), 115);                // centres: 115 + 25 = 140
-    EXPECT_EQ(x(337, 100, 80), 340);       // the gap of 40 goes on
-    EXPECT_EQ(x(547), 544);                // nothing near: the grid of 8
+    const auto x = [&](double at, double y = 300, double width = 50) {
+        return at + snapMove(QRectF(at, y, width, 40), field).offset.x();
+    };
+    EXPECT_EQ(x(103), 100);          // left edges
+    EXPECT_EQ(x(133), 130);          // right edges: 130 + 50 = 180
+    EXPECT_EQ(x(112), 115);          // centres: 115 + 25 = 140
+    EXPECT_EQ(x(337, 100, 80), 340); // the gap of 40 goes on
+    EXPECT_EQ(x(547), 544);          // nothing near: the grid of 8
     const Snapped gap = snapMove(QRectF(337, 100, 80, 40), field);
     EXPECT_GE(std::count_if(gap.guides.begin(), gap.guides.end(), [](const Guide& guide) { return guide.isGap; }), 2);
     DraggedEdges right;

@@ -1,5 +1,5 @@
-// The designer with real events: a panel from nothing, run, pressed, seen, in another language; and what the designer does
-// on the way: texts get keys, variables become elements, everything is undone.
+// The designer with real events: a panel from nothing, run, pressed, seen, in another language; and what the designer
+// does on the way: texts get keys, variables become elements, everything is undone.
 #include "hmi/designer/alarm_editor.h"
 #include "hmi/designer/outline.h"
 #include "hmi/designer/palette.h"
@@ -45,12 +45,15 @@ struct Studio {
     const Panel& panel() const { return designer->document().panel(); }
     QPoint at(double x, double y) const { return designer->canvas().toViewport(QPointF(x, y)).toPoint(); }
     QWidget* ground() const { return designer->canvas().viewport(); }
-    void click(double x, double y, Qt::KeyboardModifiers modifiers = {}) { QTest::mouseClick(ground(), Qt::LeftButton, modifiers, at(x, y)); }
+    void click(double x, double y, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::mouseClick(ground(), Qt::LeftButton, modifiers, at(x, y));
+    }
     void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
         QTest::mousePress(ground(), Qt::LeftButton, modifiers, from);
         for (int i = 1; i <= 5; ++i) {
             const QPoint point = from + (to - from) * i / 5;
-            QMouseEvent move(QEvent::MouseMove, QPointF(point), ground()->mapToGlobal(QPointF(point)), Qt::NoButton, Qt::LeftButton, modifiers);
+            QMouseEvent move(QEvent::MouseMove, QPointF(point), ground()->mapToGlobal(QPointF(point)), Qt::NoButton,
+                             Qt::LeftButton, modifiers);
             QApplication::sendEvent(ground(), &move);
         }
         QTest::mouseRelease(ground(), Qt::LeftButton, modifiers, to);
@@ -68,7 +71,9 @@ struct Studio {
         mime->setData(kElementMime, QByteArray::fromStdString(Json::array({newElementFields(kind)}).dump()));
         drop(mime, x, y);
     }
-    void dropVariable(const char* path, double x, double y, Qt::KeyboardModifiers modifiers = {}) { drop(kit::makeVariableMime({QLatin1String(path)}), x, y, modifiers); }
+    void dropVariable(const char* path, double x, double y, Qt::KeyboardModifiers modifiers = {}) {
+        drop(kit::makeVariableMime({QLatin1String(path)}), x, y, modifiers);
+    }
     const Element& last() const { return panel().elements().back(); }
 };
 
@@ -91,7 +96,8 @@ TEST(Designer, APanelFromNothingIsDrawnRunPressedSeenAndSwitchedToAnotherLanguag
     EXPECT_EQ(key.toStdString(), "main.go_ahead");
     EXPECT_EQ(studio.project.texts.table().text(key, QStringLiteral("en")).toStdString(), "Go ahead");
     TextEditor editor(*studio.context);
-    editor.model().setData(editor.model().index(studio.project.texts.table().rowOf(key), TextModel::FirstLanguage + 1), QStringLiteral("Kør"), Qt::EditRole);
+    editor.model().setData(editor.model().index(studio.project.texts.table().rowOf(key), TextModel::FirstLanguage + 1),
+                           QStringLiteral("Kør"), Qt::EditRole);
     studio.designer->checkNow();
     for (const Finding& finding : studio.designer->findings()) ADD_FAILURE() << finding.text().toStdString();
 
@@ -110,7 +116,8 @@ TEST(Designer, APanelFromNothingIsDrawnRunPressedSeenAndSwitchedToAnotherLanguag
     const QRect lampRect = studio.panel().find(lamp)->rect().toRect();
     EXPECT_NE(dark.copy(lampRect), lit.copy(lampRect));
     const QRectF selector = placeOf(languages);
-    QTest::mouseClick(&view, Qt::LeftButton, {}, QPointF(selector.left() + selector.width() * 0.5, selector.center().y()).toPoint());
+    QTest::mouseClick(&view, Qt::LeftButton, {},
+                      QPointF(selector.left() + selector.width() * 0.5, selector.center().y()).toPoint());
     EXPECT_EQ(player.language().toStdString(), "da");
     EXPECT_EQ(player.scene().texts().text(u'@' + key, player.language()).toStdString(), "Kør");
     const QRect buttonRect = studio.panel().find(button)->rect().toRect();
@@ -135,10 +142,14 @@ TEST(Designer, VariablesBecomeTheElementsThatFit) {
         ElementKind kind;
         const char *property, *extra;
     } rows[] = {
-        {"Main.running", false, ElementKind::Lamp, "value", ""},          {"Main.start", true, ElementKind::Switch, "target", ""},
-        {"Main.level", false, ElementKind::NumericDisplay, "value", ""},  {"Main.level", true, ElementKind::NumericEntry, "target", ""},
-        {"Main.count", false, ElementKind::NumericDisplay, "value", "%d"}, {"Main.operation", false, ElementKind::MultiState, "value", ""},
-        {"Main.operation", true, ElementKind::ComboBox, "target", ""},    {"Main.name", true, ElementKind::TextEntry, "target", ""},
+        {"Main.running", false, ElementKind::Lamp, "value", ""},
+        {"Main.start", true, ElementKind::Switch, "target", ""},
+        {"Main.level", false, ElementKind::NumericDisplay, "value", ""},
+        {"Main.level", true, ElementKind::NumericEntry, "target", ""},
+        {"Main.count", false, ElementKind::NumericDisplay, "value", "%d"},
+        {"Main.operation", false, ElementKind::MultiState, "value", ""},
+        {"Main.operation", true, ElementKind::ComboBox, "target", ""},
+        {"Main.name", true, ElementKind::TextEntry, "target", ""},
         {"Main.numbers", false, ElementKind::BarChart, "value", ""},
     };
     Studio studio;
@@ -146,7 +157,9 @@ TEST(Designer, VariablesBecomeTheElementsThatFit) {
         studio.dropVariable(row.path, 300, 200, row.operates ? Qt::ShiftModifier : Qt::NoModifier);
         EXPECT_EQ(studio.last().kind(), row.kind) << row.path;
         EXPECT_EQ(studio.last().text(row.property).toStdString(), row.path);
-        if (*row.extra) { EXPECT_EQ(studio.last().text("format").toStdString(), row.extra); }
+        if (*row.extra) {
+            EXPECT_EQ(studio.last().text("format").toStdString(), row.extra);
+        }
         EXPECT_TRUE(studio.designer->selection().contains(studio.last().id()));
     }
     const QStringList problems = [&] {
@@ -180,10 +193,14 @@ TEST(Designer, VariablesAreDraggedFromTheListBesideTheElements) {
     class TwoVariables final : public kit::VariableProvider {
     public:
         std::vector<kit::VariableNode> children(const QString& path) const override {
-            if (path.isEmpty()) return {{QStringLiteral("Main"), QStringLiteral("Main"), {}, {}, kit::Icon::Program, true, true}};
-            return {{QStringLiteral("running"), QStringLiteral("Main.running"), QStringLiteral("BOOL")}, {QStringLiteral("level"), QStringLiteral("Main.level"), QStringLiteral("REAL")}};
+            if (path.isEmpty())
+                return {{QStringLiteral("Main"), QStringLiteral("Main"), {}, {}, kit::Icon::Program, true, true}};
+            return {{QStringLiteral("running"), QStringLiteral("Main.running"), QStringLiteral("BOOL")},
+                    {QStringLiteral("level"), QStringLiteral("Main.level"), QStringLiteral("REAL")}};
         }
-        std::vector<kit::VariableNode> search(const QString&, int) const override { return children(QStringLiteral("Main")); }
+        std::vector<kit::VariableNode> search(const QString&, int) const override {
+            return children(QStringLiteral("Main"));
+        }
     } variables;
     Studio studio;
     studio.context->setVariables([&]() -> const kit::VariableProvider& { return variables; });
@@ -213,7 +230,8 @@ TEST(Designer, AlarmListsShowTheTextsOfTheProject) {
     Studio studio(R"({"id":"l","kind":"alarmList","rect":[10,10,600,300]})");
     const QImage english = studio.designer->canvas().scene().picture();
     studio.context->setLanguage(QStringLiteral("da"));
-    EXPECT_NE(studio.designer->canvas().scene().picture().copy(210, 60, 200, 40), english.copy(210, 60, 200, 40)); // "Overbelastet ved 0"
+    EXPECT_NE(studio.designer->canvas().scene().picture().copy(210, 60, 200, 40),
+              english.copy(210, 60, 200, 40)); // "Overbelastet ved 0"
 }
 
 TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {
@@ -225,7 +243,9 @@ TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {
     designer.show();
     QTest::qWait(1);
     DesignCanvas& canvas = designer.canvas();
-    const auto isWhole = [&] { return QRectF(canvas.viewport()->rect()).contains(canvas.toViewport(QRectF(0, 0, 640, 400))); };
+    const auto isWhole = [&] {
+        return QRectF(canvas.viewport()->rect()).contains(canvas.toViewport(QRectF(0, 0, 640, 400)));
+    };
     EXPECT_TRUE(isWhole());
     EXPECT_LT(canvas.zoom(), 1);
     designer.resize(860, 520);
@@ -238,7 +258,8 @@ TEST(Designer, ThePanelIsShownWholeUntilAZoomIsChosen) {
 }
 
 TEST(Designer, SelectsMovesWithSnappingResizesAndUndoesEachAsOneStep) {
-    Studio studio(R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
+    Studio studio(
+        R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
     const std::string before = studio.panel().write();
     studio.drag(studio.at(110, 110), studio.at(110 + 197, 110 + 43)); // 297: its left edge snaps to b's at 300
     EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->rect().x(), 300);
@@ -269,7 +290,8 @@ TEST(Designer, SelectsMovesWithSnappingResizesAndUndoesEachAsOneStep) {
 }
 
 TEST(Designer, AGroupIsTakenAsOneAndEnteredByADoubleClick) {
-    Studio studio(R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
+    Studio studio(
+        R"({"id":"a","kind":"rectangle","rect":[100,100,80,40]},{"id":"b","kind":"rectangle","rect":[300,200,80,40]})");
     studio.designer->selectAll();
     studio.designer->action(QStringLiteral("group"))->trigger();
     const ElementId group = studio.designer->selection().ids().front();
@@ -303,7 +325,8 @@ TEST(Designer, CopiesBetweenPanelsThroughTheClipboard) {
 }
 
 TEST(Designer, ThePropertySheetEditsSeveralElementsAtOnceAndOnlyWhatTheyShare) {
-    Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[200,100,60,60]},{"id":"t","kind":"text","rect":[0,0,100,30]})");
+    Studio studio(
+        R"({"id":"a","kind":"lamp","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[200,100,60,60]},{"id":"t","kind":"text","rect":[0,0,100,30]})");
     studio.designer->selection().set({QStringLiteral("a"), QStringLiteral("b")});
     kit::PropertyGrid& grid = studio.designer->sheet().grid();
     EXPECT_TRUE(grid.isVarious(QStringLiteral("rect.x")));
@@ -327,11 +350,14 @@ TEST(Designer, EveryPropertyOfEveryKindIsOfferedAndComesBackUnchanged) {
         Element element = Element::make(kind.kind, QStringLiteral("e"), QRectF(QPointF(10, 10), kind.size));
         for (const PropertyDescriptor& property : kind.properties) {
             const auto rows = gridRows(property, *studio.context);
-            const bool isHidden = property.type == PropertyType::Name || property.type == PropertyType::Element || property.type == PropertyType::Points;
+            const bool isHidden = property.type == PropertyType::Name || property.type == PropertyType::Element ||
+                                  property.type == PropertyType::Points;
             EXPECT_EQ(rows.empty(), isHidden) << kind.key << '.' << property.key;
             for (const kit::PropertyDescriptor& row : rows) {
                 const Json present = element.at(property.key);
-                EXPECT_EQ(fromGrid(property, present, row.id, gridValue(property, present, row.id, *studio.context)), present) << kind.key << '.' << property.key;
+                EXPECT_EQ(fromGrid(property, present, row.id, gridValue(property, present, row.id, *studio.context)),
+                          present)
+                    << kind.key << '.' << property.key;
             }
         }
     }
@@ -364,7 +390,8 @@ TEST(Designer, ThePaletteFindsElementsByWhatTheyAreCalledElsewhere) {
 }
 
 TEST(Designer, TheOutlineShowsTheTreeAndSelectsBothWays) {
-    Studio studio(R"({"id":"g","kind":"group","rect":[90,90,300,200]},{"id":"a","kind":"lamp","parent":"g","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[500,100,50,50]})");
+    Studio studio(
+        R"({"id":"g","kind":"group","rect":[90,90,300,200]},{"id":"a","kind":"lamp","parent":"g","rect":[100,100,50,50]},{"id":"b","kind":"lamp","rect":[500,100,50,50]})");
     Outline& outline = studio.designer->outline();
     ASSERT_TRUE(outline.itemOf(QStringLiteral("a")));
     EXPECT_EQ(outline.itemOf(QStringLiteral("a"))->parent(), outline.itemOf(QStringLiteral("g")));
@@ -377,7 +404,9 @@ TEST(Designer, TheOutlineShowsTheTreeAndSelectsBothWays) {
 
 TEST(Designer, ARenamedVariableIsRenamedInPanelsAndAlarms) {
     Studio studio(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"Main.overload AND Main.running"})");
-    studio.project.panels.push_back({QStringLiteral("closed"), panelOf(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"main.OVERLOAD"})")});
+    studio.project.panels.push_back(
+        {QStringLiteral("closed"),
+         panelOf(R"({"id":"a","kind":"lamp","rect":[100,100,50,50],"value":"main.OVERLOAD"})")});
     EXPECT_TRUE(studio.context->renameVariable(QStringLiteral("Main.overload"), QStringLiteral("Main.tooMuch")));
     EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("value").toStdString(), "Main.tooMuch AND Main.running");
     EXPECT_EQ(studio.project.panels[1].panel.elements()[0].text("value").toStdString(), "Main.tooMuch");
@@ -390,9 +419,11 @@ TEST(Texts, TheTableEditorRenamesKeysEverywhereAndKnowsTheUsers) {
     Studio studio(R"({"id":"a","kind":"text","rect":[100,100,150,50],"text":"@start"})");
     TextEditor editor(*studio.context);
     EXPECT_EQ(studio.context->usersOf(QStringLiteral("start")).join(u' ').toStdString(), "main: a.text");
-    EXPECT_TRUE(editor.model().setData(editor.model().index(0, TextModel::Key), QStringLiteral("motor.start"), Qt::EditRole));
+    EXPECT_TRUE(
+        editor.model().setData(editor.model().index(0, TextModel::Key), QStringLiteral("motor.start"), Qt::EditRole));
     EXPECT_EQ(studio.panel().find(QStringLiteral("a"))->text("text").toStdString(), "@motor.start");
-    EXPECT_TRUE(editor.model().setData(editor.model().index(1, TextModel::Key), QStringLiteral("alarm.over"), Qt::EditRole));
+    EXPECT_TRUE(
+        editor.model().setData(editor.model().index(1, TextModel::Key), QStringLiteral("alarm.over"), Qt::EditRole));
     EXPECT_EQ(studio.project.alarms.definitions()[0].text.toStdString(), "@alarm.over");
     editor.addKey(QStringLiteral("new.key"));
     editor.setFilter({}, true);

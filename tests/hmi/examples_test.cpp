@@ -12,7 +12,8 @@ QStringList examplesWithPanels() {
     const QDir folder(QStringLiteral(STEPWISE_SOURCE_DIR "/projects/examples"));
     QStringList out;
     for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
-        if (!QDir(folder.filePath(name + QStringLiteral("/hmi"))).entryList({QStringLiteral("*.panel.json")}).isEmpty()) out += folder.filePath(name);
+        if (!QDir(folder.filePath(name + QStringLiteral("/hmi"))).entryList({QStringLiteral("*.panel.json")}).isEmpty())
+            out += folder.filePath(name);
     return out;
 }
 
@@ -21,14 +22,26 @@ TEST(Examples, PanelsTextsAndAlarmsAreCanonicalAndWithoutErrors) {
         const auto project = projects::openProject({path.toStdString()});
         ASSERT_TRUE(project) << project.error().text();
         const PanelProject panels = loadPanelProject(*project);
-        if (qEnvironmentVariableIsSet("STEPWISE_FORMAT")) { ASSERT_TRUE(formatPanels(panels)); }
+        if (qEnvironmentVariableIsSet("STEPWISE_FORMAT")) {
+            ASSERT_TRUE(formatPanels(panels));
+        }
         for (const Error& problem : panels.problems) ADD_FAILURE() << problem.text();
-        for (const NamedPanel& panel : panels.panels) EXPECT_EQ(panel.panel.write(), *projects::readFile(panels.panelPath(panel.name).toStdString())) << path.toStdString();
-        if (panels.hasTexts) { EXPECT_EQ(panels.texts.table().write(), *projects::readFile(panels.textsPath().toStdString())) << path.toStdString(); }
-        if (panels.hasAlarms) { EXPECT_EQ(panels.alarms.write(), *projects::readFile(panels.alarmsPath().toStdString())) << path.toStdString(); }
+        for (const NamedPanel& panel : panels.panels)
+            EXPECT_EQ(panel.panel.write(), *projects::readFile(panels.panelPath(panel.name).toStdString()))
+                << path.toStdString();
+        if (panels.hasTexts) {
+            EXPECT_EQ(panels.texts.table().write(), *projects::readFile(panels.textsPath().toStdString()))
+                << path.toStdString();
+        }
+        if (panels.hasAlarms) {
+            EXPECT_EQ(panels.alarms.write(), *projects::readFile(panels.alarmsPath().toStdString()))
+                << path.toStdString();
+        }
         const driver::Checked checked = driver::check(project->buildInput());
         for (const Finding& finding : checkPanels(panels, checked))
-            if (finding.isError || finding.kind == FindingKind::TextTooLong || finding.kind == FindingKind::MissingTranslation) ADD_FAILURE() << path.toStdString() << ": " << finding.text().toStdString();
+            if (finding.isError || finding.kind == FindingKind::TextTooLong ||
+                finding.kind == FindingKind::MissingTranslation)
+                ADD_FAILURE() << path.toStdString() << ": " << finding.text().toStdString();
     }
 }
 
@@ -62,8 +75,10 @@ TEST(Examples, AlarmTextsFollowTheLanguageThatTheProgramChooses) {
     const std::vector<AlarmEntry> present = player.alarms().present({}, AlarmOrder::Priority);
     ASSERT_EQ(present.size(), 1u);
     EXPECT_EQ(present[0].id.toStdString(), "12004");
-    for (const auto& [tag, text] : {std::pair{"en-GB", "Motor 1: overload, 130 %"}, std::pair{"da", "Motor 1: overbelastet, 130 %"}, std::pair{"de", "Motor 1: Überlast, 130 %"},
-                                    std::pair{"es", "Motor 1: sobrecarga, 130 %"}, std::pair{"en-US", "Motor 1: overloaded, 130 %"}})
+    for (const auto& [tag, text] :
+         {std::pair{"en-GB", "Motor 1: overload, 130 %"}, std::pair{"da", "Motor 1: overbelastet, 130 %"},
+          std::pair{"de", "Motor 1: Überlast, 130 %"}, std::pair{"es", "Motor 1: sobrecarga, 130 %"},
+          std::pair{"en-US", "Motor 1: overloaded, 130 %"}})
         EXPECT_EQ(AlarmBook::render(present[0], panels.texts, QLatin1String(tag)).toStdString(), text);
     if (!qEnvironmentVariableIsSet("STEPWISE_PICTURES")) return;
     PictureOptions options;

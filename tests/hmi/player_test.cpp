@@ -32,7 +32,9 @@ struct Machine {
         const BindingId id = player->values()->bind(QString::fromUtf8(expression));
         return hmi::waitFor(*player, [&] { return player->values()->value(id).toBool(); });
     }
-    QString write(const char* target, const Value& value) { return player->post(WriteRequest{{}, QLatin1String(target), WriteKind::Write, value, {}}); }
+    QString write(const char* target, const Value& value) {
+        return player->post(WriteRequest{{}, QLatin1String(target), WriteKind::Write, value, {}});
+    }
 };
 
 TEST(Player, AButtonPressedOnThePanelRunsTheMachineAndTheLampShowsIt) {
@@ -51,11 +53,14 @@ TEST(Player, AButtonPressedOnThePanelRunsTheMachineAndTheLampShowsIt) {
 
 TEST(Player, SaysWhyAWriteIsRefused) {
     Machine machine(R"({"id":"l","kind":"lamp","rect":[200,10,60,60],"value":"Main.running"})", false);
-    EXPECT_EQ(machine.write("Main.start", Value::ofBool(true)).toStdString(), "Not written: the controller is not running.");
+    EXPECT_EQ(machine.write("Main.start", Value::ofBool(true)).toStdString(),
+              "Not written: the controller is not running.");
     machine.session.startThread({session::Pace::Factor, 5});
     ASSERT_TRUE(machine.waitFor("Main.count > 2"));
-    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(), "Not written: the value lies outside its limits. -128 to 127");
-    EXPECT_EQ(machine.write("Main.count + 1", Value::ofInteger(3)).toStdString(), "Not written: this is not a variable.");
+    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(),
+              "Not written: the value lies outside its limits. -128 to 127");
+    EXPECT_EQ(machine.write("Main.count + 1", Value::ofInteger(3)).toStdString(),
+              "Not written: this is not a variable.");
     EXPECT_FALSE(machine.write("Main.cuont", Value::ofInteger(3)).isEmpty());
     machine.session.force("Main.forced", types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(1)});
     ASSERT_TRUE(machine.waitFor("Main.forced"));
@@ -65,11 +70,15 @@ TEST(Player, SaysWhyAWriteIsRefused) {
     EXPECT_TRUE(machine.write("Main.small", Value::ofInteger(-100)).isEmpty());
     EXPECT_TRUE(machine.waitFor("Main.small = -100"));
     EXPECT_TRUE(machine.write("Main.name", Value::ofText(QStringLiteral("Grød"))).isEmpty());
-    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.value("Main.name").text() == QStringLiteral("Grød"); })) << machine.value("Main.name").text().toStdString();
+    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.value("Main.name").text() == QStringLiteral("Grød"); }))
+        << machine.value("Main.name").text().toStdString();
     EXPECT_TRUE(machine.value("Main.name = 'Grød'").toBool());
-    EXPECT_EQ(machine.write("Main.name", Value::ofText(QStringLiteral("Too long"))).toStdString(), "Ikke skrevet: højst 5 tegn.");
-    EXPECT_EQ(machine.write("Main.name", Value::ofText(QStringLiteral("容器"))).toStdString(), "Ikke skrevet: Variablen kan ikke rumme et af tegnene.");
-    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(), "Ikke skrevet: Værdien ligger uden for grænserne. -128 til 127");
+    EXPECT_EQ(machine.write("Main.name", Value::ofText(QStringLiteral("Too long"))).toStdString(),
+              "Ikke skrevet: højst 5 tegn.");
+    EXPECT_EQ(machine.write("Main.name", Value::ofText(QStringLiteral("容器"))).toStdString(),
+              "Ikke skrevet: Variablen kan ikke rumme et af tegnene.");
+    EXPECT_EQ(machine.write("Main.small", Value::ofInteger(300)).toStdString(),
+              "Ikke skrevet: Værdien ligger uden for grænserne. -128 til 127");
     EXPECT_TRUE(machine.write("Main.operation", Value::ofInteger(2)).isEmpty());
     EXPECT_TRUE(machine.waitFor("Main.operation = Mode.Auto"));
     EXPECT_TRUE(machine.write("Main.wait", Value::ofReal(2.5)).isEmpty());
@@ -77,7 +86,8 @@ TEST(Player, SaysWhyAWriteIsRefused) {
 }
 
 TEST(Player, TheKeypadKeepsItsLimitsAndWritesTheNumber) {
-    Machine machine(R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level","minimum":"0","maximum":"50","unit":"°C"})");
+    Machine machine(
+        R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level","minimum":"0","maximum":"50","unit":"°C"})");
     ASSERT_TRUE(machine.waitFor("Main.count > 2"));
     QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(60, 30));
     auto* keypad = dynamic_cast<Keypad*>(machine.player->overlay());
@@ -99,7 +109,8 @@ TEST(Player, TheKeypadKeepsItsLimitsAndWritesTheNumber) {
 }
 
 TEST(Player, TheKeypadSpeaksTheLanguage) {
-    Machine machine(R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level"},{"id":"t","kind":"textEntry","rect":[10,100,140,44],"target":"Main.name"})");
+    Machine machine(
+        R"({"id":"n","kind":"numberEntry","rect":[10,10,140,44],"target":"Main.level"},{"id":"t","kind":"textEntry","rect":[10,100,140,44],"target":"Main.name"})");
     ASSERT_TRUE(machine.waitFor("Main.count > 2"));
     const auto press = [&](const QString& text) {
         for (QPushButton* button : machine.player->overlay()->findChildren<QPushButton*>())
@@ -130,7 +141,8 @@ TEST(Player, TheKeypadSpeaksTheLanguage) {
     press(QStringLiteral("⇧"));
     press(QStringLiteral("Å"));
     press(QStringLiteral("OK"));
-    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.value("Main.name").text() == QStringLiteral("æÅ"); })) << machine.value("Main.name").text().toStdString();
+    EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.value("Main.name").text() == QStringLiteral("æÅ"); }))
+        << machine.value("Main.name").text().toStdString();
 }
 
 TEST(Player, TheLanguageFollowsTheVariableAndIsWrittenToIt) {
@@ -155,27 +167,33 @@ TEST(Player, AnAlarmOfOneScanIsNotLostAndAcknowledgingEndsIt) {
     EXPECT_EQ(present[0].raised.scan, 49u);
     EXPECT_EQ(present[0].returned->scan, 50u);
     machine.write("Main.overload", Value::ofBool(true));
-    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->alarms().present({}, AlarmOrder::Time).size() == 2; }));
+    ASSERT_TRUE(
+        waitFor(*machine.player, [&] { return machine.player->alarms().present({}, AlarmOrder::Time).size() == 2; }));
     const AlarmEntry raised = machine.player->alarms().present({}, AlarmOrder::Priority)[0];
     EXPECT_EQ(raised.state, AlarmState::Unacknowledged);
     const QString danish = AlarmBook::render(raised, machine.project.texts, QStringLiteral("da"));
     EXPECT_EQ(danish, QStringLiteral("Overbelastet ved %1").arg(raised.raised.scan + 1)); // count of that scan
-    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(560, 35)); // acknowledge all
+    QTest::mouseClick(&machine.player->view(), Qt::LeftButton, {}, QPoint(560, 35));      // acknowledge all
     EXPECT_TRUE(waitFor(*machine.player, [&] { return machine.player->alarms().unacknowledgedCount() == 0; }));
     EXPECT_EQ(machine.player->alarms().present({}, AlarmOrder::Time).size(), 1u); // overload is still there
 }
 
 TEST(Player, TheAlarmListIsSortedFilteredAndAcknowledgedByTouch) {
     Machine machine(R"({"id":"a","kind":"alarmList","rect":[10,10,600,300]})", false);
-    machine.project.alarms = *AlarmFile::parse(R"({"classes":[{"name":"fault","title":"Fault"},{"name":"hint","title":"Hint"}],"alarms":[
-        {"id":"late","class":"hint","condition":"Main.count > 20","text":"late","priority":3},{"id":"early","class":"fault","condition":"Main.count > 10","text":"early","priority":1}]})", QString());
+    machine.project.alarms =
+        *AlarmFile::parse(R"({"classes":[{"name":"fault","title":"Fault"},{"name":"hint","title":"Hint"}],"alarms":[
+        {"id":"late","class":"hint","condition":"Main.count > 20","text":"late","priority":3},{"id":"early","class":"fault","condition":"Main.count > 10","text":"early","priority":1}]})",
+                          QString());
     machine.player->projectChanged();
     machine.session.runHere([](const controller::Controller& controller) { return controller.nextScan() > 40; });
     machine.player->alarmWatch()->catchUp();
     machine.player->frame();
     PanelView& view = machine.player->view();
     QStringList asked;
-    QObject::connect(&view.scene(), &PanelScene::acknowledgeRequested, &view, [&](const AcknowledgeRequest& one) { asked += one.all ? QStringLiteral("all ") + one.classes.join(u',') : machine.player->alarms().definitions()[one.alarm].id; });
+    QObject::connect(&view.scene(), &PanelScene::acknowledgeRequested, &view, [&](const AcknowledgeRequest& one) {
+        asked += one.all ? QStringLiteral("all ") + one.classes.join(u',')
+                         : machine.player->alarms().definitions()[one.alarm].id;
+    });
     const auto touch = [&](int x, int y) {
         QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(x, y));
         return std::exchange(asked, {}).join(u' ').toStdString();
@@ -222,10 +240,13 @@ TEST(Player, SaysWhenTheControllerStoppedOrFaultedAndVeilsTheOldValues) {
     EXPECT_TRUE(machine.write("Main.divisor", Value::ofInteger(0)).isEmpty());
     ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->freshness() == Freshness::Fault; }));
     machine.player->frame();
-    EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("The controller has a fault: "))) << status->stateText().toStdString();
-    EXPECT_NE(machine.player->grab(QRect(0, 150, 640, 200)).toImage(), fresh); // the last value is still there, but not as a fresh one
+    EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("The controller has a fault: ")))
+        << status->stateText().toStdString();
+    EXPECT_NE(machine.player->grab(QRect(0, 150, 640, 200)).toImage(),
+              fresh); // the last value is still there, but not as a fresh one
     machine.player->setLanguage(QStringLiteral("da"));
-    EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("Styringen har en fejl"))) << status->stateText().toStdString();
+    EXPECT_TRUE(status->stateText().startsWith(QStringLiteral("Styringen har en fejl")))
+        << status->stateText().toStdString();
     EXPECT_EQ(machine.write("Main.divisor", Value::ofInteger(1)).toStdString(), "Ikke skrevet: Styringen kører ikke.");
     machine.player->setSession(nullptr);
     machine.player->frame();
@@ -233,10 +254,12 @@ TEST(Player, SaysWhenTheControllerStoppedOrFaultedAndVeilsTheOldValues) {
 }
 
 TEST(Player, ATrendShowsTheRecordedScans) {
-    Machine machine(R"({"id":"t","kind":"trend","rect":[10,10,400,300],"seconds":1,"series":[{"value":"Main.count"}]})");
+    Machine machine(
+        R"({"id":"t","kind":"trend","rect":[10,10,400,300],"seconds":1,"series":[{"value":"Main.count"}]})");
     ASSERT_TRUE(machine.waitFor("Main.count > 150"));
     machine.session.pause();
-    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->status().state == controller::State::Paused; }));
+    ASSERT_TRUE(waitFor(*machine.player,
+                        [&] { return machine.player->values()->status().state == controller::State::Paused; }));
     const BindingId id = machine.player->values()->bind(QStringLiteral("Main.count"));
     const std::vector<CurvePiece> curve = machine.player->values()->curve(id, 1.0, 1000);
     ASSERT_GT(curve.size(), 90u);
@@ -246,17 +269,21 @@ TEST(Player, ATrendShowsTheRecordedScans) {
 }
 
 TEST(Player, ATrendLeavesOutWhatWasGoneBackFrom) {
-    Machine machine(R"({"id":"t","kind":"trend","rect":[10,10,400,300],"seconds":100,"series":[{"value":"Main.count"}]})");
+    Machine machine(
+        R"({"id":"t","kind":"trend","rect":[10,10,400,300],"seconds":100,"series":[{"value":"Main.count"}]})");
     ASSERT_TRUE(machine.waitFor("Main.count > 60"));
     machine.session.pause();
-    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->status().state == controller::State::Paused; }));
+    ASSERT_TRUE(waitFor(*machine.player,
+                        [&] { return machine.player->values()->status().state == controller::State::Paused; }));
     const history::Position past = 30;
     ASSERT_TRUE(machine.session.resumeFrom(past));
     machine.session.start();
     ASSERT_TRUE(machine.waitFor("Main.count > 50"));
     machine.session.pause();
-    ASSERT_TRUE(waitFor(*machine.player, [&] { return machine.player->values()->status().state == controller::State::Paused; }));
-    const std::vector<CurvePiece> curve = machine.player->values()->curve(machine.player->values()->bind(QStringLiteral("Main.count")), 100.0, 100000);
+    ASSERT_TRUE(waitFor(*machine.player,
+                        [&] { return machine.player->values()->status().state == controller::State::Paused; }));
+    const std::vector<CurvePiece> curve =
+        machine.player->values()->curve(machine.player->values()->bind(QStringLiteral("Main.count")), 100.0, 100000);
     ASSERT_GT(curve.size(), 40u);
     for (size_t i = 1; i < curve.size(); ++i) EXPECT_EQ(curve[i].first, curve[i - 1].last + 1) << i;
 }
@@ -264,7 +291,8 @@ TEST(Player, ATrendLeavesOutWhatWasGoneBackFrom) {
 TEST(Player, PicturesOfEveryPanelInEveryLanguage) {
     Machine machine(R"({"id":"b","kind":"button","rect":[10,10,120,60],"text":"@start"})", false);
     machine.session.runHere([](const controller::Controller& controller) { return controller.nextScan() > 10; });
-    const QString folder = QDir::tempPath() + QStringLiteral("/stepwise_pictures_%1").arg(QCoreApplication::applicationPid());
+    const QString folder =
+        QDir::tempPath() + QStringLiteral("/stepwise_pictures_%1").arg(QCoreApplication::applicationPid());
     PictureOptions options;
     options.folder = folder;
     const auto paths = renderPanels(machine.project, &machine.session, options);
@@ -281,14 +309,20 @@ TEST(Check, TheFrontEndChecksEveryBinding) {
         bool isTarget;
         const char* complaint;
     } rows[] = {
-        {"Main.running", "bool", false, ""},        {"Main.level > 3", "bool", false, ""},          {"Main.level", "bool", false, "BOOL"},     {"Main.leve", "number", false, "did you mean level?"},
-        {"Main.level + 1", "number", true, "not a"}, {"Main.level", "number", true, ""},             {"Main.name", "number", false, "number"},  {"Main.name", "text", true, ""},
-        {"Main.numbers", "array", false, ""},       {"Main.numbers[2]", "number", true, ""},        {"Main.numbers", "any", false, "single"},  {"Main.operation", "number", true, ""},
+        {"Main.running", "bool", false, ""},         {"Main.level > 3", "bool", false, ""},
+        {"Main.level", "bool", false, "BOOL"},       {"Main.leve", "number", false, "did you mean level?"},
+        {"Main.level + 1", "number", true, "not a"}, {"Main.level", "number", true, ""},
+        {"Main.name", "number", false, "number"},    {"Main.name", "text", true, ""},
+        {"Main.numbers", "array", false, ""},        {"Main.numbers[2]", "number", true, ""},
+        {"Main.numbers", "any", false, "single"},    {"Main.operation", "number", true, ""},
     };
     for (const auto& row : rows) {
-        const std::string complaint = checkBinding(built.checked, QLatin1String(row.expression), row.wanted, row.isTarget).toStdString();
-        if (*row.complaint) EXPECT_NE(complaint.find(row.complaint), std::string::npos) << row.expression << ": " << complaint;
-        else EXPECT_EQ(complaint, "") << row.expression;
+        const std::string complaint =
+            checkBinding(built.checked, QLatin1String(row.expression), row.wanted, row.isTarget).toStdString();
+        if (*row.complaint)
+            EXPECT_NE(complaint.find(row.complaint), std::string::npos) << row.expression << ": " << complaint;
+        else
+            EXPECT_EQ(complaint, "") << row.expression;
     }
 }
 

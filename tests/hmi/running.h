@@ -52,7 +52,8 @@ inline driver::Built builtMachine() {
     driver::Built built = driver::build(input);
     std::string messages = built.failure;
     if (built.checked.analysis)
-        for (const auto& one : built.checked.analysis->diagnostics) messages += diagnostics::renderText(*built.checked.sources, one, false) + "\n";
+        for (const auto& one : built.checked.analysis->diagnostics)
+            messages += diagnostics::renderText(*built.checked.sources, one, false) + "\n";
     EXPECT_TRUE(built.program) << messages;
     return built;
 }
@@ -62,8 +63,14 @@ inline PanelProject machineProject() {
     LanguageSettings settings;
     settings.languages = QStringList{"en", "da", "ar"};
     settings.variable = QStringLiteral("Language");
-    project.texts = TextCatalog(*TextTable::parse("key,comment,en,da,ar\nstart,,Start,Start,بدء\nover,,Overload at {n:%d},Overbelastet ved {n:%d},حمل زائد {n:%d}\nflash,,Flash,Blink,ومضة\n", QString()), settings);
-    project.alarms = *AlarmFile::parse(R"({"alarms":[{"id":"over","condition":"Main.overload","text":"@over","values":{"n":"Main.count"}},{"id":"flash","condition":"Main.flash","text":"@flash","priority":3}]})", QString());
+    project.texts =
+        TextCatalog(*TextTable::parse("key,comment,en,da,ar\nstart,,Start,Start,بدء\nover,,Overload at "
+                                      "{n:%d},Overbelastet ved {n:%d},حمل زائد {n:%d}\nflash,,Flash,Blink,ومضة\n",
+                                      QString()),
+                    settings);
+    project.alarms = *AlarmFile::parse(
+        R"({"alarms":[{"id":"over","condition":"Main.overload","text":"@over","values":{"n":"Main.count"}},{"id":"flash","condition":"Main.flash","text":"@flash","priority":3}]})",
+        QString());
     project.hasAlarms = true;
     return project;
 }

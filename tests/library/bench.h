@@ -1,5 +1,5 @@
-// A little plant of one program: ST text, libraries and a task interval in; scans in virtual time, reads and writes by path.
-// A program that does not compile, or a fault, throws with the message, which fails the test.
+// A little plant of one program: ST text, libraries and a task interval in; scans in virtual time, reads and writes by
+// path. A program that does not compile, or a fault, throws with the message, which fails the test.
 #pragma once
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
@@ -25,28 +25,35 @@ inline driver::Built buildText(const std::string& text, const std::vector<std::s
     if (built.program) return built;
     std::string message = built.failure;
     for (const diagnostics::Diagnostic& diagnostic : built.checked.analysis->diagnostics)
-        if (diagnostic.severity == diagnostics::Severity::Error) message += diagnostics::renderText(*built.checked.sources, diagnostic, false);
+        if (diagnostic.severity == diagnostics::Severity::Error)
+            message += diagnostics::renderText(*built.checked.sources, diagnostic, false);
     throw std::runtime_error("does not compile: " + message);
 }
 
 /// The program `body` with `declarations`, called `Main`, in a task of `interval`.
 inline std::string programText(const std::string& declarations, const std::string& body, Nanoseconds interval) {
-    return "PROGRAM Main\n" + declarations + "\n" + body + "\nEND_PROGRAM\n\nCONFIGURATION Bench\nRESOURCE Cpu ON Soft\nTASK Cyclic (INTERVAL := T#" +
-           std::to_string(interval.count() / 1000) + "us, PRIORITY := 1);\nPROGRAM Main WITH Cyclic : Main;\nEND_RESOURCE\nEND_CONFIGURATION\n";
+    return "PROGRAM Main\n" + declarations + "\n" + body +
+           "\nEND_PROGRAM\n\nCONFIGURATION Bench\nRESOURCE Cpu ON Soft\nTASK Cyclic (INTERVAL := T#" +
+           std::to_string(interval.count() / 1000) +
+           "us, PRIORITY := 1);\nPROGRAM Main WITH Cyclic : Main;\nEND_RESOURCE\nEND_CONFIGURATION\n";
 }
 
 class Bench {
 public:
-    Bench(const std::string& declarations, const std::string& body, std::vector<std::string> libraries, Nanoseconds interval = 10ms)
+    Bench(const std::string& declarations, const std::string& body, std::vector<std::string> libraries,
+          Nanoseconds interval = 10ms)
         : Bench(buildText(programText(declarations, body, interval), libraries)) {}
-    explicit Bench(driver::Built built) : m_built(std::move(built)), m_controller(std::make_unique<controller::Controller>(m_built.program)) {
+    explicit Bench(driver::Built built)
+        : m_built(std::move(built)), m_controller(std::make_unique<controller::Controller>(m_built.program)) {
         m_controller->start();
     }
 
     void scan(int count = 1) {
         for (int i = 0; i < count; ++i) {
             const bool good = m_controller->scan();
-            if (!good || m_controller->fault()) throw std::runtime_error("fault: " + (m_controller->fault() ? m_controller->fault()->message : std::string("?")));
+            if (!good || m_controller->fault())
+                throw std::runtime_error("fault: " +
+                                         (m_controller->fault() ? m_controller->fault()->message : std::string("?")));
         }
     }
     /// Scans until the scan at `time` has been made.
@@ -77,8 +84,10 @@ public:
     /// A REAL, integer, BOOL (0, 1) or TIME in nanoseconds.
     void set(const std::string& path, double number) {
         types::Value changed = value(path);
-        if (std::holds_alternative<double>(changed.data)) changed.data = static_cast<double>(static_cast<float>(number));
-        else changed.data = static_cast<int64_t>(number);
+        if (std::holds_alternative<double>(changed.data))
+            changed.data = static_cast<double>(static_cast<float>(number));
+        else
+            changed.data = static_cast<int64_t>(number);
         write(path, changed);
     }
     void set(const std::string& path, Nanoseconds duration) {
@@ -87,7 +96,8 @@ public:
         write(path, changed);
     }
     void write(const std::string& path, const types::Value& changed) {
-        if (auto done = m_controller->write(pathOf(path), changed); !done) throw std::runtime_error(done.error().text());
+        if (auto done = m_controller->write(pathOf(path), changed); !done)
+            throw std::runtime_error(done.error().text());
     }
 
     [[nodiscard]] controller::Controller& controller() { return *m_controller; }

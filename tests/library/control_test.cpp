@@ -8,25 +8,35 @@
 namespace plc::test {
 namespace {
 
-constexpr const char* piParameters = "p.tCyclTime := T#10ms; p.tTn := T#1s; p.rKp := 2.0; p.rMaxLim := 1000.0; p.rMinLim := -1000.0; ";
+constexpr const char* piParameters =
+    "p.tCyclTime := T#10ms; p.tTn := T#1s; p.rKp := 2.0; p.rMaxLim := 1000.0; p.rMinLim := -1000.0; ";
 const std::vector<std::string> toolbox{"toolbox"};
 
 Bench piBench(const std::string& before = "") {
-    return Bench("VAR f : FB_PI; p : stPiPara; first : BOOL := TRUE; sp, man : REAL; manual, hold, arw, on : BOOL; lim : REAL := 1000.0; END_VAR",
-                 std::string(piParameters) + before + "p.xEnArw := arw; p.rMaxLim := lim; p.rMinLim := -lim;\n"
-                 "f(i_xEn := on, i_rSp := sp, i_rActVal := 0.0, i_rManVal := man, i_xManMode := manual, i_xHold := hold, i_stPara := p);", toolbox);
+    return Bench("VAR f : FB_PI; p : stPiPara; first : BOOL := TRUE; sp, man : REAL; manual, hold, arw, on : BOOL; lim "
+                 ": REAL := 1000.0; END_VAR",
+                 std::string(piParameters) + before +
+                     "p.xEnArw := arw; p.rMaxLim := lim; p.rMinLim := -lim;\n"
+                     "f(i_xEn := on, i_rSp := sp, i_rActVal := 0.0, i_rManVal := man, i_xManMode := manual, i_xHold := "
+                     "hold, i_stPara := p);",
+                 toolbox);
 }
 
 Bench pidBench() {
-    return Bench("VAR f : FB_PID; p : stPid; sp, man, pv : REAL; manual, hold, on : BOOL := FALSE; kp : REAL := 2.0; tn : REAL := 1000.0; tv : REAL; td : REAL := 20.0; lim : REAL := 1000.0; END_VAR",
+    return Bench("VAR f : FB_PID; p : stPid; sp, man, pv : REAL; manual, hold, on : BOOL := FALSE; kp : REAL := 2.0; "
+                 "tn : REAL := 1000.0; tv : REAL; td : REAL := 20.0; lim : REAL := 1000.0; END_VAR",
                  "p.xActValType := TRUE; p.rTargCyclTime := 10.0; p.rLowLim := -lim; p.rHighLim := lim;\n"
-                 "f(i_xEn := on, i_rSp := sp, i_rPv1 := pv, i_xHold := hold, i_rKp := kp, i_rTn := tn, i_rTv := tv, i_rTd := td, i_xManMode := manual, i_rManVal := man, i_stPid := p);", toolbox);
+                 "f(i_xEn := on, i_rSp := sp, i_rPv1 := pv, i_xHold := hold, i_rKp := kp, i_rTn := tn, i_rTv := tv, "
+                 "i_rTd := td, i_xManMode := manual, i_rManVal := man, i_stPid := p);",
+                 toolbox);
 }
 
 TEST(FilterPt1, FollowsTheExponential) {
-    for (const auto& [cycle, tau, gain] : {std::tuple{10, 500, 2.0}, {10, 100, 1.0}, {50, 50, 10.0}, {100, 3000, -0.5}}) {
+    for (const auto& [cycle, tau, gain] :
+         {std::tuple{10, 500, 2.0}, {10, 100, 1.0}, {50, 50, 10.0}, {100, 3000, -0.5}}) {
         Bench bench("VAR f : Filter_PT1; x : REAL := 3.0; END_VAR",
-                    "f(i_xEn := TRUE, i_rInput := x, i_tCyclTime := T#" + std::to_string(cycle) + "ms, i_rKp := " + std::to_string(gain) + ", i_tFltrTime := T#" + std::to_string(tau) + "ms);",
+                    "f(i_xEn := TRUE, i_rInput := x, i_tCyclTime := T#" + std::to_string(cycle) +
+                        "ms, i_rKp := " + std::to_string(gain) + ", i_tFltrTime := T#" + std::to_string(tau) + "ms);",
                     toolbox, std::chrono::milliseconds(cycle));
         for (int n = 1; n <= 4 * tau / cycle; ++n) {
             bench.scan();
@@ -37,7 +47,9 @@ TEST(FilterPt1, FollowsTheExponential) {
 }
 
 TEST(FilterPt1, Reaches63PercentAfterTAnd95After3T) {
-    Bench bench("VAR f : Filter_PT1; END_VAR", "f(i_xEn := TRUE, i_rInput := 10.0, i_tCyclTime := T#10ms, i_rKp := 10.0, i_tFltrTime := T#1s);", toolbox);
+    Bench bench("VAR f : Filter_PT1; END_VAR",
+                "f(i_xEn := TRUE, i_rInput := 10.0, i_tCyclTime := T#10ms, i_rKp := 10.0, i_tFltrTime := T#1s);",
+                toolbox);
     bench.scan(100);
     EXPECT_NEAR(bench.real("f.q_rOput"), 63.2, 0.05);
     bench.scan(200);
@@ -57,10 +69,12 @@ TEST(FbPi, GrowsByKpTimesErrorPerTn) {
 
 TEST(FbPi, ClosesALoopAsTheContinuousSolutionSays) {
     // Tn = T cancels the pole of the process: the loop is a PT1 of T / (K Kp)
-    Bench bench("VAR f : FB_PI; p : stPiPara; plant : Filter_PT1; END_VAR",
-                "p.tCyclTime := T#10ms; p.tTn := T#1s; p.rKp := 2.0; p.rMaxLim := 1000.0; p.rMinLim := -1000.0;\n"
-                "f(i_xEn := TRUE, i_rSp := 1.0, i_rActVal := plant.q_rOput, i_stPara := p);\n"
-                "plant(i_xEn := TRUE, i_rInput := f.q_rOput, i_tCyclTime := T#10ms, i_rKp := 1.0, i_tFltrTime := T#1s);", toolbox);
+    Bench bench(
+        "VAR f : FB_PI; p : stPiPara; plant : Filter_PT1; END_VAR",
+        "p.tCyclTime := T#10ms; p.tTn := T#1s; p.rKp := 2.0; p.rMaxLim := 1000.0; p.rMinLim := -1000.0;\n"
+        "f(i_xEn := TRUE, i_rSp := 1.0, i_rActVal := plant.q_rOput, i_stPara := p);\n"
+        "plant(i_xEn := TRUE, i_rInput := f.q_rOput, i_tCyclTime := T#10ms, i_rKp := 1.0, i_tFltrTime := T#1s);",
+        toolbox);
     double worst = 0;
     for (int n = 1; n <= 500; ++n) {
         bench.scan();
@@ -88,10 +102,13 @@ TEST(FbPid, AnswersAStepAsPPlusIPlusFilteredD) {
 }
 
 TEST(FbPid, ClosesALoopAsTheContinuousSolutionSays) {
-    Bench bench("VAR f : FB_PID; p : stPid; plant : Filter_PT1; END_VAR",
-                "p.xActValType := TRUE; p.rTargCyclTime := 10.0; p.rLowLim := -1000.0; p.rHighLim := 1000.0;\n"
-                "f(i_xEn := TRUE, i_rSp := 1.0, i_rPv1 := plant.q_rOput, i_rKp := 2.0, i_rTn := 1000.0, i_rTv := 0.0, i_rTd := 20.0, i_stPid := p);\n"
-                "plant(i_xEn := TRUE, i_rInput := f.q_rPidOput, i_tCyclTime := T#10ms, i_rKp := 1.0, i_tFltrTime := T#1s);", toolbox);
+    Bench bench(
+        "VAR f : FB_PID; p : stPid; plant : Filter_PT1; END_VAR",
+        "p.xActValType := TRUE; p.rTargCyclTime := 10.0; p.rLowLim := -1000.0; p.rHighLim := 1000.0;\n"
+        "f(i_xEn := TRUE, i_rSp := 1.0, i_rPv1 := plant.q_rOput, i_rKp := 2.0, i_rTn := 1000.0, i_rTv := 0.0, i_rTd := "
+        "20.0, i_stPid := p);\n"
+        "plant(i_xEn := TRUE, i_rInput := f.q_rPidOput, i_tCyclTime := T#10ms, i_rKp := 1.0, i_tFltrTime := T#1s);",
+        toolbox);
     double worst = 0;
     for (int n = 1; n <= 500; ++n) {
         bench.scan();
@@ -102,9 +119,12 @@ TEST(FbPid, ClosesALoopAsTheContinuousSolutionSays) {
 
 TEST(FbPiPid, IsAPiWhosePreControlledOutputIsTheSetPointOfAPid) {
     Bench bench("VAR f : FB_PI_PID; inner : stPIPIDOutLoop; outer : stPIPIDInLoop; END_VAR",
-                "outer.tCyclTime := T#10ms; outer.rKp := 2.0; outer.tTn := T#1s; outer.rMaxLim := 1000.0; outer.rMinLim := -1000.0;\n"
+                "outer.tCyclTime := T#10ms; outer.rKp := 2.0; outer.tTn := T#1s; outer.rMaxLim := 1000.0; "
+                "outer.rMinLim := -1000.0;\n"
                 "inner.rKp := 3.0; inner.tTd := T#20ms; inner.rMaxLim := 10000.0; inner.rMinLim := -10000.0;\n"
-                "f(i_xEn := TRUE, i_rSp := 5.0, i_rActValPI := 1.0, i_rActValPID := 7.0, i_rPreCtrlVal := 11.0, i_stParaPID := inner, i_stParaPI := outer);", toolbox);
+                "f(i_xEn := TRUE, i_rSp := 5.0, i_rActValPI := 1.0, i_rActValPID := 7.0, i_rPreCtrlVal := 11.0, "
+                "i_stParaPID := inner, i_stParaPI := outer);",
+                toolbox);
     for (int n = 1; n <= 200; ++n) {
         bench.scan();
         ASSERT_NEAR(bench.real("f.q_rOput"), 3.0 * (2.0 * 4.0 * (1 + n * 0.01) + 11.0 - 7.0), 3 * 0.08 + 1e-3) << n;
@@ -141,7 +161,8 @@ TEST(AntiWindup, LeavesALimitAtOnceInBothModes) {
 TEST(AntiWindup, StillStartsFromALowerLimitAboveZero) {
     Bench bench("VAR f : FB_PI; p : stPiPara; END_VAR",
                 "p.tCyclTime := T#10ms; p.tTn := T#1s; p.rKp := 1.0; p.rMaxLim := 100.0; p.rMinLim := 20.0;\n"
-                "f(i_xEn := TRUE, i_rSp := 1.0, i_rActVal := 0.0, i_stPara := p);", toolbox);
+                "f(i_xEn := TRUE, i_rSp := 1.0, i_rActVal := 0.0, i_stPara := p);",
+                toolbox);
     bench.scan();
     EXPECT_NEAR(bench.real("f.q_rOput"), 21.0, 0.02);
     bench.scan(100);
@@ -208,9 +229,17 @@ TEST(Disabling, GivesZeroAndAFreshStart) {
 }
 
 TEST(TwoPoint, SwitchesAtHalfTheHysteresisEitherSide) {
-    Bench bench("VAR f : FB_2points; p : stPtPara; actual : REAL; END_VAR",
-                "p.tCyclTime := T#10ms; p.rHyst := 4.0;\nf(i_xEn := TRUE, i_rSp := 50.0, i_rActVal := actual, i_stPara := p);", toolbox);
-    for (const auto& [actual, expected] : {std::pair{49.0, false}, {48.0, false}, {47.9, true}, {51.9, true}, {52.0, true}, {52.1, false}, {48.1, false}}) {
+    Bench bench(
+        "VAR f : FB_2points; p : stPtPara; actual : REAL; END_VAR",
+        "p.tCyclTime := T#10ms; p.rHyst := 4.0;\nf(i_xEn := TRUE, i_rSp := 50.0, i_rActVal := actual, i_stPara := p);",
+        toolbox);
+    for (const auto& [actual, expected] : {std::pair{49.0, false},
+                                           {48.0, false},
+                                           {47.9, true},
+                                           {51.9, true},
+                                           {52.0, true},
+                                           {52.1, false},
+                                           {48.1, false}}) {
         bench.set("actual", actual);
         bench.scan();
         EXPECT_EQ(bench.is("f.q_xOput"), expected) << actual;

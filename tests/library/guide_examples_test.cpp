@@ -1,4 +1,5 @@
-// The usage examples of the guide: PID with GEN and two systems, PT1 filters with sines a decade apart, PWM of a sine, hour meter.
+// The usage examples of the guide: PID with GEN and two systems, PT1 filters with sines a decade apart, PWM of a sine,
+// hour meter.
 #include "tests/library/bench.h"
 
 #include <gtest/gtest.h>
@@ -22,13 +23,16 @@ std::pair<double, double> sineOf(Bench& bench, const std::string& path, double h
     return {std::abs(sum), -(std::arg(sum) + M_PI / 2) * 180 / M_PI}; // the sine itself has the argument -90 degrees
 }
 
-const char* pidDeclarations =
-    "VAR wave : GEN; loop : FB_PID; system1, system2 : Filter_PT1; parameters : stPid; mode : GEN_MODE := GEN_MODE.RECTANGLE; END_VAR";
+const char* pidDeclarations = "VAR wave : GEN; loop : FB_PID; system1, system2 : Filter_PT1; parameters : stPid; mode "
+                              ": GEN_MODE := GEN_MODE.RECTANGLE; END_VAR";
 const char* pidBody =
-    "parameters.xActValType := TRUE; parameters.rTargCyclTime := 50.0; parameters.rLowLim := -2000.0; parameters.rHighLim := 2000.0;\n"
+    "parameters.xActValType := TRUE; parameters.rTargCyclTime := 50.0; parameters.rLowLim := -2000.0; "
+    "parameters.rHighLim := 2000.0;\n"
     "wave(MODE := mode, BASE := TRUE, PERIOD := T#1s, AMPLITUDE := 100);\n"
-    "system1(i_xEn := TRUE, i_rInput := INT_TO_REAL(wave.OUT), i_tCyclTime := T#50ms, i_rKp := 1.0, i_tFltrTime := T#500ms);\n"
-    "loop(i_xEn := TRUE, i_rSp := INT_TO_REAL(wave.OUT), i_rPv1 := system2.q_rOput, i_rKp := 7.5, i_rTn := 44.0, i_rTv := 0.0, i_rTd := 60.0, i_stPid := parameters);\n"
+    "system1(i_xEn := TRUE, i_rInput := INT_TO_REAL(wave.OUT), i_tCyclTime := T#50ms, i_rKp := 1.0, i_tFltrTime := "
+    "T#500ms);\n"
+    "loop(i_xEn := TRUE, i_rSp := INT_TO_REAL(wave.OUT), i_rPv1 := system2.q_rOput, i_rKp := 7.5, i_rTn := 44.0, i_rTv "
+    ":= 0.0, i_rTd := 60.0, i_stPid := parameters);\n"
     "system2(i_xEn := TRUE, i_rInput := loop.q_rPidOput, i_tCyclTime := T#50ms, i_rKp := 1.0, i_tFltrTime := T#500ms);";
 
 TEST(GuidePid, ClosedLoopBeatsOpenLoopOnARectangle) {
@@ -37,7 +41,8 @@ TEST(GuidePid, ClosedLoopBeatsOpenLoopOnARectangle) {
     double openHigh = -1e9, openLow = 1e9, openError = 0, closedError = 0, settled = 0;
     for (int n = 0; n < 200; ++n) {
         bench.scan();
-        const double setPoint = bench.real("wave.OUT"), open = bench.real("system1.q_rOput"), closed = bench.real("system2.q_rOput");
+        const double setPoint = bench.real("wave.OUT"), open = bench.real("system1.q_rOput"),
+                     closed = bench.real("system2.q_rOput");
         openHigh = std::max(openHigh, open);
         openLow = std::min(openLow, open);
         openError += std::abs(setPoint - open) / 200;
@@ -69,9 +74,20 @@ TEST(GuideFilter, PassesAndStopsSinesADecadeApart) {
         int tauMs;
         double amplitude, lag;
     };
-    for (const Row& row : {Row{0.2, 100, 0.992, 7}, {2, 100, 0.623, 51}, {0.5, 100, 0.954, 17}, {5, 100, 0.303, 72}, {0.2, 500, 0.847, 32}, {2, 500, 0.157, 81}, {0.5, 500, 0.537, 58}, {5, 500, 0.064, 86}}) {
-        Bench bench("VAR wave : SinGen; f : Filter_PT1; END_VAR",
-                    "wave(Period := " + std::to_string(1 / row.hertz) + ");\nf(i_xEn := TRUE, i_rInput := wave.Sinus, i_tCyclTime := T#10ms, i_rKp := 1.0, i_tFltrTime := T#" + std::to_string(row.tauMs) + "ms);", {"toolbox"});
+    for (const Row& row : {Row{0.2, 100, 0.992, 7},
+                           {2, 100, 0.623, 51},
+                           {0.5, 100, 0.954, 17},
+                           {5, 100, 0.303, 72},
+                           {0.2, 500, 0.847, 32},
+                           {2, 500, 0.157, 81},
+                           {0.5, 500, 0.537, 58},
+                           {5, 500, 0.064, 86}}) {
+        Bench bench(
+            "VAR wave : SinGen; f : Filter_PT1; END_VAR",
+            "wave(Period := " + std::to_string(1 / row.hertz) +
+                ");\nf(i_xEn := TRUE, i_rInput := wave.Sinus, i_tCyclTime := T#10ms, i_rKp := 1.0, i_tFltrTime := T#" +
+                std::to_string(row.tauMs) + "ms);",
+            {"toolbox"});
         bench.scan(1000); // 10 s: the start is forgotten
         const auto [amplitude, lag] = sineOf(bench, "f.q_rOput", row.hertz, 0.01, 1000);
         EXPECT_NEAR(amplitude, 100 * row.amplitude, 1.2) << row.hertz << " Hz, " << row.tauMs << " ms";
@@ -82,7 +98,9 @@ TEST(GuideFilter, PassesAndStopsSinesADecadeApart) {
 
 TEST(GuidePwm, PulsesFollowTheHalfWavesOfTheSine) {
     Bench bench("VAR wave : SinGen; pwm : FB_PWM; p : stPwmPara; END_VAR",
-                "p.tCyclTime := T#10ms; p.tPwmPeriod := T#200ms;\nwave(Period := 5.0);\npwm(i_xEn := TRUE, i_rInput := wave.Sinus, i_stPara := p);", {"toolbox"});
+                "p.tCyclTime := T#10ms; p.tPwmPeriod := T#200ms;\nwave(Period := 5.0);\npwm(i_xEn := TRUE, i_rInput := "
+                "wave.Sinus, i_stPara := p);",
+                {"toolbox"});
     for (int period = 0; period < 25; ++period) { // 25 PWM periods in a period of the sine
         int positive = 0, negative = 0;
         double demand = 0;
@@ -99,11 +117,14 @@ TEST(GuidePwm, PulsesFollowTheHalfWavesOfTheSine) {
 
 TEST(GuideHourMeter, CountsHoldsAndReturnsToItsPreset) {
     // reset at 0 s of every 25 s, enable from 15 s to 8 s of the next round
-    Bench bench("VAR m : Hour_Meter; p : Par_HM; h : HMI_HM; s : LINT; outReset : BOOL; outEnable : BOOL := TRUE; END_VAR",
-                "s := (TIME_TO_LINT(TIME()) / 1000) MOD 25;\n"
-                "IF s = 0 THEN outReset := TRUE; outEnable := TRUE; END_IF IF s = 4 THEN outReset := FALSE; END_IF IF s = 8 THEN outEnable := FALSE; END_IF IF s = 15 THEN outEnable := TRUE; END_IF\n"
-                "p.diSp := 5; p.wTypeTime := 1; p.diWaitTime := 1000;\n"
-                "m(i_xAut := TRUE, i_xIn := outEnable, i_xRst := outReset, i_strPara := p, iq_strHmi := h);", {"toolbox"}, 100ms);
+    Bench bench(
+        "VAR m : Hour_Meter; p : Par_HM; h : HMI_HM; s : LINT; outReset : BOOL; outEnable : BOOL := TRUE; END_VAR",
+        "s := (TIME_TO_LINT(TIME()) / 1000) MOD 25;\n"
+        "IF s = 0 THEN outReset := TRUE; outEnable := TRUE; END_IF IF s = 4 THEN outReset := FALSE; END_IF IF s = 8 "
+        "THEN outEnable := FALSE; END_IF IF s = 15 THEN outEnable := TRUE; END_IF\n"
+        "p.diSp := 5; p.wTypeTime := 1; p.diWaitTime := 1000;\n"
+        "m(i_xAut := TRUE, i_xIn := outEnable, i_xRst := outReset, i_strPara := p, iq_strHmi := h);",
+        {"toolbox"}, 100ms);
     for (int round = 0; round < 3; ++round) {
         const Nanoseconds begin = 25s * round;
         bench.scanUntil(begin);
@@ -118,7 +139,10 @@ TEST(GuideHourMeter, CountsHoldsAndReturnsToItsPreset) {
 }
 
 TEST(Aliases, AreValidInCallsAndMemberAccess) {
-    Bench bench("VAR f : FB_Limiter; s : st_Pid; out : REAL; END_VAR", "f(i_xEn := TRUE, i_rIput := 150.0, i_rMinOpot := 0.0, i_rMaxOpot := 100.0);\nf.i_rIput := f.i_rIput - 1.0;\nout := f.i_rInput;\ns.rDbnd := 1.0;", {"toolbox"});
+    Bench bench("VAR f : FB_Limiter; s : st_Pid; out : REAL; END_VAR",
+                "f(i_xEn := TRUE, i_rIput := 150.0, i_rMinOpot := 0.0, i_rMaxOpot := 100.0);\nf.i_rIput := f.i_rIput - "
+                "1.0;\nout := f.i_rInput;\ns.rDbnd := 1.0;",
+                {"toolbox"});
     bench.scan();
     EXPECT_DOUBLE_EQ(bench.real("f.q_rOput"), 100.0);
     EXPECT_DOUBLE_EQ(bench.real("out"), 149.0);

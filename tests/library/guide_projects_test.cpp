@@ -25,7 +25,8 @@ TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
             const nlohmann::json setup = nlohmann::json::parse(*text);
             for (const auto& channel : setup["channels"]) {
                 const auto expression = driver::compileExpression(checked, channel["expression"].get<std::string>());
-                EXPECT_TRUE(expression) << name << ": " << channel["expression"] << (expression ? "" : expression.error().text());
+                EXPECT_TRUE(expression) << name << ": " << channel["expression"]
+                                        << (expression ? "" : expression.error().text());
                 ++channels;
             }
         }
@@ -44,7 +45,8 @@ TEST(GuideProjects, PassTheirOwnTests) {
         EXPECT_FALSE(report->results.empty());
         for (const testing::TestResult& result : report->results)
             for (const testing::Failure& failure : result.failures)
-                ADD_FAILURE() << name << ": " << result.title << ": " << failure.message << ' ' << failure.detail << " at " << failure.time.count() / 1000000 << " ms";
+                ADD_FAILURE() << name << ": " << result.title << ": " << failure.message << ' ' << failure.detail
+                              << " at " << failure.time.count() / 1000000 << " ms";
     }
 }
 

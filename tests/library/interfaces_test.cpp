@@ -1,4 +1,5 @@
-// Holds interfaces.json (what the guide of the Toolbox declares) against the library as it is parsed: no exception list.
+// Holds interfaces.json (what the guide of the Toolbox declares) against the library as it is parsed: no exception
+// list.
 #include "tests/library/library_texts.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,8 @@ std::set<std::string> aliasesOf(const syntax::VarDecl& declaration) {
     return names;
 }
 
-void comparePins(const std::string& place, const json& expected, const std::vector<const syntax::VarDecl*>& actual, std::string_view text) {
+void comparePins(const std::string& place, const json& expected, const std::vector<const syntax::VarDecl*>& actual,
+                 std::string_view text) {
     ASSERT_EQ(actual.size(), expected.size()) << place;
     for (size_t i = 0; i < actual.size(); ++i) {
         const json& pin = expected[i];
@@ -50,11 +52,14 @@ void comparePins(const std::string& place, const json& expected, const std::vect
         ASSERT_EQ(declaration.names.size(), 1u) << place;
         EXPECT_EQ(declaration.names[0].text, name) << place << ": names and order";
         const auto& range = declaration.type->range;
-        EXPECT_EQ(withoutBlanks(text.substr(range.begin, range.length())), withoutBlanks(pin["type"].get<std::string>())) << place << '.' << name;
+        EXPECT_EQ(withoutBlanks(text.substr(range.begin, range.length())),
+                  withoutBlanks(pin["type"].get<std::string>()))
+            << place << '.' << name;
         std::set<std::string> wanted;
         if (pin.contains("aliases"))
             for (const json& alias : pin["aliases"])
-                if (!equalsIgnoringCase(alias.get<std::string>(), name)) wanted.insert(foldCase(alias.get<std::string>()));
+                if (!equalsIgnoringCase(alias.get<std::string>(), name))
+                    wanted.insert(foldCase(alias.get<std::string>()));
         EXPECT_EQ(aliasesOf(declaration), wanted) << place << '.' << name;
         EXPECT_FALSE(declaration.comment.empty()) << place << '.' << name << " has no comment";
     }
@@ -81,7 +86,8 @@ TEST(ToolboxInterfaces, DeclareWhatTheGuideDeclares) {
             const auto& [type, file] = found->second;
             EXPECT_EQ(type->name.text, name);
             ASSERT_EQ(type->spec->kind, syntax::TypeSpecKind::Struct) << name;
-            comparePins(name, object["members"], {type->spec->fields.begin(), type->spec->fields.end()}, file->source.text);
+            comparePins(name, object["members"], {type->spec->fields.begin(), type->spec->fields.end()},
+                        file->source.text);
             for (const json& alias : object.value("aliases", json::array())) {
                 const auto other = toolbox.types.find(foldCase(alias.get<std::string>()));
                 ASSERT_NE(other, toolbox.types.end()) << alias;
@@ -106,7 +112,9 @@ TEST(ToolboxInterfaces, DeclareWhatTheGuideDeclares) {
         if (kind == "FUNCTION") {
             ASSERT_NE(pou->result, nullptr) << name;
             const auto& range = pou->result->range;
-            EXPECT_EQ(withoutBlanks(file->source.text.substr(range.begin, range.length())), withoutBlanks(object["returns"]["type"].get<std::string>())) << name;
+            EXPECT_EQ(withoutBlanks(file->source.text.substr(range.begin, range.length())),
+                      withoutBlanks(object["returns"]["type"].get<std::string>()))
+                << name;
         } else {
             EXPECT_EQ(pou->result, nullptr) << name;
         }
@@ -118,13 +126,16 @@ TEST(ToolboxInterfaces, DeclareWhatTheGuideDeclares) {
 TEST(LibraryTexts, ParseWithoutAMessage) {
     for (const std::string_view name : library::libraries()) {
         const ParsedLibrary parsed = parseLibrary(name);
-        for (const auto& diagnostic : parsed.diagnostics) ADD_FAILURE() << name << " at " << diagnostic.range.begin << ": " << diagnostic.message();
+        for (const auto& diagnostic : parsed.diagnostics)
+            ADD_FAILURE() << name << " at " << diagnostic.range.begin << ": " << diagnostic.message();
         EXPECT_FALSE(parsed.pous.empty()) << name;
         for (const auto& [folded, entry] : parsed.pous) {
             const syntax::Pou& pou = *entry.first;
             EXPECT_FALSE(pou.comment.empty()) << name << '.' << folded << " has no comment";
-            for (const auto kind : {syntax::SectionKind::Input, syntax::SectionKind::Output, syntax::SectionKind::InOut})
-                for (const syntax::VarDecl* pin : pinsOf(pou, kind)) EXPECT_FALSE(pin->comment.empty()) << name << '.' << folded << '.' << pin->names[0].text;
+            for (const auto kind :
+                 {syntax::SectionKind::Input, syntax::SectionKind::Output, syntax::SectionKind::InOut})
+                for (const syntax::VarDecl* pin : pinsOf(pou, kind))
+                    EXPECT_FALSE(pin->comment.empty()) << name << '.' << folded << '.' << pin->names[0].text;
         }
     }
 }

@@ -18,7 +18,7 @@ struct ParsedLibrary {
     };
     std::vector<File> files;
     std::vector<diagnostics::Diagnostic> diagnostics;
-    std::map<std::string, std::pair<const syntax::Pou*, const File*>> pous;       // folded names
+    std::map<std::string, std::pair<const syntax::Pou*, const File*>> pous; // folded names
     std::map<std::string, std::pair<const syntax::TypeDecl*, const File*>> types;
 };
 

@@ -12,17 +12,20 @@ const std::vector<std::string> plant{"plant"};
 
 TEST(PlantPt1, IsExactWhateverTheCycleTime) {
     for (const auto interval : {1ms, 10ms, 250ms}) {
-        Bench bench("VAR f : Plant.PT1; END_VAR", "f(X := 3.0, Gain := 2.0, T1 := T#500ms, Start := 1.0);", plant, interval);
+        Bench bench("VAR f : Plant.PT1; END_VAR", "f(X := 3.0, Gain := 2.0, T1 := T#500ms, Start := 1.0);", plant,
+                    interval);
         for (int n = 0; n <= 2000 / interval.count(); ++n) {
             bench.scan();
-            ASSERT_NEAR(bench.real("f.Y"), 6.0 - 5.0 * std::exp(-double(n) * double(interval.count()) / 500.0), 1e-5) << n;
+            ASSERT_NEAR(bench.real("f.Y"), 6.0 - 5.0 * std::exp(-double(n) * double(interval.count()) / 500.0), 1e-5)
+                << n;
         }
     }
 }
 
 TEST(PlantPt2, SwingsCreepsAndIsCriticalAsTheDampingSays) {
     for (const double damping : {0.2, 0.5, 1.0, 2.5}) {
-        Bench bench("VAR f : Plant.PT2; END_VAR", "f(X := 1.0, Gain := 4.0, T := T#200ms, D := " + std::to_string(damping) + ");", plant, 20ms);
+        Bench bench("VAR f : Plant.PT2; END_VAR",
+                    "f(X := 1.0, Gain := 4.0, T := T#200ms, D := " + std::to_string(damping) + ");", plant, 20ms);
         const double w = 5.0;
         for (int n = 0; n <= 150; ++n) {
             bench.scan();
@@ -34,7 +37,8 @@ TEST(PlantPt2, SwingsCreepsAndIsCriticalAsTheDampingSays) {
             } else if (damping == 1.0) {
                 away = std::exp(-w * t) * (1 + w * t);
             } else {
-                const double root = std::sqrt(damping * damping - 1), p1 = -w * (damping - root), p2 = -w * (damping + root);
+                const double root = std::sqrt(damping * damping - 1), p1 = -w * (damping - root),
+                             p2 = -w * (damping + root);
                 away = (p1 * std::exp(p2 * t) - p2 * std::exp(p1 * t)) / (p1 - p2);
             }
             ASSERT_NEAR(bench.real("f.Y"), 4.0 * (1 - away), 1e-4) << damping << " at " << t;
@@ -44,7 +48,8 @@ TEST(PlantPt2, SwingsCreepsAndIsCriticalAsTheDampingSays) {
 
 TEST(PlantPtN, IsAChainOfEqualLags) {
     for (const int lags : {1, 2, 4, 10}) {
-        Bench bench("VAR f : Plant.PTn; END_VAR", "f(X := 1.0, Gain := 2.0, T1 := T#100ms, N := " + std::to_string(lags) + ");", plant, 30ms);
+        Bench bench("VAR f : Plant.PTn; END_VAR",
+                    "f(X := 1.0, Gain := 2.0, T1 := T#100ms, N := " + std::to_string(lags) + ");", plant, 30ms);
         for (int n = 0; n <= 80; ++n) {
             bench.scan();
             const double x = n * 0.3;
@@ -59,7 +64,8 @@ TEST(PlantPtN, IsAChainOfEqualLags) {
 }
 
 TEST(PlantDeadTime, GivesTheInputOfBefore) {
-    Bench bench("VAR f : Plant.DeadTime; x : REAL; END_VAR", "x := x + 1.0;\nf(X := x, Delay := T#200ms, Start := -5.0);", plant);
+    Bench bench("VAR f : Plant.DeadTime; x : REAL; END_VAR",
+                "x := x + 1.0;\nf(X := x, Delay := T#200ms, Start := -5.0);", plant);
     for (int n = 1; n <= 3000; ++n) {
         bench.scan();
         ASSERT_DOUBLE_EQ(bench.real("f.Y"), n <= 20 ? -5.0 : n - 20.0) << n;
@@ -77,7 +83,8 @@ TEST(PlantDeadTime, CoversLongDelaysWithAThousandSamples) {
 }
 
 TEST(PlantIntegrator, StaysWithinItsBounds) {
-    Bench bench("VAR f : Plant.Integrator; x : REAL := 2.0; END_VAR", "f(X := x, Minimum := -1.0, Maximum := 5.0, Start := 1.0);", plant, 100ms);
+    Bench bench("VAR f : Plant.Integrator; x : REAL := 2.0; END_VAR",
+                "f(X := x, Minimum := -1.0, Maximum := 5.0, Start := 1.0);", plant, 100ms);
     bench.scan(11);
     EXPECT_NEAR(bench.real("f.Y"), 3.0, 1e-6);
     bench.scan(20);
@@ -92,7 +99,9 @@ TEST(PlantIntegrator, StaysWithinItsBounds) {
 
 TEST(PlantTank, EmptiesAsTorricelliSays) {
     // the root of the level falls in a straight line: sqrt(h) = sqrt(h0) - k t / 2
-    Bench bench("VAR f : Plant.Tank; END_VAR", "f(Inflow := 0.0, Valve := 1.0, Area := 0.5, Height := 2.0, OutletFlow := 4.0, Start := 2.0);", plant, 100ms);
+    Bench bench("VAR f : Plant.Tank; END_VAR",
+                "f(Inflow := 0.0, Valve := 1.0, Area := 0.5, Height := 2.0, OutletFlow := 4.0, Start := 2.0);", plant,
+                100ms);
     const double k = 4.0 / (1000 * 0.5) / std::sqrt(2.0);
     for (int n = 0; n <= 6000; ++n) {
         bench.scan();
@@ -103,7 +112,8 @@ TEST(PlantTank, EmptiesAsTorricelliSays) {
 }
 
 TEST(PlantTank, SettlesWhereInflowEqualsOutflowAndRunsOver) {
-    Bench bench("VAR f : Plant.Tank; q : REAL := 1.0; END_VAR", "f(Inflow := q, Valve := 1.0, Area := 0.05, Height := 1.0, OutletFlow := 2.0);", plant, 100ms);
+    Bench bench("VAR f : Plant.Tank; q : REAL := 1.0; END_VAR",
+                "f(Inflow := q, Valve := 1.0, Area := 0.05, Height := 1.0, OutletFlow := 2.0);", plant, 100ms);
     bench.scan(10000);
     EXPECT_NEAR(bench.real("f.Level"), 0.25, 1e-3);
     EXPECT_NEAR(bench.real("f.Outflow"), 1.0, 2e-3);
@@ -115,7 +125,8 @@ TEST(PlantTank, SettlesWhereInflowEqualsOutflowAndRunsOver) {
 }
 
 TEST(PlantHeater, WarmsAndCoolsExponentially) {
-    Bench bench("VAR f : Plant.Heater; p : REAL := 50.0; END_VAR", "f(Power := p, MaxPower := 2000.0, HeatCapacity := 5000.0, Loss := 10.0, Ambient := 20.0);", plant, 1s);
+    Bench bench("VAR f : Plant.Heater; p : REAL := 50.0; END_VAR",
+                "f(Power := p, MaxPower := 2000.0, HeatCapacity := 5000.0, Loss := 10.0, Ambient := 20.0);", plant, 1s);
     for (int n = 0; n <= 1000; ++n) {
         bench.scan();
         ASSERT_NEAR(bench.real("f.Temperature"), 120.0 - 100.0 * std::exp(-n / 500.0), 1e-3) << n;
@@ -127,7 +138,8 @@ TEST(PlantHeater, WarmsAndCoolsExponentially) {
 }
 
 TEST(PlantMotor, RunsUpWithItsTimeConstantAndIsBraked) {
-    Bench bench("VAR f : Plant.Motor; u, load : REAL; END_VAR", "f(Drive := u, MaxSpeed := 1500.0, StallTorque := 20.0, Inertia := 0.05, LoadTorque := load);", plant);
+    Bench bench("VAR f : Plant.Motor; u, load : REAL; END_VAR",
+                "f(Drive := u, MaxSpeed := 1500.0, StallTorque := 20.0, Inertia := 0.05, LoadTorque := load);", plant);
     bench.set("load", 5.0);
     bench.scan(10);
     EXPECT_DOUBLE_EQ(bench.real("f.Speed"), 0.0) << "the load does not drive";
@@ -151,7 +163,8 @@ TEST(PlantMotor, RunsUpWithItsTimeConstantAndIsBraked) {
 }
 
 TEST(PlantValve, TakesItsTravelTime) {
-    Bench bench("VAR f : Plant.Valve; o, c, jam : BOOL; END_VAR", "f(Open := o, Close := c, TravelTime := T#2s, Jam := jam);", plant, 100ms);
+    Bench bench("VAR f : Plant.Valve; o, c, jam : BOOL; END_VAR",
+                "f(Open := o, Close := c, TravelTime := T#2s, Jam := jam);", plant, 100ms);
     bench.scan();
     EXPECT_TRUE(bench.is("f.Closed"));
     bench.set("o", 1);
@@ -174,7 +187,9 @@ TEST(PlantValve, TakesItsTravelTime) {
 
 TEST(PlantConveyor, CarriesItemsPastTheSensorAndDropsThem) {
     Bench bench("VAR f : Plant.Conveyor; place, stop : BOOL; END_VAR",
-                "f(Run := TRUE, Speed := 0.5, Length := 2.0, Place := place, ItemLength := 0.3, SensorAt := 1.0, Stop := stop);", plant, 100ms);
+                "f(Run := TRUE, Speed := 0.5, Length := 2.0, Place := place, ItemLength := 0.3, SensorAt := 1.0, Stop "
+                ":= stop);",
+                plant, 100ms);
     bench.set("place", 1);
     bench.scan();
     bench.set("place", 0);
@@ -207,7 +222,10 @@ TEST(PlantConveyor, CarriesItemsPastTheSensorAndDropsThem) {
 }
 
 TEST(PlantNoise, HasItsMeanAndDeviationAndRepeats) {
-    Bench bench("VAR f, g, h : Plant.Noise; END_VAR", "f(X := 10.0, Sigma := 2.0, Seed := 5); g(X := 10.0, Sigma := 2.0, Seed := 5); h(X := 10.0, Sigma := 2.0, Seed := 6);", plant);
+    Bench bench("VAR f, g, h : Plant.Noise; END_VAR",
+                "f(X := 10.0, Sigma := 2.0, Seed := 5); g(X := 10.0, Sigma := 2.0, Seed := 5); h(X := 10.0, Sigma := "
+                "2.0, Seed := 6);",
+                plant);
     double sum = 0, squares = 0;
     int different = 0;
     for (int n = 0; n < 5000; ++n) {
@@ -224,7 +242,8 @@ TEST(PlantNoise, HasItsMeanAndDeviationAndRepeats) {
 }
 
 TEST(PlantSensorFault, FailsAsItIsTold) {
-    Bench bench("VAR f : Plant.SensorFault; x : REAL := 5.0; kind : Plant.SENSOR_FAULT; END_VAR", "f(X := x, Fault := kind, Amount := 2.0, Broken := -20.0);", plant, 100ms);
+    Bench bench("VAR f : Plant.SensorFault; x : REAL := 5.0; kind : Plant.SENSOR_FAULT; END_VAR",
+                "f(X := x, Fault := kind, Amount := 2.0, Broken := -20.0);", plant, 100ms);
     bench.scan();
     EXPECT_DOUBLE_EQ(bench.real("f.Y"), 5.0);
     EXPECT_FALSE(bench.is("f.Faulty"));

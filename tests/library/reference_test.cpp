@@ -22,7 +22,8 @@ TEST(LibraryReference, IsCheckedInAsItWouldBeWritten) {
     std::set<std::string> names;
     for (const plc::analysis::ReferencePage& page : plc::analysis::libraryReference()) {
         names.insert(page.fileName);
-        EXPECT_TRUE(readWhole(folder + page.fileName) == page.markdown) << page.fileName << " is stale: run `stepwise doc library`";
+        EXPECT_TRUE(readWhole(folder + page.fileName) == page.markdown)
+            << page.fileName << " is stale: run `stepwise doc library`";
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         EXPECT_TRUE(names.contains(entry.path().filename().string())) << entry.path() << " belongs to no library";

@@ -14,7 +14,8 @@ namespace {
 TEST(LibrarySources, AreTheFilesOfTheFolder) {
     const std::string folder = std::string(STEPWISE_SOURCE_DIR) + "/runtime/library/st/";
     size_t files = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) files += entry.path().extension() == ".st";
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        files += entry.path().extension() == ".st";
     EXPECT_EQ(library::sources().size(), files);
     for (const library::Source& source : library::sources()) {
         std::ifstream file(folder + std::string(source.library) + "/" + std::string(source.fileName), std::ios::binary);
@@ -25,7 +26,8 @@ TEST(LibrarySources, AreTheFilesOfTheFolder) {
 }
 
 TEST(LibrarySources, AreFoundByNameInAnyCase) {
-    EXPECT_EQ(library::libraries(), (std::vector<std::string_view>{"analog", "plant", "standard", "toolbox", "util", "workshop"}));
+    EXPECT_EQ(library::libraries(),
+              (std::vector<std::string_view>{"analog", "plant", "standard", "toolbox", "util", "workshop"}));
     EXPECT_FALSE(library::sourcesOf("ToolBox").empty());
     EXPECT_TRUE(library::sourcesOf("tool").empty());
     for (const library::Source& source : library::sourcesOf("Plant")) EXPECT_EQ(source.library, "plant");
@@ -35,7 +37,8 @@ TEST(LibrarySources, AreFoundByNameInAnyCase) {
 
 TEST(LibrarySources, AreFormatted) {
     for (const library::Source& source : library::sources())
-        EXPECT_TRUE(format::format(source.text, {}) == source.text) << source.library << '/' << source.fileName << ": run `stepwise fmt`";
+        EXPECT_TRUE(format::format(source.text, {}) == source.text)
+            << source.library << '/' << source.fileName << ": run `stepwise fmt`";
 }
 
 } // namespace

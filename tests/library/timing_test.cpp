@@ -6,12 +6,15 @@
 namespace plc::test {
 namespace {
 
-constexpr Nanoseconds wraps[] = {Nanoseconds(std::chrono::milliseconds(int64_t{1} << 31)), Nanoseconds(std::chrono::milliseconds(int64_t{1} << 32))};
+constexpr Nanoseconds wraps[] = {Nanoseconds(std::chrono::milliseconds(int64_t{1} << 31)),
+                                 Nanoseconds(std::chrono::milliseconds(int64_t{1} << 32))};
 
 TEST(LongRuns, TimersCrossTheWrapOf32Bits) {
     for (const Nanoseconds wrap : wraps) {
         Bench bench("VAR on : TON; off : TOF; pulse : TP; lon : LTON; x : BOOL; END_VAR",
-                    "on(IN := x, PT := T#5s); off(IN := NOT x, PT := T#5s); pulse(IN := x, PT := T#5s); lon(IN := x, PT := LTIME#5s);", {});
+                    "on(IN := x, PT := T#5s); off(IN := NOT x, PT := T#5s); pulse(IN := x, PT := T#5s); lon(IN := x, "
+                    "PT := LTIME#5s);",
+                    {});
         bench.scan();
         bench.jumpTo(wrap - 2s);
         bench.set("x", 1);
@@ -38,8 +41,10 @@ TEST(LongRuns, ATimerMayRunFor60Days) {
 }
 
 TEST(LongRuns, TheHourMeterCountsEveryHourOf100Days) {
-    Bench bench("VAR m : Hour_Meter; p : Par_HM; h : HMI_HM; END_VAR",
-                "p.wTypeTime := 4; p.diWaitTime := 100000;\nm(i_xAut := TRUE, i_xIn := TRUE, i_strPara := p, iq_strHmi := h);", {"toolbox"}, 10min);
+    Bench bench(
+        "VAR m : Hour_Meter; p : Par_HM; h : HMI_HM; END_VAR",
+        "p.wTypeTime := 4; p.diWaitTime := 100000;\nm(i_xAut := TRUE, i_xIn := TRUE, i_strPara := p, iq_strHmi := h);",
+        {"toolbox"}, 10min);
     bench.scan(100 * 24 * 6);
     EXPECT_EQ(bench.integer("m.q_diHr"), 2399);
     bench.scan();
@@ -48,10 +53,13 @@ TEST(LongRuns, TheHourMeterCountsEveryHourOf100Days) {
 
 TEST(LongRuns, ClockedBlocksOfTheToolboxCrossTheWrap) {
     for (const Nanoseconds wrap : wraps) {
-        Bench bench("VAR second : ONE_SEC_PULSE; multiplier : Frequency_Multiplier; output : Frequency_Output; pulses : INT; on : INT; enable : BOOL; END_VAR",
+        Bench bench("VAR second : ONE_SEC_PULSE; multiplier : Frequency_Multiplier; output : Frequency_Output; pulses "
+                    ": INT; on : INT; enable : BOOL; END_VAR",
                     "second(); IF second.q_xOput THEN pulses := pulses + 1; END_IF\n"
                     "multiplier(i_xEn := enable, i_tBase := T#100ms, i_xHold := FALSE);\n"
-                    "output(i_xEn := enable, i_rInput := 0.25, i_rEdge := 0.1, i_tBase := T#1s); IF output.q_xOput THEN on := on + 1; END_IF", {"toolbox"});
+                    "output(i_xEn := enable, i_rInput := 0.25, i_rEdge := 0.1, i_tBase := T#1s); IF output.q_xOput "
+                    "THEN on := on + 1; END_IF",
+                    {"toolbox"});
         bench.scan();
         bench.jumpTo(wrap - 5s);
         bench.set("enable", 1);
@@ -68,7 +76,9 @@ TEST(LongRuns, ClockedBlocksOfTheToolboxCrossTheWrap) {
 TEST(LongRuns, AValveStillSupervisesItsFeedbackAcrossTheWrap) {
     for (const Nanoseconds wrap : wraps) {
         Bench bench("VAR v : Bistable_Valve; p : Par_Val_Bi; open : BOOL; END_VAR",
-                    "p.xFbckEn := TRUE; p.iFbckDly := 5;\nv(i_xAut := TRUE, i_xAutOpen := open, i_xFbckCls := NOT open, i_strPara := p);", {"toolbox"}, 100ms);
+                    "p.xFbckEn := TRUE; p.iFbckDly := 5;\nv(i_xAut := TRUE, i_xAutOpen := open, i_xFbckCls := NOT "
+                    "open, i_strPara := p);",
+                    {"toolbox"}, 100ms);
         bench.scan();
         bench.jumpTo(wrap - 2s);
         bench.set("open", 1);
@@ -81,7 +91,8 @@ TEST(LongRuns, AValveStillSupervisesItsFeedbackAcrossTheWrap) {
 }
 
 TEST(OneSecondPulse, DoesNotDriftWithACycleThatDoesNotDivideASecond) {
-    Bench bench("VAR second : ONE_SEC_PULSE; pulses : INT; END_VAR", "second(); IF second.q_xOput THEN pulses := pulses + 1; END_IF", {"toolbox"}, 70ms);
+    Bench bench("VAR second : ONE_SEC_PULSE; pulses : INT; END_VAR",
+                "second(); IF second.q_xOput THEN pulses := pulses + 1; END_IF", {"toolbox"}, 70ms);
     bench.scanUntil(1000s + 70ms);
     EXPECT_EQ(bench.integer("pulses"), 1000);
 }

@@ -1,5 +1,5 @@
-// Every vector of vectors.json, run through the compiled blocks of the Toolbox in virtual time. A vector listed in disputed.json
-// (with the sentence of the guide that says so) must fail, so that the list cannot grow old.
+// Every vector of vectors.json, run through the compiled blocks of the Toolbox in virtual time. A vector listed in
+// disputed.json (with the sentence of the guide that says so) must fail, so that the list cannot grow old.
 #include "tests/library/bench.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,8 @@ std::string everyObject(const json& interfaces) {
 
 class VectorRun {
 public:
-    VectorRun(const driver::Built& built, const json& interfaces, const json& vector) : m_bench(built), m_vector(vector) {
+    VectorRun(const driver::Built& built, const json& interfaces, const json& vector)
+        : m_bench(built), m_vector(vector) {
         const std::string block = vector["block"];
         for (size_t i = 0; i < interfaces.size(); ++i) {
             if (interfaces[i]["name"] != block) continue;
@@ -81,20 +82,24 @@ public:
         int scan = 0;
         std::map<std::string, std::vector<bool>> series;
         for (const json& step : m_vector["steps"]) {
-            for (const auto& [pin, wanted] : part(step, "set").items()) m_bench.write(pathOf(pin), fromJson(m_bench.value(pathOf(pin)), wanted));
+            for (const auto& [pin, wanted] : part(step, "set").items())
+                m_bench.write(pathOf(pin), fromJson(m_bench.value(pathOf(pin)), wanted));
             for (int i = 0; i < step.value("repeat", 1); ++i, ++scan) {
                 m_bench.scan();
-                for (const json& aggregate : part(m_vector, "aggregate")) series[aggregate["pin"]].push_back(m_bench.is(pathOf(aggregate["pin"])));
+                for (const json& aggregate : part(m_vector, "aggregate"))
+                    series[aggregate["pin"]].push_back(m_bench.is(pathOf(aggregate["pin"])));
                 if (step.contains("expect_each")) compare(step, step["expect_each"], scan);
             }
             if (step.contains("expect")) compare(step, step["expect"], scan - 1);
             for (const auto& [pin, range] : part(step, "expect_range").items()) {
                 const double actual = m_bench.real(pathOf(pin));
-                if (actual < range[0].get<double>() || actual > range[1].get<double>()) fail(scan - 1, pin, range.dump(), std::to_string(actual));
+                if (actual < range[0].get<double>() || actual > range[1].get<double>())
+                    fail(scan - 1, pin, range.dump(), std::to_string(actual));
             }
             for (const auto& [pin, bits] : part(step, "expect_bits").items())
                 for (const auto& [bit, wanted] : bits.items())
-                    if (((m_bench.integer(pathOf(pin)) >> std::stoi(bit)) & 1) != wanted.get<int>()) fail(scan - 1, pin + "." + bit, wanted.dump(), "the other");
+                    if (((m_bench.integer(pathOf(pin)) >> std::stoi(bit)) & 1) != wanted.get<int>())
+                        fail(scan - 1, pin + "." + bit, wanted.dump(), "the other");
         }
         for (const json& aggregate : part(m_vector, "aggregate")) checkAggregate(aggregate, series[aggregate["pin"]]);
         return m_failures;
@@ -113,19 +118,26 @@ private:
         const types::TypeTable& types = *m_bench.built().program->layout.types;
         if (wanted.is_array()) {
             auto& elements = std::get<std::vector<types::Value>>(like.data);
-            for (size_t i = 0; i < elements.size(); ++i) elements[i].data = i < wanted.size() ? wanted[i].get<int64_t>() : int64_t{0};
+            for (size_t i = 0; i < elements.size(); ++i)
+                elements[i].data = i < wanted.size() ? wanted[i].get<int64_t>() : int64_t{0};
             return like;
         }
         if (std::holds_alternative<std::string>(like.data)) {
             like.data = wanted.get<std::string>();
             return like;
         }
-        if (wanted.is_boolean()) like.data = static_cast<int64_t>(wanted.get<bool>());
-        else if (wanted.is_string() && std::holds_alternative<double>(like.data)) like.data = wanted == "INF" ? HUGE_VAL : -HUGE_VAL;
-        else if (wanted.is_string()) like = types::parseValue(types, like.type, wanted.get<std::string>()).value();
-        else if (std::holds_alternative<double>(like.data)) like.data = static_cast<double>(static_cast<float>(wanted.get<double>()));
-        else if (types[like.type].kind == types::TypeKind::Time) like.data = wanted.get<int64_t>() * 1'000'000;
-        else like.data = wanted.is_number_float() ? static_cast<int64_t>(wanted.get<double>()) : wanted.get<int64_t>();
+        if (wanted.is_boolean())
+            like.data = static_cast<int64_t>(wanted.get<bool>());
+        else if (wanted.is_string() && std::holds_alternative<double>(like.data))
+            like.data = wanted == "INF" ? HUGE_VAL : -HUGE_VAL;
+        else if (wanted.is_string())
+            like = types::parseValue(types, like.type, wanted.get<std::string>()).value();
+        else if (std::holds_alternative<double>(like.data))
+            like.data = static_cast<double>(static_cast<float>(wanted.get<double>()));
+        else if (types[like.type].kind == types::TypeKind::Time)
+            like.data = wanted.get<int64_t>() * 1'000'000;
+        else
+            like.data = wanted.is_number_float() ? static_cast<int64_t>(wanted.get<double>()) : wanted.get<int64_t>();
         return like;
     }
 
@@ -139,24 +151,29 @@ private:
                 same = std::abs(*number - goal) <= step.value("tol", 1e-4 * std::max(1.0, std::abs(goal)));
             } else if (step.contains("tol") && std::holds_alternative<int64_t>(actual.data) && wanted.is_number()) {
                 const bool isTime = (*m_bench.built().program->layout.types)[actual.type].kind == types::TypeKind::Time;
-                same = std::abs(static_cast<double>(actual.integer() - target.integer())) <= step["tol"].get<double>() * (isTime ? 1e6 : 1);
+                same = std::abs(static_cast<double>(actual.integer() - target.integer())) <=
+                       step["tol"].get<double>() * (isTime ? 1e6 : 1);
             }
             if (!same) fail(scan, pin, wanted.dump(), types::toText(*m_bench.built().program->layout.types, actual));
         }
     }
 
     void checkAggregate(const json& aggregate, const std::vector<bool>& series) {
-        const size_t from = aggregate.value("from_scan", size_t{0}), to = std::min(aggregate.value("to_scan", series.size() - 1), series.size() - 1);
+        const size_t from = aggregate.value("from_scan", size_t{0}),
+                     to = std::min(aggregate.value("to_scan", series.size() - 1), series.size() - 1);
         int count = 0, run = 0, longest = 0;
         for (size_t i = from; i <= to; ++i) {
             count += series[i];
             run = series[i] ? run + 1 : 0;
             longest = std::max(longest, run);
         }
-        if (aggregate.contains("count_true") && (count < aggregate["count_true"][0].get<int>() || count > aggregate["count_true"][1].get<int>()))
-            fail(static_cast<int>(to), aggregate["pin"], aggregate["count_true"].dump() + " times TRUE", std::to_string(count));
+        if (aggregate.contains("count_true") &&
+            (count < aggregate["count_true"][0].get<int>() || count > aggregate["count_true"][1].get<int>()))
+            fail(static_cast<int>(to), aggregate["pin"], aggregate["count_true"].dump() + " times TRUE",
+                 std::to_string(count));
         if (aggregate.contains("max_run_true") && longest > aggregate["max_run_true"].get<int>())
-            fail(static_cast<int>(to), aggregate["pin"], "runs up to " + aggregate["max_run_true"].dump(), std::to_string(longest));
+            fail(static_cast<int>(to), aggregate["pin"], "runs up to " + aggregate["max_run_true"].dump(),
+                 std::to_string(longest));
     }
 
     void fail(int scan, const std::string& pin, const std::string& wanted, const std::string& actual) {
@@ -190,11 +207,15 @@ TEST(ToolboxVectors, GiveWhatTheyExpect) {
     for (const json& vector : vectors) {
         const int interval = intervalOf(vector);
         if (!builds.contains(interval))
-            builds[interval] = buildText(programText(objects.substr(0, split), objects.substr(split), std::chrono::milliseconds(interval)), {"toolbox"});
+            builds[interval] = buildText(
+                programText(objects.substr(0, split), objects.substr(split), std::chrono::milliseconds(interval)),
+                {"toolbox"});
         const std::string id = vector["id"];
         const std::string failures = VectorRun(builds[interval], interfaces, vector).run();
-        if (disputed.contains(id)) EXPECT_NE(failures, "") << id << " is disputed (" << disputed[id] << ") but passes";
-        else EXPECT_EQ(failures, "") << id << ' ' << vector.value("assumes", "");
+        if (disputed.contains(id))
+            EXPECT_NE(failures, "") << id << " is disputed (" << disputed[id] << ") but passes";
+        else
+            EXPECT_EQ(failures, "") << id << ' ' << vector.value("assumes", "");
         ++done;
     }
     EXPECT_EQ(done, 359);

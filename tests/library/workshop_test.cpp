@@ -12,7 +12,10 @@ namespace {
 const std::vector<std::string> workshop{"workshop"};
 
 TEST(WorkshopEdges, SeeEachPressOnce) {
-    Bench bench("VAR o : R_OneShot; t : FBToggle; p : PulseCount; x : BOOL; n : INT; END_VAR", "o(CLK := x); IF o.Q THEN n := n + 1; END_IF t(CLK := x); p(Pulse := x, Amount := 0.1, Reset := FALSE);", workshop);
+    Bench bench(
+        "VAR o : R_OneShot; t : FBToggle; p : PulseCount; x : BOOL; n : INT; END_VAR",
+        "o(CLK := x); IF o.Q THEN n := n + 1; END_IF t(CLK := x); p(Pulse := x, Amount := 0.1, Reset := FALSE);",
+        workshop);
     for (int i = 0; i < 5; ++i) {
         bench.set("x", 1);
         bench.scan(3);
@@ -25,7 +28,8 @@ TEST(WorkshopEdges, SeeEachPressOnce) {
 }
 
 TEST(WorkshopFlashers, KeepTheTimesOfTheirNames) {
-    Bench bench("VAR f : FB_LightFlash; p : FB_PulsePause; END_VAR", "f(Enable := TRUE, Value := T#1s); p(Enable := TRUE, PulseSec := 1, PauseSec := 3);", workshop, 100ms);
+    Bench bench("VAR f : FB_LightFlash; p : FB_PulsePause; END_VAR",
+                "f(Enable := TRUE, Value := T#1s); p(Enable := TRUE, PulseSec := 1, PauseSec := 3);", workshop, 100ms);
     int pulse = 0, flash = 0;
     for (int n = 0; n < 840; ++n) {
         bench.scan();
@@ -37,7 +41,8 @@ TEST(WorkshopFlashers, KeepTheTimesOfTheirNames) {
 }
 
 TEST(AlarmDelay, IgnoresPulsesShorterThanItsDelay) {
-    Bench bench("VAR a : AlarmOnOffDelay; x : BOOL; END_VAR", "a(IN := x, OnDelaySec := 5, OffDelaySec := 70, AlarmInhibit := FALSE);", workshop, 100ms);
+    Bench bench("VAR a : AlarmOnOffDelay; x : BOOL; END_VAR",
+                "a(IN := x, OnDelaySec := 5, OffDelaySec := 70, AlarmInhibit := FALSE);", workshop, 100ms);
     bench.set("x", 1);
     bench.scan(20);
     bench.set("x", 0);
@@ -56,7 +61,8 @@ TEST(AlarmDelay, IgnoresPulsesShorterThanItsDelay) {
 }
 
 TEST(AnalogAlarm, SwapsLimitsThatAreTheWrongWayRound) {
-    Bench bench("VAR a : FB_AlarmAnalogValue; v : REAL := 7.0; END_VAR", "a(LimitH := 4.0, AnalogValue := v, LimitL := 10.0, AlarmDelay := T#2s);", workshop, 100ms);
+    Bench bench("VAR a : FB_AlarmAnalogValue; v : REAL := 7.0; END_VAR",
+                "a(LimitH := 4.0, AnalogValue := v, LimitL := 10.0, AlarmDelay := T#2s);", workshop, 100ms);
     bench.scan(50);
     EXPECT_FALSE(bench.is("a.Q"));
     bench.set("v", 10.5);
@@ -129,7 +135,8 @@ TEST(LowPass, FollowsItsGeometricSeries) {
 }
 
 TEST(DataCollect, MeasuresTenSecondsAfterItsStart) {
-    Bench bench("VAR d : DataCollect; e : BOOL; END_VAR", "d(Enabled := e, Flow := 4.0, Power := 1000.0);", workshop, 100ms);
+    Bench bench("VAR d : DataCollect; e : BOOL; END_VAR", "d(Enabled := e, Flow := 4.0, Power := 1000.0);", workshop,
+                100ms);
     bench.scan(150);
     EXPECT_FALSE(bench.is("d.Done")) << "not started";
     bench.set("e", 1);
@@ -154,9 +161,13 @@ TEST(RobotSim, IsDoneAfterItsProgram) {
 
 TEST(WorkshopFunctions, GiveTheNumbersOfTheirExamples) {
     Bench bench("VAR a, f, s, t, t2 : REAL; i, o : BOOL; n1, n2, n3, n4 : INT; END_VAR",
-                "a := ValueAverage(85.1, 17.6); f := fcTemperatureCalculateCtoF(23.6); i := FC_InsideRange(50, 10, 90); o := FC_InsideRange(95, 10, 90);\n"
-                "s := Scale(12.0, 4.0, 20.0, 0.0, 100.0); t := TankVolumenCal(2.0, 3.0, 1.0); t2 := TankVolumenCal(2.0, 3.0, 9.0);\n"
-                "n1 := GetNoFromString(1, '1;20;300'); n2 := GetNoFromString(2, '1;20;300'); n3 := GetNoFromString(3, '1;20;300'); n4 := GetNoFromString(4, '1;20;300');", workshop);
+                "a := ValueAverage(85.1, 17.6); f := fcTemperatureCalculateCtoF(23.6); i := FC_InsideRange(50, 10, "
+                "90); o := FC_InsideRange(95, 10, 90);\n"
+                "s := Scale(12.0, 4.0, 20.0, 0.0, 100.0); t := TankVolumenCal(2.0, 3.0, 1.0); t2 := "
+                "TankVolumenCal(2.0, 3.0, 9.0);\n"
+                "n1 := GetNoFromString(1, '1;20;300'); n2 := GetNoFromString(2, '1;20;300'); n3 := GetNoFromString(3, "
+                "'1;20;300'); n4 := GetNoFromString(4, '1;20;300');",
+                workshop);
     bench.scan();
     EXPECT_NEAR(bench.real("a"), 51.35, 1e-4);
     EXPECT_NEAR(bench.real("f"), 74.48, 1e-4);
@@ -173,7 +184,9 @@ TEST(WorkshopFunctions, GiveTheNumbersOfTheirExamples) {
 
 TEST(Waves, HaveTheirFrequencyAndAmplitude) {
     Bench bench("VAR s : WaveSine; t : WaveTriangle; w : WaveSawtooth; q : WaveSquare; f : WaveSquareFiltered; END_VAR",
-                "s(Hz := 0.5, Amplitude := 10.0); t(Hz := 0.5, Amplitude := 10.0); w(Hz := 0.5, Amplitude := 10.0); q(Hz := 0.5, Amplitude := 10.0); f(Hz := 0.5, Amplitude := 10.0, k := 0.2);", workshop);
+                "s(Hz := 0.5, Amplitude := 10.0); t(Hz := 0.5, Amplitude := 10.0); w(Hz := 0.5, Amplitude := 10.0); "
+                "q(Hz := 0.5, Amplitude := 10.0); f(Hz := 0.5, Amplitude := 10.0, k := 0.2);",
+                workshop);
     for (int n = 0; n < 1000; ++n) {
         bench.scan();
         const double p = std::fmod(n * 0.01 * 0.5, 1.0);

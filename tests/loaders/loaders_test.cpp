@@ -1,5 +1,5 @@
-// Every file that comes from outside besides ST, damaged at random: it is refused or read, written again and read the same; no
-// crash, no hang. STEPWISE_SEED repeats a run, STEPWISE_LONG=1 takes many more rounds.
+// Every file that comes from outside besides ST, damaged at random: it is refused or read, written again and read the
+// same; no crash, no hang. STEPWISE_SEED repeats a run, STEPWISE_LONG=1 takes many more rounds.
 #include "projects/session/session.h"
 #include "tests/fuzz/inputs_impl.h"
 #include "tests/loaders/damage.h"
@@ -34,7 +34,9 @@ std::vector<std::string> filesThatEnd(const std::string& ending) {
 /// The round's text is kept in a file until it has gone well, so that a crash leaves it behind.
 class Keep {
 public:
-    explicit Keep(const char* name) : m_path(fs::temp_directory_path() / ("stepwise_loader_" + std::string(name) + "_" + std::to_string(::getpid()))) {}
+    explicit Keep(const char* name)
+        : m_path(fs::temp_directory_path() /
+                 ("stepwise_loader_" + std::string(name) + "_" + std::to_string(::getpid()))) {}
     ~Keep() {
         std::error_code none;
         fs::remove(m_path, none);
@@ -45,7 +47,8 @@ private:
     fs::path m_path;
 };
 
-void damageAll(const char* name, void (*read)(const std::string&), const std::vector<std::string>& good, int rounds, bool isJson) {
+void damageAll(const char* name, void (*read)(const std::string&), const std::vector<std::string>& good, int rounds,
+               bool isJson) {
     ASSERT_FALSE(good.empty());
     const char* given = std::getenv("STEPWISE_SEED");
     const char* wantsAll = std::getenv("STEPWISE_LONG");
@@ -59,9 +62,12 @@ void damageAll(const char* name, void (*read)(const std::string&), const std::ve
     for (int i = 0; i < rounds; ++i) {
         const std::string& text = good[damage.pick(good.size())];
         std::string bad;
-        if (isJson && i % 2 == 0) bad = damage.json(Damage::Json::parse(text)).dump();
-        else if (i % 16 == 1) bad = damage.bytes(400);
-        else bad = damage.text(text);
+        if (isJson && i % 2 == 0)
+            bad = damage.json(Damage::Json::parse(text)).dump();
+        else if (i % 16 == 1)
+            bad = damage.bytes(400);
+        else
+            bad = damage.text(text);
         keep.put(bad);
         read(bad);
     }
@@ -80,7 +86,9 @@ void refusesDeepNesting(void (*read)(const std::string&)) {
 
 std::string recording() {
     driver::BuildInput input;
-    input.files.push_back({"main.st", "VAR_GLOBAL g : ARRAY[0..200] OF INT; END_VAR PROGRAM Main VAR x : INT; s : STRING; END_VAR x := x + 1; g[x MOD 200] := x; s := INT_TO_STRING(x); END_PROGRAM\n"});
+    input.files.push_back(
+        {"main.st", "VAR_GLOBAL g : ARRAY[0..200] OF INT; END_VAR PROGRAM Main VAR x : INT; s : STRING; END_VAR x := x "
+                    "+ 1; g[x MOD 200] := x; s := INT_TO_STRING(x); END_PROGRAM\n"});
     const driver::Built built = driver::build(input);
     EXPECT_TRUE(built.program);
     session::Session session(built);
@@ -92,7 +100,8 @@ std::string recording() {
 }
 
 std::string retained() {
-    const std::vector<controller::RetainedLeaf> leaves{{"Main.x", "INT", {std::byte{7}, std::byte{0}}}, {"Main.s", "STRING(4)", {std::byte{65}, std::byte{0}}}};
+    const std::vector<controller::RetainedLeaf> leaves{{"Main.x", "INT", {std::byte{7}, std::byte{0}}},
+                                                       {"Main.s", "STRING(4)", {std::byte{65}, std::byte{0}}}};
     const std::string path = scratch().write("good.retain", "");
     EXPECT_TRUE(controller::saveRetain(path, leaves));
     return contentOf(path);
@@ -102,12 +111,15 @@ TEST(Loaders, PanelsSurviveDamage) { damageAll("panel", readPanel, filesThatEnd(
 TEST(Loaders, TextsSurviveDamage) { damageAll("texts", readTexts, filesThatEnd("texts.csv"), 1500, false); }
 TEST(Loaders, AlarmsSurviveDamage) { damageAll("alarms", readAlarms, filesThatEnd("alarms.json"), 1500, true); }
 TEST(Loaders, TraceSetupsSurviveDamage) { damageAll("trace", readTraceSetup, filesThatEnd(".trace.json"), 1500, true); }
-TEST(Loaders, ProjectFilesSurviveDamage) { damageAll("project", readProjectFile, filesThatEnd("project.json"), 1500, true); }
+TEST(Loaders, ProjectFilesSurviveDamage) {
+    damageAll("project", readProjectFile, filesThatEnd("project.json"), 1500, true);
+}
 TEST(Loaders, RecordingsSurviveDamage) { damageAll("recording", readRecording, {recording()}, 150, false); }
 TEST(Loaders, RetainFilesSurviveDamage) { damageAll("retain", readRetainFile, {retained()}, 1500, false); }
 
 TEST(Loaders, PastFindingsReadTheSameAgain) {
-    readTexts("key,comment,en\r\n \xEF\xBB\xBFkey,,\xEF\xBB\xBFword\r\n"); // a mark of byte order that is not the file's first
+    readTexts("key,comment,en\r\n \xEF\xBB\xBFkey,,\xEF\xBB\xBFword\r\n"); // a mark of byte order that is not the
+                                                                           // file's first
 }
 
 TEST(Loaders, JsonNestedWithoutEndIsRefused) {

@@ -1,6 +1,6 @@
-// Makes the pictures of charts: every shipped example that has one, idle and running, in the theme that is asked for. The charts are the
-// studio's own views; the controller runs in virtual time, so that the same picture comes out again. Run by docs/pictures/chart.sh.
-// usage: chart_pictures FOLDER light|dark
+// Makes the pictures of charts: every shipped example that has one, idle and running, in the theme that is asked for.
+// The charts are the studio's own views; the controller runs in virtual time, so that the same picture comes out again.
+// Run by docs/pictures/chart.sh. usage: chart_pictures FOLDER light|dark
 #include "editor/graph/chart_view.h"
 #include "editor/kit/theme.h"
 #include "projects/session/session.h"
@@ -33,18 +33,61 @@ struct Shot {
 };
 
 const Shot kShots[] = {
-    {"mix_2_brix", "src/mixer.st", "MixTwoBricks", "Main.mixer", "mix_2_brix", {{"Plant.Start", true, 0}, {"Plant.Start", false, 200}}, "Main.mixer.WeighB.X", 20000, 600},
-    {"gravel", "src/main.st", "Main", "Main", "gravel", {{"Plant.On", true, 0}, {"Plant.On", false, 200}, {"Plant.Fill", true, 300}}, "Main.FillBin.X", 8000, 2500},
-    {"agv", "src/main.st", "Main", "Main", "agv", {{"Plant.Single", true, 0}, {"Plant.Single", false, 300}}, "Main.Reverse.X", 12000, 900},
-    {"tank_heating", "src/main.st", "Chart", "Chart", "tank_heating", {{"Plant.Start", true, 0}}, "Chart.Heating.X", 900000, 800},
-    {"conveyor_sequence", "src/chart.st", "Chart", "Chart", "conveyor_sequence", {{"Plant.Start", true, 0}, {"Plant.Start", false, 200}}, "Chart.Resting.X", 12000, 700},
+    {"mix_2_brix",
+     "src/mixer.st",
+     "MixTwoBricks",
+     "Main.mixer",
+     "mix_2_brix",
+     {{"Plant.Start", true, 0}, {"Plant.Start", false, 200}},
+     "Main.mixer.WeighB.X",
+     20000,
+     600},
+    {"gravel",
+     "src/main.st",
+     "Main",
+     "Main",
+     "gravel",
+     {{"Plant.On", true, 0}, {"Plant.On", false, 200}, {"Plant.Fill", true, 300}},
+     "Main.FillBin.X",
+     8000,
+     2500},
+    {"agv",
+     "src/main.st",
+     "Main",
+     "Main",
+     "agv",
+     {{"Plant.Single", true, 0}, {"Plant.Single", false, 300}},
+     "Main.Reverse.X",
+     12000,
+     900},
+    {"tank_heating",
+     "src/main.st",
+     "Chart",
+     "Chart",
+     "tank_heating",
+     {{"Plant.Start", true, 0}},
+     "Chart.Heating.X",
+     900000,
+     800},
+    {"conveyor_sequence",
+     "src/chart.st",
+     "Chart",
+     "Chart",
+     "conveyor_sequence",
+     {{"Plant.Start", true, 0}, {"Plant.Start", false, 200}},
+     "Chart.Resting.X",
+     12000,
+     700},
     {"traffic_light", "src/chart.st", "Chart", "Chart", "traffic_light", {}, "Chart.Prepare.X", 60000, 900},
 };
 
 void save(editor::ChartView& view, const QString& folder, const Shot& shot, const char* state) {
-    const QString path = QString("%1/chart_%2_%3_%4.png").arg(folder, shot.name, state, kit::colors().dark ? "dark" : "light");
-    if (view.canvas().exportPng(path, 1.25)) std::printf("%s\n", qPrintable(path));
-    else std::fprintf(stderr, "%s can not be written\n", qPrintable(path));
+    const QString path =
+        QString("%1/chart_%2_%3_%4.png").arg(folder, shot.name, state, kit::colors().dark ? "dark" : "light");
+    if (view.canvas().exportPng(path, 1.25))
+        std::printf("%s\n", qPrintable(path));
+    else
+        std::fprintf(stderr, "%s can not be written\n", qPrintable(path));
 }
 
 bool take(const Shot& shot, const QString& folder) {
@@ -85,7 +128,9 @@ bool take(const Shot& shot, const QString& folder) {
     session.runHere([&](const controller::Controller& c) {
         const int64_t ms = c.lastTime().count() / 1'000'000;
         for (; pressed < shot.presses.size() && shot.presses[pressed].atMs <= ms; ++pressed)
-            (void)session.controller().write(shot.presses[pressed].path, types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(shot.presses[pressed].value)});
+            (void)session.controller().write(
+                shot.presses[pressed].path,
+                types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(shot.presses[pressed].value)});
         if (reached < 0 && until->evaluate(c.image()).value.isTrue()) reached = ms;
         view.refreshOnline(); // every scan: the last path is what was taken
         return ms > shot.forMs || (reached >= 0 && ms >= reached + shot.moreMs);
@@ -101,7 +146,8 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     jit::setRuntimeSymbols(controller::runtimeSymbols());
     const QString folder = argc > 1 ? argv[1] : "docs/pictures";
-    kit::Theme::install(application, argc > 2 && QString(argv[2]) == "dark" ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
+    kit::Theme::install(application,
+                        argc > 2 && QString(argv[2]) == "dark" ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
     QDir().mkpath(folder);
     bool good = true;
     for (const Shot& shot : kShots) good = take(shot, folder) && good;

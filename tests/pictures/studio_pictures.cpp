@@ -17,12 +17,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTemporaryDir>
-#include <QDockWidget>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -45,8 +45,10 @@ bool waitFor(const std::function<bool()>& condition, int ms = 6000) {
 void copyProject(const QString& from, const QString& to) {
     QDir().mkpath(to);
     for (const QFileInfo& entry : QDir(from).entryInfoList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
-        if (entry.isDir()) copyProject(entry.filePath(), to + "/" + entry.fileName());
-        else QFile::copy(entry.filePath(), to + "/" + entry.fileName());
+        if (entry.isDir())
+            copyProject(entry.filePath(), to + "/" + entry.fileName());
+        else
+            QFile::copy(entry.filePath(), to + "/" + entry.fileName());
     }
 }
 
@@ -55,8 +57,10 @@ void save(QWidget& window, const QString& name) {
     const QString file = g_folder + "/" + name + (kit::colors().dark ? "_dark" : "_light") + ".png";
     // The screen, so that lists and tips over the window are seen, too.
     const QPixmap picture = window.screen()->grabWindow(0, window.x(), window.y(), window.width(), window.height());
-    if (!picture.save(file)) std::fprintf(stderr, "%s can not be written\n", qPrintable(file));
-    else std::printf("%s\n", qPrintable(file));
+    if (!picture.save(file))
+        std::fprintf(stderr, "%s can not be written\n", qPrintable(file));
+    else
+        std::printf("%s\n", qPrintable(file));
 }
 
 /// The pictures on the PID example: text, values, watch, trace, breakpoint, panel.
@@ -86,7 +90,8 @@ void takeLoop(app::MainWindow& window, const QString& project) {
 
     window.showDock("watch");
     window.showDock("trace");
-    window.watch().setExpressions({"Main.SetPoint", "Main.ControlError", "Main.Kp", "Main.parameters", "IO.Drive", "Plant.OpenLoop * 2.0", "Main.Run AND NOT Main.Manual"});
+    window.watch().setExpressions({"Main.SetPoint", "Main.ControlError", "Main.Kp", "Main.parameters", "IO.Drive",
+                                   "Plant.OpenLoop * 2.0", "Main.Run AND NOT Main.Manual"});
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 60; }, 8000);
     editor.goTo(offset("generator(MODE"));
@@ -110,7 +115,10 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     QTest::qWait(600);
     save(window, "task_monitor");
 
-    const int line = static_cast<int>(editor.SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset("SetPoint := INT_TO_REAL")))) + 1;
+    const int line =
+        static_cast<int>(editor.SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION,
+                                              static_cast<unsigned long>(offset("SetPoint := INT_TO_REAL")))) +
+        1;
     window.control().toggleBreakpoint("src/main.st", line);
     waitFor([&] { return window.control().status().state == controller::State::Halted; });
     window.showDock("callPath");
@@ -153,7 +161,9 @@ void takeLoop(app::MainWindow& window, const QString& project) {
     window.control().disconnectSession();
     QTest::qWait(100);
 
-    for (const char* side : {"watch", "forces", "callPath", "breakpoints", "panel", "trace", "problems", "search", "tasks", "log"}) window.dock(side)->hide();
+    for (const char* side :
+         {"watch", "forces", "callPath", "breakpoints", "panel", "trace", "problems", "search", "tasks", "log"})
+        window.dock(side)->hide();
     window.openDesigner("loop");
     QTest::qWait(600);
     save(window, "panel_designer_studio");
@@ -167,7 +177,9 @@ void takeChart(app::MainWindow& window, const QString& project) {
     auto* page = window.tabs().openFile("src/main.st");
     page->first().goTo(static_cast<uint32_t>(page->first().utf8().find("INITIAL_STEP")));
     page->showChart("Main");
-    for (const char* side : {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"}) window.dock(side)->hide();
+    for (const char* side :
+         {"forces", "callPath", "breakpoints", "panel", "watch", "trace", "problems", "search", "tasks", "log"})
+        window.dock(side)->hide();
     window.action("run.start")->trigger();
     waitFor([&] { return window.control().status().scans > 20; }, 8000);
     (void)window.control().force("IO.SinglePb", "TRUE");

@@ -15,7 +15,9 @@ namespace {
 
 class Folder {
 public:
-    Folder() : m_path(fs::temp_directory_path() / ("stepwise-companions-" + std::to_string(::getpid()))) { fs::create_directories(m_path); }
+    Folder() : m_path(fs::temp_directory_path() / ("stepwise-companions-" + std::to_string(::getpid()))) {
+        fs::create_directories(m_path);
+    }
     ~Folder() {
         std::error_code ignored;
         fs::remove_all(m_path, ignored);
@@ -34,7 +36,8 @@ std::vector<std::string> unusedIn(const projects::Project& project) {
     std::vector<std::string> out;
     const driver::Checked checked = driver::check(project.buildInput());
     for (const auto& diagnostic : checked.analysis->diagnostics)
-        if (diagnostics::codeOf(diagnostic.kind) == "P3005" || diagnostics::codeOf(diagnostic.kind) == "P3006") out.push_back(diagnostic.message());
+        if (diagnostics::codeOf(diagnostic.kind) == "P3005" || diagnostics::codeOf(diagnostic.kind) == "P3006")
+            out.push_back(diagnostic.message());
     return out;
 }
 
@@ -43,7 +46,9 @@ std::vector<std::string> unusedIn(const projects::Project& project) {
 TEST(Companions, VariablesThatOnlyPanelsAlarmsTracesAndTestsNameAreUsed) {
     const Folder folder;
     folder.write("project.json", "{\"name\":\"p\"}");
-    folder.write("src/main.st", "VAR_GLOBAL\n    shown, alone : INT;\nEND_VAR\nPROGRAM Main\nVAR\n    button, lamp : BOOL;\n    alarmed, traced, tested, nobody : INT;\nEND_VAR\nlamp := button;\nEND_PROGRAM\n");
+    folder.write("src/main.st",
+                 "VAR_GLOBAL\n    shown, alone : INT;\nEND_VAR\nPROGRAM Main\nVAR\n    button, lamp : BOOL;\n    "
+                 "alarmed, traced, tested, nobody : INT;\nEND_VAR\nlamp := button;\nEND_PROGRAM\n");
     folder.write("hmi/main.panel.json", R"({"elements":[{"variable":"Main.button"},{"text":"{shown}"}]})");
     folder.write("hmi/alarms.json", R"([{"condition":"Main.alarmed > 3"}])");
     folder.write("traces/all.trace.json", R"({"channels":["main.TRACED"]})");

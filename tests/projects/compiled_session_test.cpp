@@ -1,4 +1,5 @@
-// The session with compiled programs: going back in time, changing the program while it runs, breakpoints in ST, threads.
+// The session with compiled programs: going back in time, changing the program while it runs, breakpoints in ST,
+// threads.
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 #include "tests/projects/random_program.h"
@@ -95,11 +96,17 @@ END_CONFIGURATION
 /// A session whose inputs are written as from a recipe: what is written depends on the scan alone.
 class Plant {
 public:
-    Plant(unsigned seed, const std::string& program, std::string input) : m_seed(seed), m_input(std::move(input)), session(build(program)) { session.controller().start(); }
+    Plant(unsigned seed, const std::string& program, std::string input)
+        : m_seed(seed), m_input(std::move(input)), session(build(program)) {
+        session.controller().start();
+    }
     void run(uint64_t until) {
         while (session.controller().nextScan() < until) {
             std::mt19937 dice(m_seed + static_cast<unsigned>(session.controller().nextScan()));
-            if (dice() % 5 == 0) { ASSERT_TRUE(session.controller().write(m_input, Value{TypeTable::of(TypeKind::Int), int64_t(dice() % 100)})); }
+            if (dice() % 5 == 0) {
+                ASSERT_TRUE(
+                    session.controller().write(m_input, Value{TypeTable::of(TypeKind::Int), int64_t(dice() % 100)}));
+            }
             ASSERT_TRUE(session.controller().scan()) << session.controller().fault()->message;
         }
     }
@@ -153,7 +160,8 @@ TEST(TimeTravel, HoldsForRandomProgramsTasksAndInputs) {
     const unsigned seed = seedOfRun();
     for (unsigned run = 0; run < 12; ++run) {
         const std::string program = plc::testing::RandomProgram(seed + run).text();
-        SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run) + " (STEPWISE_SEED sets it)\n" + program);
+        SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run) + " (STEPWISE_SEED sets it)\n" +
+                     program);
         Plant plant(seed + run, program, "input");
 #ifdef __SANITIZE_THREAD__
         expectSameAgain(plant, 500, 3, seed + run); // twenty times slower
@@ -170,7 +178,9 @@ TEST(TimeTravel, GoingBackBeforeAnOnlineChangeBringsTheOldProgramBack) {
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 50; });
     const auto old = session.program();
     controller::OnlineChangeReport report;
-    session.changeProgram(build("PROGRAM Main VAR fresh : REAL; x : INT; END_VAR x := x + 10; fresh := 1.5; END_PROGRAM"), [&](const auto& r) { report = r; });
+    session.changeProgram(
+        build("PROGRAM Main VAR fresh : REAL; x : INT; END_VAR x := x + 10; fresh := 1.5; END_PROGRAM"),
+        [&](const auto& r) { report = r; });
     EXPECT_EQ(report.initialised, std::vector<std::string>{"Main.fresh"});
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 60; });
     EXPECT_EQ(session.controller().read("Main.x")->integer(), 150);
@@ -187,7 +197,8 @@ TEST(TimeTravel, GoingBackBeforeAnOnlineChangeBringsTheOldProgramBack) {
     EXPECT_EQ(gaps[50].last, 3.0);
     const auto when = session.expression("Main.x > 25");
     ASSERT_TRUE(when);
-    EXPECT_EQ(session.history().find(*when, session.recompile("Main.x > 25"), 0, history::History::Direction::Forward), 25u);
+    EXPECT_EQ(session.history().find(*when, session.recompile("Main.x > 25"), 0, history::History::Direction::Forward),
+              25u);
     ASSERT_TRUE(session.resumeFrom(20));
     EXPECT_EQ(session.program(), old);
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 30; });
@@ -231,9 +242,12 @@ END_PROGRAM)";
 }
 
 TEST(Debugging, BreaksStepsAndShowsVariablesOfCompiledCode) {
-    Session session(build("FUNCTION Twice : INT\nVAR_INPUT a : INT; END_VAR\nVAR t : INT; END_VAR\n  t := a;\n  Twice := t + a;\nEND_FUNCTION\n"
-                          "FUNCTION_BLOCK B\nVAR_INPUT i : INT; END_VAR\nVAR_OUTPUT o : INT; END_VAR\n  o := Twice(i);\n  o := o + 1;\nEND_FUNCTION_BLOCK\n"
-                          "PROGRAM Main\nVAR n : INT; b1, b2 : B; END_VAR\n  n := n + 1;\n  b1(i := n);\n  b2(i := b1.o);\nEND_PROGRAM\n"));
+    Session session(build("FUNCTION Twice : INT\nVAR_INPUT a : INT; END_VAR\nVAR t : INT; END_VAR\n  t := a;\n  Twice "
+                          ":= t + a;\nEND_FUNCTION\n"
+                          "FUNCTION_BLOCK B\nVAR_INPUT i : INT; END_VAR\nVAR_OUTPUT o : INT; END_VAR\n  o := "
+                          "Twice(i);\n  o := o + 1;\nEND_FUNCTION_BLOCK\n"
+                          "PROGRAM Main\nVAR n : INT; b1, b2 : B; END_VAR\n  n := n + 1;\n  b1(i := n);\n  b2(i := "
+                          "b1.o);\nEND_PROGRAM\n"));
     if (!session.program()) return;
     session.startThread({Pace::Real, 1.0});
     Breakpoint inBlock;
@@ -242,7 +256,8 @@ TEST(Debugging, BreaksStepsAndShowsVariablesOfCompiledCode) {
     inBlock.instance = "Main.b2";
     inBlock.condition = "i > 10";
     session.setBreakpoints({inBlock});
-    ASSERT_TRUE(eventually([&] { return session.status().state == PlcState::Halted && session.haltFrames().size() == 2; }));
+    ASSERT_TRUE(
+        eventually([&] { return session.status().state == PlcState::Halted && session.haltFrames().size() == 2; }));
     EXPECT_EQ(session.haltProblem(), "");
     EXPECT_EQ(session.haltFrames()[0].function, "B");
     EXPECT_EQ(session.haltFrames()[0].instance, "Main.b2");
@@ -259,7 +274,8 @@ TEST(Debugging, BreaksStepsAndShowsVariablesOfCompiledCode) {
         const auto frames = session.haltFrames();
         if (frames.empty()) return "";
         const auto built = session.program();
-        return frames[0].function + ":" + std::to_string(built->sources[frames[0].range.file].lineColumn(frames[0].range.begin).line);
+        return frames[0].function + ":" +
+               std::to_string(built->sources[frames[0].range.file].lineColumn(frames[0].range.begin).line);
     };
     const auto step = [&](StepKind kind, const std::string& expected) {
         session.step(kind);
@@ -288,12 +304,15 @@ TEST(Debugging, BreaksStepsAndShowsVariablesOfCompiledCode) {
 TEST(CompiledSession, OptimisedCodeTakesOverWhileRunningWithTheSameResults) {
     Session quick(build(kPlant)), swapped(build(kPlant));
     if (!quick.program()) return;
-    const auto until = [](uint64_t scan) { return [scan](const controller::Controller& c) { return c.nextScan() >= scan; }; };
+    const auto until = [](uint64_t scan) {
+        return [scan](const controller::Controller& c) { return c.nextScan() >= scan; };
+    };
     quick.runHere(until(4000));
     swapped.runHere(until(1500));
     ASSERT_TRUE(driver::optimise(swapped.built()));
     swapped.runHere(until(4000));
-    for (history::Position p = 0; p < 4000; p += 7) ASSERT_EQ(quick.history().seek(p), swapped.history().seek(p)) << "scan " << p;
+    for (history::Position p = 0; p < 4000; p += 7)
+        ASSERT_EQ(quick.history().seek(p), swapped.history().seek(p)) << "scan " << p;
 }
 
 TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun) {
@@ -316,7 +335,9 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
             const auto level = session.expression("Main.level");
             if (level && now.program == session.program()) (void)level->number(now.image);
             const auto recorded = session.history().statistics();
-            if (level && recorded.end > 100) (void)session.history().series(*level, session.recompile("Main.level"), recorded.end - 100, recorded.end, 10);
+            if (level && recorded.end > 100)
+                (void)session.history().series(*level, session.recompile("Main.level"), recorded.end - 100,
+                                               recorded.end, 10);
             (void)session.status();
         }
     });
@@ -324,10 +345,11 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
     changed.insert(changed.find("seed : DWORD := 16"), "more : LREAL; ");
     for (int i = 0; i < 4; ++i) {
         auto isChanged = std::make_shared<std::atomic<bool>>(false);
-        session.changeProgram(build(i % 2 ? kPlant : changed), [isChanged](const controller::OnlineChangeReport& report) {
-            EXPECT_EQ(report.refusal, "");
-            *isChanged = true;
-        });
+        session.changeProgram(build(i % 2 ? kPlant : changed),
+                              [isChanged](const controller::OnlineChangeReport& report) {
+                                  EXPECT_EQ(report.refusal, "");
+                                  *isChanged = true;
+                              });
         EXPECT_TRUE(eventually([&] { return isChanged->load(); }));
         const uint64_t scans = session.status().scans;
         EXPECT_TRUE(eventually([&] { return session.status().scans > scans + 100; }));

@@ -1,4 +1,5 @@
-// Programs with a large image mark what they write, and the recording looks at nothing else: every recorded image must still be the image.
+// Programs with a large image mark what they write, and the recording looks at nothing else: every recorded image must
+// still be the image.
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
 
@@ -70,14 +71,23 @@ TEST(LargeImages, EveryRecordedImageIsTheImageInBothTiers) {
         ASSERT_TRUE(session.program());
         EXPECT_GT(session.program()->layout.dataEnd, 250'000u);
         EXPECT_TRUE(session.program()->quick->marksWrites);
-        if (isOptimised) { ASSERT_TRUE(driver::optimise(session.built())); }
+        if (isOptimised) {
+            ASSERT_TRUE(driver::optimise(session.built()));
+        }
         controller::Controller& plc = session.controller();
         plc.start();
         const uint32_t dataEnd = session.program()->layout.dataEnd;
         for (int scan = 0; scan < 400; ++scan) {
-            if (scan == 100) { ASSERT_TRUE(plc.force("Main.table[49999]", types::Value{{}, int64_t(5)})); }
-            if (scan == 150) { ASSERT_TRUE(plc.release("Main.table[49999]")); }
-            if (scan % 37 == 5) { ASSERT_TRUE(plc.write("Main.matrix[50,50]", types::Value{types::TypeTable::of(types::TypeKind::Lreal), scan * 0.5})); }
+            if (scan == 100) {
+                ASSERT_TRUE(plc.force("Main.table[49999]", types::Value{{}, int64_t(5)}));
+            }
+            if (scan == 150) {
+                ASSERT_TRUE(plc.release("Main.table[49999]"));
+            }
+            if (scan % 37 == 5) {
+                ASSERT_TRUE(plc.write("Main.matrix[50,50]",
+                                      types::Value{types::TypeTable::of(types::TypeKind::Lreal), scan * 0.5}));
+            }
             if (scan == 200) {
                 plc.stop();
                 plc.start();
@@ -87,7 +97,8 @@ TEST(LargeImages, EveryRecordedImageIsTheImageInBothTiers) {
             const std::vector<std::byte> recorded = session.history().seek(session.history().statistics().end - 1);
             ASSERT_EQ(recorded.size(), plc.image().size());
             for (uint32_t at = 0; at < dataEnd; ++at)
-                ASSERT_EQ(recorded[at], plc.image()[at]) << session.program()->layout.pathAt(at) << " in scan " << scan << (isOptimised ? ", optimised" : ", quick");
+                ASSERT_EQ(recorded[at], plc.image()[at]) << session.program()->layout.pathAt(at) << " in scan " << scan
+                                                         << (isOptimised ? ", optimised" : ", quick");
         }
         EXPECT_FALSE(plc.dirtyPages().empty());
         EXPECT_GT(plc.read("Main.n")->integer(), 100);

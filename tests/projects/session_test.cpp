@@ -22,14 +22,16 @@ using types::TypeTable;
 using types::Value;
 using PlcState = controller::State;
 
-// Globals: count (DINT) counts runs of the fast task, x (DINT) what users write, log (16 DINT) the values of x that the slow task saw, n how many.
+// Globals: count (DINT) counts runs of the fast task, x (DINT) what users write, log (16 DINT) the values of x that the
+// slow task saw, n how many.
 constexpr uint32_t kCount = 112, kX = 116, kN = 120, kSlow = 124, kLog = 128, kButton = 192, kSeen = 193;
 
 void fast(RuntimeContext* c, std::byte* image, uint32_t instance) {
     if (c->siteFlags && c->siteFlags[1]) controller::runtimeSymbols().atSite(c, 1, instance, 0);
     ++at<int32_t>(image, kCount);
     auto& n = at<int32_t>(image, kN);
-    if (n < 16 && (n == 0 || at<int32_t>(image, kLog + 4u * uint32_t(n - 1)) != at<int32_t>(image, kX))) at<int32_t>(image, kLog + 4u * uint32_t(n++)) = at<int32_t>(image, kX);
+    if (n < 16 && (n == 0 || at<int32_t>(image, kLog + 4u * uint32_t(n - 1)) != at<int32_t>(image, kX)))
+        at<int32_t>(image, kLog + 4u * uint32_t(n++)) = at<int32_t>(image, kX);
 }
 void slow(RuntimeContext*, std::byte* image, uint32_t) {
     ++at<int32_t>(image, kSlow);
@@ -129,7 +131,8 @@ TEST(Session, WritesToOneVariableKeepTheirOrderOnePerScan) {
     std::this_thread::sleep_for(20ms);
     const std::vector<std::byte> image = session.snapshot();
     std::vector<int32_t> seen;
-    for (int i = 0; i < valueAt<int32_t>(image, kN); ++i) seen.push_back(valueAt<int32_t>(image, kLog + 4u * uint32_t(i)));
+    for (int i = 0; i < valueAt<int32_t>(image, kN); ++i)
+        seen.push_back(valueAt<int32_t>(image, kLog + 4u * uint32_t(i)));
     if (!seen.empty() && seen.front() == 0) seen.erase(seen.begin());
     EXPECT_EQ(seen, (std::vector<int32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
 }
@@ -174,7 +177,8 @@ TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
     breakpoint.file = FileId(0u);
     breakpoint.line = 1;
     session.setBreakpoints({breakpoint});
-    ASSERT_TRUE(eventually([&] { return session.status().state == PlcState::Halted && !session.haltFrames().empty(); }));
+    ASSERT_TRUE(
+        eventually([&] { return session.status().state == PlcState::Halted && !session.haltFrames().empty(); }));
     EXPECT_EQ(session.haltFrames().front().function, "Fast");
     const int32_t count = shown<int32_t>(session, kCount);
     session.write("x", dint(5));
@@ -223,7 +227,8 @@ TEST(Session, GoesBackToAScanAndOnFromThere) {
 }
 
 TEST(Session, RetainedValuesComeBackFromTheFile) {
-    const std::string file = (std::filesystem::temp_directory_path() / ("retain_" + std::to_string(::getpid()))).string();
+    const std::string file =
+        (std::filesystem::temp_directory_path() / ("retain_" + std::to_string(::getpid()))).string();
     std::filesystem::remove(file);
     Settings settings;
     settings.retainFile = file;
@@ -263,7 +268,9 @@ TEST(Session, AnyThreadMayPostAndReadWhileScansRun) {
             if (i % 7 == number) session.unforceAll();
             Snapshot now;
             session.latest(now);
-            if (!now.image.empty()) { ASSERT_EQ(now.image.size(), now.program->layout.imageSize); }
+            if (!now.image.empty()) {
+                ASSERT_EQ(now.image.size(), now.program->layout.imageSize);
+            }
             (void)session.status();
             (void)session.forces();
             (void)session.taskStatistics();

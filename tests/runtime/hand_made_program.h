@@ -1,4 +1,5 @@
-// A program made by hand for tests of controller, history and debugger: variables laid out one by one, C++ functions as its code.
+// A program made by hand for tests of controller, history and debugger: variables laid out one by one, C++ functions as
+// its code.
 #pragma once
 #include "runtime/image/program.h"
 
@@ -42,8 +43,11 @@ public:
         layout().roots.push_back(root);
         return layout().roots.back();
     }
-    image::Root& add(const std::string& name, TypeKind kind, image::Area area = image::Area::Global) { return add(name, types::TypeTable::of(kind), area); }
-    image::Root& locate(const std::string& name, TypeKind kind, const std::string& address, uint32_t offset, int16_t bit, image::Area area) {
+    image::Root& add(const std::string& name, TypeKind kind, image::Area area = image::Area::Global) {
+        return add(name, types::TypeTable::of(kind), area);
+    }
+    image::Root& locate(const std::string& name, TypeKind kind, const std::string& address, uint32_t offset,
+                        int16_t bit, image::Area area) {
         image::Root root;
         root.name = name;
         root.type = types::TypeTable::of(kind);
@@ -54,7 +58,8 @@ public:
         layout().roots.push_back(root);
         return layout().roots.back();
     }
-    types::TypeId structure(const std::string& name, std::vector<types::Field> fields, TypeKind kind = TypeKind::Struct, uint32_t start = 0) {
+    types::TypeId structure(const std::string& name, std::vector<types::Field> fields, TypeKind kind = TypeKind::Struct,
+                            uint32_t start = 0) {
         const types::TypeId id = types().declare(kind, name);
         types().edit(id).fields = std::move(fields);
         types().layoutFields(id, start);
@@ -66,7 +71,9 @@ public:
         f.type = type;
         return f;
     }
-    static types::Field field(const std::string& name, TypeKind kind) { return field(name, types::TypeTable::of(kind)); }
+    static types::Field field(const std::string& name, TypeKind kind) {
+        return field(name, types::TypeTable::of(kind));
+    }
 
     uint32_t function(const std::string& name, image::Entry entry, types::TypeId instance = {}) {
         image::FunctionInfo info;
@@ -80,7 +87,8 @@ public:
         m_program->sites.push_back({function, range});
         return static_cast<uint32_t>(m_program->sites.size() - 1);
     }
-    image::Task& task(const std::string& name, uint32_t function, std::chrono::nanoseconds interval, int priority = 0, size_t root = 0) {
+    image::Task& task(const std::string& name, uint32_t function, std::chrono::nanoseconds interval, int priority = 0,
+                      size_t root = 0) {
         image::Task t;
         t.name = name;
         t.interval = interval;
@@ -90,7 +98,9 @@ public:
         return m_program->tasks.back();
     }
     /// Initial values are the types' own; `set` may change them before.
-    template <class T> void initial(uint32_t offset, T value) { m_initial.push_back({offset, std::string(reinterpret_cast<const char*>(&value), sizeof value)}); }
+    template <class T> void initial(uint32_t offset, T value) {
+        m_initial.push_back({offset, std::string(reinterpret_cast<const char*>(&value), sizeof value)});
+    }
 
     std::shared_ptr<image::CompiledProgram> finish(uint32_t frameSize = 256) {
         image::Layout& l = layout();
@@ -102,7 +112,8 @@ public:
             const types::Type& t = types()[root.type];
             if (!t.initial.empty()) std::memcpy(m_program->initialImage.data() + root.offset, t.initial.data(), t.size);
         }
-        for (const auto& [offset, bytes] : m_initial) std::memcpy(m_program->initialImage.data() + offset, bytes.data(), bytes.size());
+        for (const auto& [offset, bytes] : m_initial)
+            std::memcpy(m_program->initialImage.data() + offset, bytes.data(), bytes.size());
         m_code->hasSites = true;
         m_program->quick = m_code;
         return m_program;

@@ -40,8 +40,10 @@ Chart build(const syntax::SfcBody& body) {
                 ids.push_back(it->second);
                 Step& step = chart.steps[it->second.index()];
                 (leaves ? step.out : step.in).push_back(id);
-                if (first == StepId::kNone) first = it->second.value;
-                else parent[root(it->second.value)] = root(first);
+                if (first == StepId::kNone)
+                    first = it->second.value;
+                else
+                    parent[root(it->second.value)] = root(first);
             }
         };
         connect(decl->from, transition.from, true);
@@ -55,8 +57,10 @@ Chart build(const syntax::SfcBody& body) {
         chart.steps[i].network = it->second;
     }
     for (Transition& transition : chart.transitions) {
-        if (!transition.from.empty()) transition.network = chart[transition.from[0]].network;
-        else if (!transition.to.empty()) transition.network = chart[transition.to[0]].network;
+        if (!transition.from.empty())
+            transition.network = chart[transition.from[0]].network;
+        else if (!transition.to.empty())
+            transition.network = chart[transition.to[0]].network;
     }
     return chart;
 }

@@ -1,5 +1,6 @@
-// The SFC model over the text: steps and transitions with their links, networks, structural checks. A projection of a syntax
-// tree, which must outlive it; built by one thread, then immutable. Ids index the chart's own vectors, in order of the text.
+// The SFC model over the text: steps and transitions with their links, networks, structural checks. A projection of a
+// syntax tree, which must outlive it; built by one thread, then immutable. Ids index the chart's own vectors, in order
+// of the text.
 #pragma once
 #include "runtime/base/ids.h"
 #include "runtime/compiler/parse/syntax.h"

@@ -37,7 +37,8 @@ void checkNames(const Chart& chart, Sink& sink) {
             for (const syntax::Name& name : *list) {
                 if (!name.isValid() || first.contains(foldCase(name.text))) continue;
                 auto& d = sink.emit(name.range, Kind::UnknownStep, {std::string(name.text)});
-                if (const auto near = nearestName(name.text, names)) d.fixes.push_back({"Write " + *near, {{name.range, *near}}});
+                if (const auto near = nearestName(name.text, names))
+                    d.fixes.push_back({"Write " + *near, {{name.range, *near}}});
             }
 }
 
@@ -57,7 +58,8 @@ void checkInitialSteps(const Chart& chart, Sink& sink) {
             have = step.decl;
             continue;
         }
-        auto& d = sink.emit(step.decl->name.range, Kind::SeveralInitialSteps, {std::string(have->name.text), std::string(step.decl->name.text)});
+        auto& d = sink.emit(step.decl->name.range, Kind::SeveralInitialSteps,
+                            {std::string(have->name.text), std::string(step.decl->name.text)});
         d.related.push_back({have->name.range, "the first one"});
     }
     for (uint32_t n = 0; n < chart.networks; ++n) {
@@ -65,7 +67,8 @@ void checkInitialSteps(const Chart& chart, Sink& sink) {
         if (connected[n] || chart.networks == 1) {
             auto& d = sink.emit(any[n]->name.range, Kind::NoInitialStep);
             const SourceRange word{any[n]->range.file, any[n]->range.begin, any[n]->range.begin + 4};
-            d.fixes.push_back({"Make " + std::string(any[n]->name.text) + " the initial step", {{word, "INITIAL_STEP"}}});
+            d.fixes.push_back(
+                {"Make " + std::string(any[n]->name.text) + " the initial step", {{word, "INITIAL_STEP"}}});
         } else {
             sink.emit(any[n]->name.range, Kind::UnreachableStep, {std::string(any[n]->name.text)});
         }
@@ -74,9 +77,12 @@ void checkInitialSteps(const Chart& chart, Sink& sink) {
 
 bool isTrue(const Expr* e) {
     if (!e) return false;
-    if (e->kind == ExprKind::Literal) return e->op == lex::TokenKind::True || (e->op == lex::TokenKind::IntegerLiteral && e->text == "1");
+    if (e->kind == ExprKind::Literal)
+        return e->op == lex::TokenKind::True || (e->op == lex::TokenKind::IntegerLiteral && e->text == "1");
     if (e->kind == ExprKind::Unary && e->op == lex::TokenKind::Not)
-        return e->base->kind == ExprKind::Literal && (e->base->op == lex::TokenKind::False || (e->base->op == lex::TokenKind::IntegerLiteral && e->base->text == "0"));
+        return e->base->kind == ExprKind::Literal &&
+               (e->base->op == lex::TokenKind::False ||
+                (e->base->op == lex::TokenKind::IntegerLiteral && e->base->text == "0"));
     return false;
 }
 
@@ -87,7 +93,8 @@ void checkConditions(const Chart& chart, Sink& sink) {
         if (!isTrue(transition.decl->condition)) continue;
         // behind a step that waits by its time it is meant
         const bool waits = std::any_of(transition.from.begin(), transition.from.end(), [&](StepId id) {
-            return std::any_of(chart[id].decl->pragmas.begin(), chart[id].decl->pragmas.end(), [](const syntax::Pragma& p) { return equalsIgnoringCase(p.key, "minTime"); });
+            return std::any_of(chart[id].decl->pragmas.begin(), chart[id].decl->pragmas.end(),
+                               [](const syntax::Pragma& p) { return equalsIgnoringCase(p.key, "minTime"); });
         });
         if (!waits) sink.emit(transition.decl->condition->range, Kind::AlwaysTrueTransition);
     }
@@ -100,16 +107,19 @@ void checkQualifiers(const Chart& chart, Sink& sink) {
         for (const syntax::ActionAssociation& a : step.decl->actions) {
             const std::string q = foldCase(a.qualifier.text);
             const bool timed = q == "l" || q == "d" || q == "sd" || q == "ds" || q == "sl";
-            const bool known = timed || q.empty() || q == "n" || q == "r" || q == "s" || q == "p" || q == "p0" || q == "p1";
-            if (!known) sink.emit(a.qualifier.range, Kind::UnknownQualifier, {std::string(a.qualifier.text)});
-            else if (timed && !a.time) sink.emit(a.qualifier.range, Kind::QualifierNeedsTime, {std::string(a.qualifier.text)});
+            const bool known =
+                timed || q.empty() || q == "n" || q == "r" || q == "s" || q == "p" || q == "p0" || q == "p1";
+            if (!known)
+                sink.emit(a.qualifier.range, Kind::UnknownQualifier, {std::string(a.qualifier.text)});
+            else if (timed && !a.time)
+                sink.emit(a.qualifier.range, Kind::QualifierNeedsTime, {std::string(a.qualifier.text)});
         }
 }
 
 // ---------------------------------------------------------------- tokens
 
-/// A network as a net of places and transitions, made small before its states are explored: a step between one transition
-/// and the next adds nothing to what can be active together.
+/// A network as a net of places and transitions, made small before its states are explored: a step between one
+/// transition and the next adds nothing to what can be active together.
 struct Net {
     struct Move {
         TransitionId id;
@@ -123,7 +133,8 @@ struct Net {
 Net netOf(const Chart& chart, uint32_t network) {
     Net net;
     for (uint32_t i = 0; i < chart.steps.size(); ++i)
-        if (chart.steps[i].network == network && chart.steps[i].decl->isInitial && net.initial.empty()) net.initial.push_back(i);
+        if (chart.steps[i].network == network && chart.steps[i].decl->isInitial && net.initial.empty())
+            net.initial.push_back(i);
     for (uint32_t i = 0; i < chart.transitions.size(); ++i) {
         const Transition& t = chart.transitions[i];
         if (t.network != network || t.from.empty()) continue;
@@ -180,7 +191,10 @@ void exploreNetwork(const Chart& chart, uint32_t network, Sink& sink) {
         const State state = std::move(open.front());
         open.pop_front();
         for (const Net::Move& move : net.moves) {
-            if (!move.alive || !std::all_of(move.from.begin(), move.from.end(), [&](uint32_t s) { return std::binary_search(state.begin(), state.end(), s); })) continue;
+            if (!move.alive || !std::all_of(move.from.begin(), move.from.end(), [&](uint32_t s) {
+                    return std::binary_search(state.begin(), state.end(), s);
+                }))
+                continue;
             joinSeen[move.id.index()] = true;
             State next;
             for (uint32_t s : state)
@@ -231,7 +245,9 @@ void checkReachability(const Chart& chart, Sink& sink) {
                 }
     }
     for (uint32_t i = 0; i < chart.steps.size(); ++i)
-        if (!reached[i] && hasInitial[chart.steps[i].network] && chart.steps[i].decl->name.isValid()) sink.emit(chart.steps[i].decl->name.range, Kind::UnreachableStep, {std::string(chart.steps[i].decl->name.text)});
+        if (!reached[i] && hasInitial[chart.steps[i].network] && chart.steps[i].decl->name.isValid())
+            sink.emit(chart.steps[i].decl->name.range, Kind::UnreachableStep,
+                      {std::string(chart.steps[i].decl->name.text)});
 }
 
 } // namespace

@@ -27,13 +27,16 @@ std::string listed(const std::vector<std::string>& names) {
 
 bool same(std::string_view a, std::string_view b) { return equalsIgnoringCase(a, b); }
 
-std::vector<std::string> replaced(std::vector<std::string> names, const std::string& name, const std::vector<std::string>& by) {
+std::vector<std::string> replaced(std::vector<std::string> names, const std::string& name,
+                                  const std::vector<std::string>& by) {
     std::vector<std::string> out;
     const auto add = [&](const std::string& n) {
-        if (std::none_of(out.begin(), out.end(), [&](const std::string& have) { return same(have, n); })) out.push_back(n);
+        if (std::none_of(out.begin(), out.end(), [&](const std::string& have) { return same(have, n); }))
+            out.push_back(n);
     };
     for (const std::string& n : names) {
-        if (!same(n, name)) add(n);
+        if (!same(n, name))
+            add(n);
         else
             for (const std::string& b : by) add(b);
     }
@@ -59,13 +62,15 @@ Edits inverseOf(std::string_view text, const Edits& edits) {
     int64_t shift = 0;
     for (const TextEdit& edit : edits) {
         const auto begin = static_cast<uint32_t>(edit.range.begin + shift);
-        out.push_back({{edit.range.file, begin, begin + static_cast<uint32_t>(edit.text.size())}, std::string(text.substr(edit.range.begin, edit.range.length()))});
+        out.push_back({{edit.range.file, begin, begin + static_cast<uint32_t>(edit.text.size())},
+                       std::string(text.substr(edit.range.begin, edit.range.length()))});
         shift += static_cast<int64_t>(edit.text.size()) - edit.range.length();
     }
     return out;
 }
 
-ChartEditor::ChartEditor(std::string_view text, const syntax::Pou& pou, const Chart& chart) : m_text(text), m_pou(pou), m_chart(chart) {}
+ChartEditor::ChartEditor(std::string_view text, const syntax::Pou& pou, const Chart& chart)
+    : m_text(text), m_pou(pou), m_chart(chart) {}
 
 std::string ChartEditor::lineEnd() const {
     const size_t at = m_text.find('\n');
@@ -85,18 +90,26 @@ uint32_t ChartEditor::lineBehind(uint32_t at) const {
     return static_cast<uint32_t>(newline == std::string_view::npos ? m_text.size() : newline + 1);
 }
 
-std::string ChartEditor::stepText(const std::string& indent, const std::string& name) const { return indent + "STEP " + name + ":" + lineEnd() + indent + "END_STEP" + lineEnd(); }
+std::string ChartEditor::stepText(const std::string& indent, const std::string& name) const {
+    return indent + "STEP " + name + ":" + lineEnd() + indent + "END_STEP" + lineEnd();
+}
 
-std::string ChartEditor::transitionText(const std::string& indent, const std::string& from, const std::string& to, std::string_view condition) const {
-    return indent + "TRANSITION FROM " + from + " TO " + to + " := " + std::string(condition) + "; END_TRANSITION" + lineEnd();
+std::string ChartEditor::transitionText(const std::string& indent, const std::string& from, const std::string& to,
+                                        std::string_view condition) const {
+    return indent + "TRANSITION FROM " + from + " TO " + to + " := " + std::string(condition) + "; END_TRANSITION" +
+           lineEnd();
 }
 
 std::string ChartEditor::freeStepName() const {
     for (int i = 1;; ++i) {
         const std::string name = "Step" + std::to_string(i);
-        const bool variable = std::any_of(m_pou.sections.begin(), m_pou.sections.end(), [&](const syntax::VarSection* s) {
-            return std::any_of(s->declarations.begin(), s->declarations.end(), [&](const syntax::VarDecl* d) { return std::any_of(d->names.begin(), d->names.end(), [&](const Name& n) { return same(n.text, name); }); });
-        });
+        const bool variable =
+            std::any_of(m_pou.sections.begin(), m_pou.sections.end(), [&](const syntax::VarSection* s) {
+                return std::any_of(s->declarations.begin(), s->declarations.end(), [&](const syntax::VarDecl* d) {
+                    return std::any_of(d->names.begin(), d->names.end(),
+                                       [&](const Name& n) { return same(n.text, name); });
+                });
+            });
         if (!variable && !m_chart.find(name).isValid()) return name;
     }
 }
@@ -120,7 +133,9 @@ TextEdit ChartEditor::insertBehind(SourceRange extent, std::string text) const {
     const bool lineEnds = extent.end == 0 || m_text[extent.end - 1] == '\n';
     if (!lineEnds) {
         const std::string end = lineEnd();
-        const bool textFollows = m_text.substr(extent.end, lineBehind(extent.end) - extent.end).find_first_not_of(" \t\r\n") != std::string_view::npos;
+        const bool textFollows =
+            m_text.substr(extent.end, lineBehind(extent.end) - extent.end).find_first_not_of(" \t\r\n") !=
+            std::string_view::npos;
         text = end + text;
         if (!textFollows && text.ends_with(end)) text.resize(text.size() - end.size());
     }
@@ -129,7 +144,8 @@ TextEdit ChartEditor::insertBehind(SourceRange extent, std::string text) const {
 
 /// An element with its comments; on a line shared with others, with one of the blanks around.
 TextEdit ChartEditor::eraseExtent(SourceRange extent) const {
-    const bool wholeLines = (extent.begin == 0 || m_text[extent.begin - 1] == '\n') && extent.end > 0 && m_text[extent.end - 1] == '\n';
+    const bool wholeLines =
+        (extent.begin == 0 || m_text[extent.begin - 1] == '\n') && extent.end > 0 && m_text[extent.end - 1] == '\n';
     if (!wholeLines && extent.end < m_text.size() && m_text[extent.end] == ' ') ++extent.end;
     return {extent, {}};
 }
@@ -168,7 +184,8 @@ TextEdit ChartEditor::setNames(const std::vector<Name>& list, const std::vector<
 
 Result<Edits> ChartEditor::finish(Edits edits) const {
     std::erase_if(edits, [](const TextEdit& e) { return e.range.length() == 0 && e.text.empty(); });
-    std::stable_sort(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) { return a.range.begin < b.range.begin; });
+    std::stable_sort(edits.begin(), edits.end(),
+                     [](const TextEdit& a, const TextEdit& b) { return a.range.begin < b.range.begin; });
     Edits out;
     for (TextEdit& edit : edits) {
         if (!out.empty() && out.back().range.end > edit.range.begin) {
@@ -195,7 +212,8 @@ Result<Edits> ChartEditor::insertStepAfter(StepId step, std::string wanted) cons
         const auto& from = m_chart[t].decl->from;
         edits.push_back(setNames(from, replaced(texts(from), nameOf(step), {*name})));
     }
-    edits.push_back(insertBehind(s.decl->extent, transitionText(indent, nameOf(step), *name, "TRUE") + stepText(indent, *name)));
+    edits.push_back(
+        insertBehind(s.decl->extent, transitionText(indent, nameOf(step), *name, "TRUE") + stepText(indent, *name)));
     return finish(std::move(edits));
 }
 
@@ -210,13 +228,15 @@ Result<Edits> ChartEditor::insertStepAfter(TransitionId transition, std::string 
     to[0] = *name;
     Edits edits;
     edits.push_back(setNames(t.decl->to, to));
-    edits.push_back(insertBehind(t.decl->extent, stepText(indent, *name) + transitionText(indent, *name, target, "TRUE")));
+    edits.push_back(
+        insertBehind(t.decl->extent, stepText(indent, *name) + transitionText(indent, *name, target, "TRUE")));
     return finish(std::move(edits));
 }
 
 Result<Edits> ChartEditor::deleteStep(StepId step) const {
     const Step& s = m_chart[step];
-    if (s.decl->isInitial) return Error{"The initial step can not be deleted; make another step the initial one first.", {}};
+    if (s.decl->isInitial)
+        return Error{"The initial step can not be deleted; make another step the initial one first.", {}};
     if (s.out.size() > 1) return Error{"Several transitions leave this step; delete its branches first.", {}};
     Edits edits;
     edits.push_back(eraseExtent(s.decl->extent));
@@ -236,9 +256,12 @@ Result<Edits> ChartEditor::deleteStep(StepId step) const {
         if (!s.out.empty() && id == s.out[0]) continue;
         const Transition& in = m_chart[id];
         const std::vector<std::string> to = replaced(texts(in.decl->to), nameOf(step), next);
-        if (!to.empty()) edits.push_back(setNames(in.decl->to, to));
-        else if (outStays) return Error{"Nothing would lead to the join behind this step.", {}};
-        else edits.push_back(eraseExtent(in.decl->extent));
+        if (!to.empty())
+            edits.push_back(setNames(in.decl->to, to));
+        else if (outStays)
+            return Error{"Nothing would lead to the join behind this step.", {}};
+        else
+            edits.push_back(eraseExtent(in.decl->extent));
     }
     return finish(std::move(edits));
 }
@@ -247,7 +270,8 @@ Result<Edits> ChartEditor::moveStep(StepId step, TransitionId behind) const {
     const Step& s = m_chart[step];
     const Transition& target = m_chart[behind];
     if (s.decl->isInitial) return Error{"The initial step stays at the top.", {}};
-    if (s.out.size() != 1 || m_chart[s.out[0]].decl->from.size() != 1) return Error{"Only a step with one transition of its own can be moved.", {}};
+    if (s.out.size() != 1 || m_chart[s.out[0]].decl->from.size() != 1)
+        return Error{"Only a step with one transition of its own can be moved.", {}};
     if (s.out[0] == behind) return Error{"The step stands there already.", {}};
     if (target.decl->to.size() != 1) return Error{"A step can be put behind a transition that leads to one step.", {}};
     if (std::find(s.in.begin(), s.in.end(), behind) != s.in.end()) return Error{"The step stands there already.", {}};
@@ -273,7 +297,9 @@ Result<Edits> ChartEditor::insertTransition(StepId from, StepId to, std::string_
     return finish({insertBehind(anchor, transitionText(indent, nameOf(from), nameOf(to), condition))});
 }
 
-Result<Edits> ChartEditor::deleteTransition(TransitionId transition) const { return finish({eraseExtent(m_chart[transition].decl->extent)}); }
+Result<Edits> ChartEditor::deleteTransition(TransitionId transition) const {
+    return finish({eraseExtent(m_chart[transition].decl->extent)});
+}
 
 Result<Edits> ChartEditor::moveTransition(TransitionId transition, Place place, TransitionId anchor) const {
     if (transition == anchor) return Edits{};
@@ -304,12 +330,14 @@ Result<Edits> ChartEditor::moveParallel(TransitionId transition, size_t from, si
 
 Result<Edits> ChartEditor::setCondition(TransitionId transition, std::string_view condition) const {
     const syntax::TransitionDecl& t = *m_chart[transition].decl;
-    if (condition.find_first_not_of(" \t\r\n") == std::string_view::npos) return Error{"A transition needs a condition.", {}};
+    if (condition.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        return Error{"A transition needs a condition.", {}};
     if (t.condition) {
         const SourceRange range = t.condition->range;
         return finish({{range, std::string(condition)}});
     }
-    if (t.ilCondition.empty()) return Error{"The condition of this transition can not be read; edit it in the text.", {}};
+    if (t.ilCondition.empty())
+        return Error{"The condition of this transition can not be read; edit it in the text.", {}};
     // instructions become an expression: with the colon before them
     SourceRange range = joined(t.ilCondition.front()->range, t.ilCondition.back()->range);
     while (range.begin > 0 && m_text[range.begin] != ':') --range.begin;
@@ -329,7 +357,8 @@ Result<Edits> ChartEditor::setPriority(TransitionId transition, int priority) co
         return finish({{range, {}}});
     }
     if (priority == 0) return Edits{};
-    const uint32_t at = t.name.isValid() ? t.name.range.end : t.range.begin + static_cast<uint32_t>(std::string_view("TRANSITION").size());
+    const uint32_t at = t.name.isValid() ? t.name.range.end
+                                         : t.range.begin + static_cast<uint32_t>(std::string_view("TRANSITION").size());
     return finish({{{t.range.file, at, at}, " (PRIORITY := " + std::to_string(priority) + ")"}});
 }
 
@@ -348,14 +377,17 @@ Result<Edits> ChartEditor::insertAlternativeBranch(StepId step, std::string want
     std::set<uint32_t> seen;
     while (m_chart[last].to.size() == 1 && seen.insert(last.value).second) {
         const Step& next = m_chart[m_chart[last].to[0]];
-        if (next.decl->isInitial || next.in.size() > 1 || next.out.size() != 1 || m_chart[next.out[0]].decl->from.size() > 1) break;
+        if (next.decl->isInitial || next.in.size() > 1 || next.out.size() != 1 ||
+            m_chart[next.out[0]].decl->from.size() > 1)
+            break;
         last = next.out[0];
     }
     if (m_chart[last].to.empty()) return Error{"The last branch leads nowhere.", {}};
     const std::string target = nameOf(m_chart[last].to[0]);
     const std::string indent = indentOf(s.decl->range.begin);
     const SourceRange anchor = m_chart[s.out.back()].decl->extent;
-    return finish({insertBehind(anchor, transitionText(indent, nameOf(step), *name, "TRUE") + stepText(indent, *name) + transitionText(indent, *name, target, "TRUE"))});
+    return finish({insertBehind(anchor, transitionText(indent, nameOf(step), *name, "TRUE") + stepText(indent, *name) +
+                                            transitionText(indent, *name, target, "TRUE"))});
 }
 
 Result<Edits> ChartEditor::insertSimultaneousBranch(TransitionId transition, std::string wanted) const {
@@ -373,7 +405,8 @@ Result<Edits> ChartEditor::insertSimultaneousBranch(TransitionId transition, std
         open.pop_back();
         if (!seen.insert(at.value).second) continue;
         for (TransitionId out : m_chart[at].out) {
-            if (m_chart[out].from.size() > 1) join = out;
+            if (m_chart[out].from.size() > 1)
+                join = out;
             else
                 for (StepId to : m_chart[out].to) open.push_back(to);
         }
@@ -389,7 +422,8 @@ Result<Edits> ChartEditor::insertSimultaneousBranch(TransitionId transition, std
     } else {
         // one step so far: its way on becomes the join
         const Step& only = m_chart[t.to[0]];
-        if (t.to.size() != 1 || only.out.size() != 1) return Error{"The branches behind this transition do not join; connect them in the text first.", {}};
+        if (t.to.size() != 1 || only.out.size() != 1)
+            return Error{"The branches behind this transition do not join; connect them in the text first.", {}};
         join = only.out[0];
         std::vector<std::string> from = texts(m_chart[join].decl->from);
         from.push_back(*name);
@@ -451,13 +485,15 @@ Result<Edits> ChartEditor::deleteBranch(TransitionId first) const {
 
 // ---------------------------------------------------------------- actions
 
-std::string ChartEditor::associationText(std::string_view action, std::string_view qualifier, std::string_view time) const {
+std::string ChartEditor::associationText(std::string_view action, std::string_view qualifier,
+                                         std::string_view time) const {
     std::string out = std::string(action) + "(" + std::string(qualifier.empty() ? "N" : qualifier);
     if (!time.empty()) out += ", " + std::string(time);
     return out + ");";
 }
 
-Result<Edits> ChartEditor::insertAction(StepId step, size_t index, std::string_view action, std::string_view qualifier, std::string_view time) const {
+Result<Edits> ChartEditor::insertAction(StepId step, size_t index, std::string_view action, std::string_view qualifier,
+                                        std::string_view time) const {
     const syntax::StepDecl& s = *m_chart[step].decl;
     const std::string text = associationText(action, qualifier, time);
     const auto behindSemicolon = [&](uint32_t at) {
@@ -473,11 +509,14 @@ Result<Edits> ChartEditor::insertAction(StepId step, size_t index, std::string_v
         }
         const SourceRange before = s.actions[index].range;
         const std::string indent = indentOf(before.begin);
-        return finish({{{before.file, before.begin, before.begin}, text + (indent.empty() ? " " : lineEnd() + indent)}});
+        return finish(
+            {{{before.file, before.begin, before.begin}, text + (indent.empty() ? " " : lineEnd() + indent)}});
     }
     // behind the colon
     uint32_t at = s.name.range.end;
-    while (at < s.range.end && m_text[at] != ':') at = m_text[at] == '{' ? static_cast<uint32_t>(std::min(m_text.find('}', at), static_cast<size_t>(s.range.end))) : at + 1;
+    while (at < s.range.end && m_text[at] != ':')
+        at = m_text[at] == '{' ? static_cast<uint32_t>(std::min(m_text.find('}', at), static_cast<size_t>(s.range.end)))
+                               : at + 1;
     at = std::min(at + 1, s.range.end);
     const bool oneLine = m_text.substr(s.range.begin, s.range.length()).find('\n') == std::string_view::npos;
     if (oneLine) return finish({{{s.range.file, at, at}, " " + text}});
@@ -494,9 +533,13 @@ Result<Edits> ChartEditor::deleteAction(StepId step, size_t index) const {
     uint32_t begin = range.begin;
     while (begin > 0 && (m_text[begin - 1] == ' ' || m_text[begin - 1] == '\t')) --begin;
     const uint32_t behind = lineBehind(range.end);
-    const bool ownLine = (begin == 0 || m_text[begin - 1] == '\n') && m_text.substr(range.end, behind - range.end).find_first_not_of(" \t\r\n") == std::string_view::npos;
-    if (ownLine) range = {range.file, begin, behind};
-    else if (begin < range.begin) --range.begin;
+    const bool ownLine =
+        (begin == 0 || m_text[begin - 1] == '\n') &&
+        m_text.substr(range.end, behind - range.end).find_first_not_of(" \t\r\n") == std::string_view::npos;
+    if (ownLine)
+        range = {range.file, begin, behind};
+    else if (begin < range.begin)
+        --range.begin;
     return finish({{range, {}}});
 }
 
@@ -515,7 +558,8 @@ Result<Edits> ChartEditor::moveAction(StepId step, size_t from, size_t to) const
     return finish(std::move(edits));
 }
 
-Result<Edits> ChartEditor::changeAction(StepId step, size_t index, std::string_view action, std::string_view qualifier, std::string_view time) const {
+Result<Edits> ChartEditor::changeAction(StepId step, size_t index, std::string_view action, std::string_view qualifier,
+                                        std::string_view time) const {
     const syntax::StepDecl& s = *m_chart[step].decl;
     if (index >= s.actions.size()) return Error{"There is no such action.", {}};
     const syntax::ActionAssociation& a = s.actions[index];
@@ -537,7 +581,8 @@ Result<Edits> ChartEditor::declareAction(std::string_view name) const {
     for (const syntax::ActionDecl* a : m_chart.body->actions) end = std::max(end, a->extent.end);
     const std::string indent = indentOf(m_chart.steps[0].decl->range.begin);
     const SourceRange place{m_chart.steps[0].decl->range.file, end, end};
-    return finish({insertBehind(place, indent + "ACTION " + std::string(name) + ":" + lineEnd() + indent + "END_ACTION" + lineEnd())});
+    return finish({insertBehind(place, indent + "ACTION " + std::string(name) + ":" + lineEnd() + indent +
+                                           "END_ACTION" + lineEnd())});
 }
 
 // ---------------------------------------------------------------- steps' own properties
@@ -546,11 +591,14 @@ Result<Edits> ChartEditor::setInitial(StepId step) const {
     Edits edits;
     const auto word = [&](const syntax::StepDecl& s) {
         uint32_t end = s.range.begin;
-        while (end < s.range.end && m_text[end] != ' ' && m_text[end] != '\t' && m_text[end] != '\r' && m_text[end] != '\n') ++end;
+        while (end < s.range.end && m_text[end] != ' ' && m_text[end] != '\t' && m_text[end] != '\r' &&
+               m_text[end] != '\n')
+            ++end;
         return SourceRange{s.range.file, s.range.begin, end};
     };
     for (const Step& s : m_chart.steps)
-        if (s.network == m_chart[step].network && s.decl->isInitial && s.decl != m_chart[step].decl) edits.push_back({word(*s.decl), "STEP"});
+        if (s.network == m_chart[step].network && s.decl->isInitial && s.decl != m_chart[step].decl)
+            edits.push_back({word(*s.decl), "STEP"});
     if (!m_chart[step].decl->isInitial) edits.push_back({word(*m_chart[step].decl), "INITIAL_STEP"});
     return finish(std::move(edits));
 }
@@ -572,7 +620,8 @@ Result<Edits> ChartEditor::setStepTime(StepId step, std::string_view key, std::s
 
 std::string emptyChart(std::string_view indent, std::string_view lineEnd) {
     const std::string i(indent), e(lineEnd);
-    return i + "INITIAL_STEP Init:" + e + i + "END_STEP" + e + i + "TRANSITION FROM Init TO Init := FALSE; END_TRANSITION" + e;
+    return i + "INITIAL_STEP Init:" + e + i + "END_STEP" + e + i +
+           "TRANSITION FROM Init TO Init := FALSE; END_TRANSITION" + e;
 }
 
 } // namespace plc::chart

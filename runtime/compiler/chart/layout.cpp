@@ -12,7 +12,9 @@ constexpr uint32_t kNoNode = 0xffffffffu;
 /// Nodes are steps, then transitions.
 class LayoutBuilder {
 public:
-    explicit LayoutBuilder(const Chart& chart) : m_chart(chart), m_steps(static_cast<uint32_t>(chart.steps.size())), m_count(m_steps + static_cast<uint32_t>(chart.transitions.size())) {
+    explicit LayoutBuilder(const Chart& chart)
+        : m_chart(chart), m_steps(static_cast<uint32_t>(chart.steps.size())),
+          m_count(m_steps + static_cast<uint32_t>(chart.transitions.size())) {
         m_next.resize(m_count);
         for (uint32_t i = 0; i < m_steps; ++i)
             for (TransitionId t : chart.steps[i].out) m_next[i].push_back(m_steps + t.value);
@@ -99,7 +101,8 @@ private:
                     continue;
                 }
                 const uint32_t next = m_next[node][at++];
-                if (state[next] == 1) m_back.insert(key(node, next));
+                if (state[next] == 1)
+                    m_back.insert(key(node, next));
                 else if (state[next] == 0) {
                     state[next] = 1;
                     stack.emplace_back(next, 0);
@@ -123,7 +126,9 @@ private:
             std::vector<uint32_t> open{branches[b]};
             std::vector<uint32_t> seen{branches[b]};
             const auto visit = [&](uint32_t node) {
-                if (m_mark[node] == m_round && m_owner[node] != b && !m_placed[node] && (best == kNoNode || m_order[node] < m_order[best])) best = node;
+                if (m_mark[node] == m_round && m_owner[node] != b && !m_placed[node] &&
+                    (best == kNoNode || m_order[node] < m_order[best]))
+                    best = node;
                 if (m_mark[node] == m_round && m_owner[node] == b) return false;
                 const bool shared = m_mark[node] == m_round;
                 m_mark[node] = m_round;
@@ -135,7 +140,8 @@ private:
                 const uint32_t node = open.back();
                 open.pop_back();
                 for (uint32_t next : m_next[node])
-                    if (!isBack(node, next) && !m_placed[next] && m_isStop[next] == 0 && visit(next)) open.push_back(next); // a stop closes a bar further out
+                    if (!isBack(node, next) && !m_placed[next] && m_isStop[next] == 0 && visit(next))
+                        open.push_back(next); // a stop closes a bar further out
             }
         }
         return best;
@@ -172,7 +178,8 @@ private:
     }
 
     /// True when `target` comes directly below; else an exit, a jump or a link was noted.
-    bool follow(uint32_t node, uint32_t target, int column, int above, int row, std::vector<Exit>& exits, Region& region) {
+    bool follow(uint32_t node, uint32_t target, int column, int above, int row, std::vector<Exit>& exits,
+                Region& region) {
         if (m_isStop[target] > 0 && !isBack(node, target)) {
             exits.push_back({target, column, above, node});
             return false;
@@ -207,14 +214,24 @@ private:
             Region part{1, barRow + 1};
             lastTrunk = at;
             // a branch without anything of its own: straight to the meeting, back, or to what stands elsewhere
-            if (follow(node, first, at, barRow, barRow + 1, inner, part)) part = sequence(first, at, barRow + 1, inner, barRow);
-            else if (node >= m_steps && !m_layout.jumps.empty() && m_layout.jumps.back().at == Cell{at, barRow + 1}) part.bottom = barRow + 2;
+            if (follow(node, first, at, barRow, barRow + 1, inner, part))
+                part = sequence(first, at, barRow + 1, inner, barRow);
+            else if (node >= m_steps && !m_layout.jumps.empty() && m_layout.jumps.back().at == Cell{at, barRow + 1})
+                part.bottom = barRow + 2;
             at += part.width;
             bottom = std::max(bottom, part.bottom);
         }
-        Bar open{alternative ? BarKind::AlternativeOpen : BarKind::SimultaneousOpen, barRow, column, lastTrunk, column, {}, {}};
-        if (alternative) open.step = StepId(node);
-        else open.transition = TransitionId(node - m_steps);
+        Bar open{alternative ? BarKind::AlternativeOpen : BarKind::SimultaneousOpen,
+                 barRow,
+                 column,
+                 lastTrunk,
+                 column,
+                 {},
+                 {}};
+        if (alternative)
+            open.step = StepId(node);
+        else
+            open.transition = TransitionId(node - m_steps);
         m_layout.bars.push_back(open);
         --m_depth;
         region.width = std::max(region.width, at - column);
@@ -222,18 +239,28 @@ private:
         if (mine) --m_isStop[meet];
         std::vector<Exit> toMeet;
         for (const Exit& exit : inner) {
-            if (mine && exit.node == meet) toMeet.push_back(exit);
-            else exits.push_back(exit);
+            if (mine && exit.node == meet)
+                toMeet.push_back(exit);
+            else
+                exits.push_back(exit);
         }
         if (!mine || toMeet.empty() || m_placed[meet]) return kNoNode;
         const int closeRow = bottom;
-        Bar close{meet < m_steps ? BarKind::AlternativeClose : BarKind::SimultaneousClose, closeRow, column, column, column, {}, {}};
+        Bar close{meet < m_steps ? BarKind::AlternativeClose : BarKind::SimultaneousClose,
+                  closeRow,
+                  column,
+                  column,
+                  column,
+                  {},
+                  {}};
         for (const Exit& exit : toMeet) {
             close.lastColumn = std::max(close.lastColumn, exit.column);
             m_joins.push_back({exit, m_layout.bars.size()});
         }
-        if (meet < m_steps) close.step = StepId(meet);
-        else close.transition = TransitionId(meet - m_steps);
+        if (meet < m_steps)
+            close.step = StepId(meet);
+        else
+            close.transition = TransitionId(meet - m_steps);
         m_layout.bars.push_back(close);
         row = closeRow + 1;
         region.bottom = std::max(region.bottom, row);
@@ -244,12 +271,17 @@ private:
     bool isFree(int column, int fromRow, int toRow) const {
         const auto inside = [&](int row) { return row > fromRow && row < toRow; };
         const auto stands = [&](const Cell& cell) { return cell.column == column && inside(cell.row); };
-        return std::none_of(m_layout.steps.begin(), m_layout.steps.end(), stands) && std::none_of(m_layout.transitions.begin(), m_layout.transitions.end(), stands) &&
-               std::none_of(m_layout.jumps.begin(), m_layout.jumps.end(), [&](const Jump& jump) { return stands(jump.at); }) &&
-               std::none_of(m_layout.bars.begin(), m_layout.bars.end(), [&](const Bar& bar) { return inside(bar.row) && column >= bar.firstColumn && column <= bar.lastColumn; });
+        return std::none_of(m_layout.steps.begin(), m_layout.steps.end(), stands) &&
+               std::none_of(m_layout.transitions.begin(), m_layout.transitions.end(), stands) &&
+               std::none_of(m_layout.jumps.begin(), m_layout.jumps.end(),
+                            [&](const Jump& jump) { return stands(jump.at); }) &&
+               std::none_of(m_layout.bars.begin(), m_layout.bars.end(), [&](const Bar& bar) {
+                   return inside(bar.row) && column >= bar.firstColumn && column <= bar.lastColumn;
+               });
     }
 
-    /// A way to a bar further out goes down its column where nothing else stands there; else it becomes a jump (or a link to a join).
+    /// A way to a bar further out goes down its column where nothing else stands there; else it becomes a jump (or a
+    /// link to a join).
     void joinExits() {
         std::vector<Exit> jumps;
         std::vector<std::vector<int>> kept(m_layout.bars.size());
@@ -273,7 +305,9 @@ private:
                 bar.firstColumn = std::min(bar.firstColumn, column);
                 bar.lastColumn = std::max(bar.lastColumn, column);
             }
-            if (kept[i].empty()) std::erase_if(m_layout.lines, [&](const Line& l) { return l.column == bar.trunk && l.fromRow == bar.row; });
+            if (kept[i].empty())
+                std::erase_if(m_layout.lines,
+                              [&](const Line& l) { return l.column == bar.trunk && l.fromRow == bar.row; });
         }
         size_t next = 0;
         std::erase_if(m_layout.bars, [&](const Bar&) {
@@ -286,7 +320,9 @@ private:
             if (exit.from >= m_steps) rows.push_back(exit.row);
         std::sort(rows.begin(), rows.end());
         rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-        const auto moved = [&](int row) { return row + static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()); };
+        const auto moved = [&](int row) {
+            return row + static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin());
+        };
         for (Cell& cell : m_layout.steps) cell.row = moved(cell.row);
         for (Cell& cell : m_layout.transitions) cell.row = moved(cell.row);
         for (Jump& jump : m_layout.jumps) jump.at.row = moved(jump.at.row);

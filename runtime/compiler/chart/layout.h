@@ -1,6 +1,6 @@
-// Where a chart's parts stand when it is drawn as IEC does: a grid of columns and rows, computed from the text alone, so that
-// the same text gives the same drawing and a small edit moves little. The view gives columns and rows their sizes.
-// Values, any thread.
+// Where a chart's parts stand when it is drawn as IEC does: a grid of columns and rows, computed from the text alone,
+// so that the same text gives the same drawing and a small edit moves little. The view gives columns and rows their
+// sizes. Values, any thread.
 #pragma once
 #include "runtime/compiler/chart/chart.h"
 
@@ -22,8 +22,8 @@ struct Bar {
     BarKind kind;
     int row;
     int firstColumn, lastColumn;
-    int trunk;              // the column of the step or transition it belongs to
-    StepId step;            // of an alternative
+    int trunk;               // the column of the step or transition it belongs to
+    StepId step;             // of an alternative
     TransitionId transition; // of a simultaneous one
 };
 /// Below a transition: an arrow with the name of the step where it goes on.
@@ -46,8 +46,8 @@ struct Link {
 struct Layout {
     int columns = 0;
     int rows = 0;
-    std::vector<Cell> steps;        // by StepId
-    std::vector<Cell> transitions;  // by TransitionId
+    std::vector<Cell> steps;       // by StepId
+    std::vector<Cell> transitions; // by TransitionId
     std::vector<Bar> bars;
     std::vector<Jump> jumps;
     std::vector<Line> lines;

@@ -101,8 +101,11 @@ Result<Edits> ChartEditor::renameStep(StepId step, std::string_view wanted) cons
     finder.unit(m_pou);
     Edits edits;
     for (SourceRange range : finder.places) edits.push_back({range, std::string(wanted)});
-    std::sort(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) { return a.range.begin < b.range.begin; });
-    edits.erase(std::unique(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) { return a.range == b.range; }), edits.end());
+    std::sort(edits.begin(), edits.end(),
+              [](const TextEdit& a, const TextEdit& b) { return a.range.begin < b.range.begin; });
+    edits.erase(std::unique(edits.begin(), edits.end(),
+                            [](const TextEdit& a, const TextEdit& b) { return a.range == b.range; }),
+                edits.end());
     return finish(std::move(edits));
 }
 
@@ -113,8 +116,11 @@ Result<Edits> ChartEditor::renameAction(std::string_view action, std::string_vie
     if (finder.places.empty()) return Error{"There is no action " + std::string(action) + ".", {}};
     Edits edits;
     for (SourceRange range : finder.places) edits.push_back({range, std::string(wanted)});
-    std::sort(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) { return a.range.begin < b.range.begin; });
-    edits.erase(std::unique(edits.begin(), edits.end(), [](const TextEdit& a, const TextEdit& b) { return a.range == b.range; }), edits.end());
+    std::sort(edits.begin(), edits.end(),
+              [](const TextEdit& a, const TextEdit& b) { return a.range.begin < b.range.begin; });
+    edits.erase(std::unique(edits.begin(), edits.end(),
+                            [](const TextEdit& a, const TextEdit& b) { return a.range == b.range; }),
+                edits.end());
     return finish(std::move(edits));
 }
 

@@ -15,7 +15,9 @@ using types::TypeKind;
 llvm::Value* FunctionEmitter::pushCall(Value* function, Value* self, Value* frame) {
     Value* depth = loadContext(m.i32, offsetof(RuntimeContext, depth));
     guard(b.CreateICmpUGE(depth, int32(image::kMaximumDepth)), FaultCode::StackOverflow);
-    Value* record = b.CreateInBoundsGEP(m.i8, m_context, b.CreateAdd(b.CreateShl(b.CreateZExt(depth, m.i64), int64(4), "", true, true), int64(offsetof(RuntimeContext, calls)), "", true, true));
+    Value* record = b.CreateInBoundsGEP(m.i8, m_context,
+                                        b.CreateAdd(b.CreateShl(b.CreateZExt(depth, m.i64), int64(4), "", true, true),
+                                                    int64(offsetof(RuntimeContext, calls)), "", true, true));
     static_assert(sizeof(CallRecord) == 16);
     const auto put = [&](Value* value, size_t at) {
         llvm::StoreInst* stored = b.CreateStore(value, b.CreateConstInBoundsGEP1_64(m.i8, record, at));
@@ -35,7 +37,8 @@ void FunctionEmitter::popCall(Value* depth) { storeContext(depth, offsetof(Runti
 llvm::Value* FunctionEmitter::resolveTarget(const Call& call, Value* self64, Value*& functionId) {
     const uint32_t method = call.callee.value;
     llvm::GlobalVariable* table = m.dispatchTable(method);
-    Value* number = b.CreateZExt(b.CreateAlignedLoad(m.i32, b.CreateInBoundsGEP(m.i8, m_image, self64), llvm::Align(1)), m.i64);
+    Value* number =
+        b.CreateZExt(b.CreateAlignedLoad(m.i32, b.CreateInBoundsGEP(m.i8, m_image, self64), llvm::Align(1)), m.i64);
     guard(b.CreateICmpUGE(number, int64(std::max(1u, m.facts.blockCount()))), FaultCode::ForeignReference, self64);
     auto* row = llvm::StructType::get(m.context, {m.ptr, m.i32, m.i32});
     Value* at = b.CreateInBoundsGEP(row, table, number);
@@ -43,7 +46,8 @@ llvm::Value* FunctionEmitter::resolveTarget(const Call& call, Value* self64, Val
     Value* size = b.CreateZExt(b.CreateLoad(m.i32, b.CreateStructGEP(row, at, 2)), m.i64);
     functionId = b.CreateLoad(m.i32, b.CreateStructGEP(row, at, 1));
     Value* isOutside = b.CreateICmpUGT(b.CreateAdd(self64, size), int64(m.program.layout.imageSize));
-    guard(b.CreateOr(b.CreateICmpEQ(code, llvm::ConstantPointerNull::get(m.ptr)), isOutside), FaultCode::ForeignReference, self64);
+    guard(b.CreateOr(b.CreateICmpEQ(code, llvm::ConstantPointerNull::get(m.ptr)), isOutside),
+          FaultCode::ForeignReference, self64);
     // One implementation only: called directly, so that it can be inlined.
     uint32_t only = 0;
     bool isUnique = true;
@@ -84,7 +88,8 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
             continue;
         }
         bool isExposed = false;
-        for (size_t k = n + 1; k < call.arguments.size(); ++k) isExposed = isExposed || hasEffects(call.arguments[k].value) || hasEffects(call.arguments[k].place);
+        for (size_t k = n + 1; k < call.arguments.size(); ++k)
+            isExposed = isExposed || hasEffects(call.arguments[k].value) || hasEffects(call.arguments[k].place);
         if (m.types().isText(local.type)) {
             const types::TypeId from = argument.value->type;
             const Text given = text(*argument.value);
@@ -112,8 +117,10 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
         std::vector<Value*>& values = byLocal[i];
         if (local.isInOut) {
             if (local.kind != LocalKind::InOut) continue;
-            const size_t wanted = m.types().kind(local.type) == TypeKind::OpenArray ? 1 + 2 * m.types()[local.type].dimensions.size() : 1;
-            while (values.size() < wanted) values.push_back(int64(values.size() % 2 == 0 && !values.empty() ? -1 : 0)); // left out: null, empty
+            const size_t wanted =
+                m.types().kind(local.type) == TypeKind::OpenArray ? 1 + 2 * m.types()[local.type].dimensions.size() : 1;
+            while (values.size() < wanted)
+                values.push_back(int64(values.size() % 2 == 0 && !values.empty() ? -1 : 0)); // left out: null, empty
             all.insert(all.end(), values.begin(), values.begin() + static_cast<ptrdiff_t>(wanted));
         } else if (local.kind == LocalKind::Input) {
             if (!values.empty()) {
@@ -123,7 +130,8 @@ std::vector<llvm::Value*> FunctionEmitter::callArguments(const Call& call) {
             } else {
                 std::vector<std::byte> bytes = m.types()[local.type].initial;
                 bytes.resize(std::max(1u, m.types()[local.type].size));
-                all.push_back(m.constantBytes(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), 8));
+                all.push_back(
+                    m.constantBytes(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), 8));
             }
         }
     }
@@ -138,7 +146,8 @@ void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* fram
     std::vector<std::pair<const tree::CallArgument*, Address>> kept;
     bool hasEffect = false;
     for (const tree::CallArgument& argument : call.arguments)
-        if (argument.mode == ArgumentMode::Output && argument.place) hasEffect = hasEffect || hasEffects(argument.place);
+        if (argument.mode == ArgumentMode::Output && argument.place)
+            hasEffect = hasEffect || hasEffects(argument.place);
     for (const tree::CallArgument& argument : call.arguments) {
         if (argument.mode != ArgumentMode::Output || !argument.place) continue;
         const Local& local = callee.locals[argument.local];
@@ -157,8 +166,10 @@ void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* fram
     }
     for (const auto& [argument, from] : kept) {
         const Address to = address(*argument->place);
-        if (m.types().isText(from.type) && m.types().isText(to.type)) assignText(textAt(to), textAt(from));
-        else copy(to, from, std::min(m.types()[from.type].size, m.types()[to.type].size));
+        if (m.types().isText(from.type) && m.types().isText(to.type))
+            assignText(textAt(to), textAt(from));
+        else
+            copy(to, from, std::min(m.types()[from.type].size, m.types()[to.type].size));
     }
     for (const tree::CallArgument& argument : call.arguments) {
         if (argument.mode != ArgumentMode::Output || !argument.place) continue;
@@ -174,8 +185,12 @@ void FunctionEmitter::takeOutputs(const Call& call, Value* returned, Value* fram
         if (m.types().isText(to.type)) {
             const Text target = textAt(to);
             Value* kind = int32(static_cast<uint32_t>(m.types().storageKind(local.type)));
-            if (value->getType()->isFloatingPointTy()) textCall("from_real", target.isWide, m.voidType, {target.pointer, target.capacity, kind, b.CreateFPExt(value, m.f64)}, true);
-            else textCall("from_integer", target.isWide, m.voidType, {target.pointer, target.capacity, kind, castInteger(value, local.type, m.i64)}, true);
+            if (value->getType()->isFloatingPointTy())
+                textCall("from_real", target.isWide, m.voidType,
+                         {target.pointer, target.capacity, kind, b.CreateFPExt(value, m.f64)}, true);
+            else
+                textCall("from_integer", target.isWide, m.voidType,
+                         {target.pointer, target.capacity, kind, castInteger(value, local.type, m.i64)}, true);
             continue;
         }
         store(to, convert(value, local.type, argument.place->type));
@@ -208,7 +223,8 @@ FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
     if (m.program.functions[callee].mayRecurse || facts.inCycle) charge(int64(1));
     const bool isRecorded = m.isQuick() || !isDirect || facts.canFault;
     const bool charges = !isDirect || facts.charges;
-    Value* depth = isRecorded ? pushCall(functionId, b.CreateTrunc(self64, m.i32), b.CreateTrunc(m_nextFrame, m.i32)) : nullptr;
+    Value* depth =
+        isRecorded ? pushCall(functionId, b.CreateTrunc(self64, m.i32), b.CreateTrunc(m_nextFrame, m.i32)) : nullptr;
     if (charges) flushBudget();
     arguments.insert(arguments.begin(), {m_context, m_image, self, m_nextFrame});
     llvm::CallInst* returned = b.CreateCall(m.abi(callee).type, target, arguments);
@@ -219,7 +235,8 @@ FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
     Returned result;
     result.frame = m_nextFrame;
     const Abi& abi = m.abi(callee);
-    if (abi.returnsScalar) result.result = abi.returned == 1 ? static_cast<Value*>(returned) : b.CreateExtractValue(returned, 0u);
+    if (abi.returnsScalar)
+        result.result = abi.returned == 1 ? static_cast<Value*>(returned) : b.CreateExtractValue(returned, 0u);
     return result;
 }
 

@@ -1,5 +1,5 @@
-// Checked tree → LLVM IR (D5). Two tiers: Quick keeps every local in the frame area and stops at sites (debugging, first scan);
-// Optimised inlines and vectorises with all guards on. One module per call; LLVM stays behind this header.
+// Checked tree → LLVM IR (D5). Two tiers: Quick keeps every local in the frame area and stops at sites (debugging,
+// first scan); Optimised inlines and vectorises with all guards on. One module per call; LLVM stays behind this header.
 #pragma once
 #include "runtime/compiler/tree/tree.h"
 #include "runtime/image/program.h"
@@ -17,8 +17,8 @@ enum class Tier : uint8_t { Quick, Optimised };
 
 /// Shared by both tiers: sites and frames of every function, made once.
 struct DebugMap {
-    std::vector<image::Site> sites;                 // 0 unused
-    std::vector<image::FunctionInfo> functions;     // by FunctionId; 0 unused
+    std::vector<image::Site> sites;             // 0 unused
+    std::vector<image::FunctionInfo> functions; // by FunctionId; 0 unused
 };
 [[nodiscard]] DebugMap makeDebugMap(const tree::Program& program);
 
@@ -32,12 +32,15 @@ struct Options {
 class ProgramFacts;
 [[nodiscard]] std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options);
 
-/// One of several modules that together hold the quick code: each emits the functions whose number modulo `count` is `index`.
+/// One of several modules that together hold the quick code: each emits the functions whose number modulo `count` is
+/// `index`.
 struct Part {
     uint32_t index = 0;
     uint32_t count = 1;
 };
 /// The module's entries stand in the table "plc.entries.<part>": {i64 function, ptr code} …, ended by {0, null}.
-[[nodiscard]] std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts, const Options& options, Part part = {});
+[[nodiscard]] std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program,
+                                                       const ProgramFacts& facts, const Options& options,
+                                                       Part part = {});
 
 } // namespace plc::codegen

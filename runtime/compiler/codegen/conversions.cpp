@@ -11,17 +11,22 @@ namespace {
 constexpr int64_t kSecond = 1'000'000'000;
 constexpr int64_t kDay = 86'400 * kSecond;
 
-bool isTime(Family f) { return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime; }
+bool isTime(Family f) {
+    return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime;
+}
 bool isSigned(Family f) { return f == Family::Signed || isTime(f); }
 
 /// Nanoseconds that one count of the number stands for.
 int64_t unitOf(TypeKind kind) {
     switch (kind) {
     case TypeKind::Time:
-    case TypeKind::Tod: return 1'000'000;
+    case TypeKind::Tod:
+        return 1'000'000;
     case TypeKind::Date:
-    case TypeKind::Dt: return kSecond;
-    default: return 1;
+    case TypeKind::Dt:
+        return kSecond;
+    default:
+        return 1;
     }
 }
 } // namespace
@@ -50,9 +55,11 @@ llvm::Value* FunctionEmitter::fitTime(Value* nanoseconds, TypeKind to) {
 
 /// A whole (already rounded) real as an integer: saturating, NaN gives 0.
 llvm::Value* FunctionEmitter::realToInteger(Value* whole, types::TypeId to) {
-    if (m.types().storageKind(to) == TypeKind::Bool) return b.CreateFCmpONE(whole, llvm::Constant::getNullValue(whole->getType()));
+    if (m.types().storageKind(to) == TypeKind::Bool)
+        return b.CreateFCmpONE(whole, llvm::Constant::getNullValue(whole->getType()));
     const bool s = isSigned(m.types().family(to));
-    return b.CreateIntrinsic(s ? llvm::Intrinsic::fptosi_sat : llvm::Intrinsic::fptoui_sat, {m.scalarType(to), whole->getType()}, {whole});
+    return b.CreateIntrinsic(s ? llvm::Intrinsic::fptosi_sat : llvm::Intrinsic::fptoui_sat,
+                             {m.scalarType(to), whole->getType()}, {whole});
 }
 
 llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::TypeId to, Value**) {
@@ -64,7 +71,8 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
         if (toFamily == Family::Real) return b.CreateFPCast(value, wanted);
         if (isTime(toFamily)) {
             Value* wide = b.CreateFPExt(value, m.f64);
-            return b.CreateCall(m.helper("plc_real_to_time", m.i64, {m.f64, m.i32}, ModuleEmitter::Effects::None), {wide, int32(static_cast<uint32_t>(target))});
+            return b.CreateCall(m.helper("plc_real_to_time", m.i64, {m.f64, m.i32}, ModuleEmitter::Effects::None),
+                                {wide, int32(static_cast<uint32_t>(target))});
         }
         if (target == TypeKind::Bool) return realToInteger(value, to);
         return realToInteger(b.CreateUnaryIntrinsic(llvm::Intrinsic::roundeven, value), to);
@@ -95,7 +103,8 @@ llvm::Value* FunctionEmitter::convertExpr(const Expr& expr) {
         return result;
     }
     // The counter of a FOR is kept in 64 bits: widening its variable costs nothing.
-    if (expr.a->kind == tree::ExprKind::Load && m.scalarType(expr.type) == m.i64 && types::isInteger(m.types().family(expr.type)))
+    if (expr.a->kind == tree::ExprKind::Load && m.scalarType(expr.type) == m.i64 &&
+        types::isInteger(m.types().family(expr.type)))
         if (const Counter* counter = counterOf(*expr.a->place)) return b.CreateLoad(m.i64, counter->value);
     Value* result = convert(scalar(*expr.a), expr.a->type, expr.type);
     storeOk(expr, b.getTrue());
@@ -114,11 +123,13 @@ llvm::Value* FunctionEmitter::convertText(const Expr& expr, types::TypeId to) {
     Value* kind = int32(static_cast<uint32_t>(m.types().storageKind(to)));
     const std::string prefix = from.isWide ? "plc_wtext_" : "plc_text_";
     if (m.types().family(to) == Family::Real) {
-        Value* real = b.CreateCall(m.helper((prefix + "to_real").c_str(), m.f64, {m.ptr, m.i32, m.i32, m.ptr}, ModuleEmitter::Effects::WritesArguments),
+        Value* real = b.CreateCall(m.helper((prefix + "to_real").c_str(), m.f64, {m.ptr, m.i32, m.i32, m.ptr},
+                                            ModuleEmitter::Effects::WritesArguments),
                                    {from.pointer, from.capacity, kind, ok});
         return b.CreateFPCast(real, m.scalarType(to));
     }
-    Value* integer = b.CreateCall(m.helper((prefix + "to_integer").c_str(), m.i64, {m.ptr, m.i32, m.i32, m.ptr}, ModuleEmitter::Effects::WritesArguments),
+    Value* integer = b.CreateCall(m.helper((prefix + "to_integer").c_str(), m.i64, {m.ptr, m.i32, m.i32, m.ptr},
+                                           ModuleEmitter::Effects::WritesArguments),
                                   {from.pointer, from.capacity, kind, ok});
     if (m.scalarType(to) == m.i1) return b.CreateICmpNE(integer, int64(0));
     return b.CreateTrunc(integer, m.scalarType(to));

@@ -1,5 +1,5 @@
-// The two emitters behind emitModule: ModuleEmitter holds what functions share (declarations, tables, helpers, alias nodes),
-// FunctionEmitter writes one body. LLVM types are visible only here and in the .cpp files. One thread.
+// The two emitters behind emitModule: ModuleEmitter holds what functions share (declarations, tables, helpers, alias
+// nodes), FunctionEmitter writes one body. LLVM types are visible only here and in the .cpp files. One thread.
 #pragma once
 #include "runtime/compiler/codegen/facts.h"
 
@@ -14,12 +14,13 @@
 
 namespace plc::codegen {
 
-/// How a function of the tree looks to LLVM: (ctx, image, this as pointer, frame as i64 offset, arguments…) → {result, scalar outputs…}.
+/// How a function of the tree looks to LLVM: (ctx, image, this as pointer, frame as i64 offset, arguments…) → {result,
+/// scalar outputs…}.
 struct Abi {
     llvm::FunctionType* type = nullptr;
-    bool returnsScalar = false;            // the result is element 0 of what is returned
-    std::vector<uint32_t> scalarOutputs;   // locals returned after it
-    unsigned returned = 0;                 // elements returned
+    bool returnsScalar = false;          // the result is element 0 of what is returned
+    std::vector<uint32_t> scalarOutputs; // locals returned after it
+    unsigned returned = 0;               // elements returned
 };
 
 /// A place after evaluation. Image places know their offset too.
@@ -31,9 +32,9 @@ struct Address {
     types::TypeId type;
     int bit = -1;
     bool isImage = true;
-    llvm::MDNode* alias = nullptr;     // null: may be anything in the image
-    types::TypeId container;           // struct or block whose field this is inside, while alias stays precise
-    bool isPrecise = false;            // alias nodes may be derived for its fields
+    llvm::MDNode* alias = nullptr; // null: may be anything in the image
+    types::TypeId container;       // struct or block whose field this is inside, while alias stays precise
+    bool isPrecise = false;        // alias nodes may be derived for its fields
     uint32_t align = 1;
     std::vector<std::pair<llvm::Value*, llvm::Value*>> bounds; // OpenArray: low, high
 };
@@ -51,7 +52,8 @@ struct Range {
 
 class ModuleEmitter {
 public:
-    ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts, const Options& options, Part part);
+    ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts,
+                  const Options& options, Part part);
     std::unique_ptr<llvm::Module> emit();
 
     [[nodiscard]] const types::TypeTable& types() const { return *program.types; }
@@ -65,9 +67,10 @@ public:
 
     /// A C function of the runtime library; `effects` none: only a value, no memory touched.
     enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Context, Fault, Any };
-    llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects);
-    llvm::Function* raise();                      // stores code, site and details, leaves
-    llvm::Function* siteCheck();                  // quick tier: notes the statement, stops when flagged
+    llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters,
+                                Effects effects);
+    llvm::Function* raise();     // stores code, site and details, leaves
+    llvm::Function* siteCheck(); // quick tier: notes the statement, stops when flagged
     llvm::FunctionCallee budgetUsedUp();
     llvm::GlobalVariable* constantBytes(std::string bytes, uint32_t align);
     llvm::GlobalVariable* dispatchTable(uint32_t method);
@@ -83,8 +86,12 @@ public:
     [[nodiscard]] int rootAt(uint32_t offset) const;
 
     /// `instruction`'s operand becomes the function's frame size or its bounded need once all are known.
-    void patchFrameSize(llvm::Instruction* instruction, unsigned operand, uint32_t function) { m_sizePatches.push_back({instruction, operand, function, false}); }
-    void patchNeed(llvm::Instruction* instruction, unsigned operand, uint32_t function) { m_sizePatches.push_back({instruction, operand, function, true}); }
+    void patchFrameSize(llvm::Instruction* instruction, unsigned operand, uint32_t function) {
+        m_sizePatches.push_back({instruction, operand, function, false});
+    }
+    void patchNeed(llvm::Instruction* instruction, unsigned operand, uint32_t function) {
+        m_sizePatches.push_back({instruction, operand, function, true});
+    }
     std::vector<uint32_t> frameSizes; // by function, temporaries included
 
     llvm::LLVMContext& context;
@@ -161,8 +168,8 @@ private:
     // guards.cpp
     void guard(Value* isBad, image::FaultCode code, Value* d0 = nullptr, Value* d1 = nullptr, Value* d2 = nullptr);
     void raiseAlways(image::FaultCode code);
-    void guardReference(Value* offset, Value* size);  // null, foreign
-    Value* isLive(Value* offset, Value* size);        // lies within variables or live frames
+    void guardReference(Value* offset, Value* size); // null, foreign
+    Value* isLive(Value* offset, Value* size);       // lies within variables or live frames
     void guardBlock(Value* offset, types::TypeId block);
     void charge(Value* amount);
     void flushBudget();
@@ -172,7 +179,7 @@ private:
     // places.cpp
     Address address(const tree::Place& place);
     Address localAddress(uint32_t local);
-    Address slotAddress(const tree::Place& place);      // the IN_OUT slot itself, not followed
+    Address slotAddress(const tree::Place& place); // the IN_OUT slot itself, not followed
     Address followSlot(const tree::Place& place);
     Address indexAddress(const tree::Place& place);
     enum class Purpose : uint8_t { Read, Write };
@@ -231,7 +238,7 @@ private:
     Value* durationTimes(const tree::Expr& expr, bool isDivision);
     Value* sameBits(const tree::Expr& expr);
     Value* headerField(size_t at, llvm::Type* stored, types::TypeId type);
-    Value* countOf(const tree::Expr& expr);           // i64; ULINT beyond the signed range is "very many"
+    Value* countOf(const tree::Expr& expr); // i64; ULINT beyond the signed range is "very many"
     Value* realToInteger(Value* whole, types::TypeId to);
     Value* okSlot();
 
@@ -252,8 +259,8 @@ private:
 
     // calls.cpp
     struct Returned {
-        Value* result = nullptr;      // scalar result
-        Value* frame = nullptr;       // i64 callee's frame: aggregate results lie at its begin
+        Value* result = nullptr; // scalar result
+        Value* frame = nullptr;  // i64 callee's frame: aggregate results lie at its begin
     };
     Returned call(const tree::Call& call);
     Value* pushCall(Value* function, Value* self, Value* frame);
@@ -277,7 +284,7 @@ private:
         const tree::Stmt& stmt;
         Address variable;
         llvm::IntegerType* type;
-        bool isSigned;              // the variable
+        bool isSigned; // the variable
         bool comparesSigned;
         Value *first, *last, *step; // i64
     };
@@ -322,7 +329,7 @@ private:
         llvm::AllocaInst* offset = nullptr;
         std::vector<std::pair<llvm::AllocaInst*, llvm::AllocaInst*>> bounds;
     };
-    std::map<uint32_t, Slot> m_slots;        // followed IN_OUT slots of THIS, by offset
+    std::map<uint32_t, Slot> m_slots; // followed IN_OUT slots of THIS, by offset
     std::map<std::pair<unsigned, bool>, Value*> m_cache;
     uint32_t m_localsSize = 0, m_temporaryTop = 0, m_frameSize = 0;
     uint32_t m_site = 0;

@@ -12,39 +12,55 @@ using types::Family;
 using types::TypeKind;
 
 namespace {
-bool isSigned(Family family) { return family != Family::Unsigned && family != Family::Bits && family != Family::Bool && family != Family::Character && family != Family::Other; }
+bool isSigned(Family family) {
+    return family != Family::Unsigned && family != Family::Bits && family != Family::Bool &&
+           family != Family::Character && family != Family::Other;
+}
 } // namespace
 
 llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
     switch (expr.kind) {
-    case ExprKind::Constant: return scalarConstant(expr.value, expr.type);
+    case ExprKind::Constant:
+        return scalarConstant(expr.value, expr.type);
     case ExprKind::Load:
-        if (const Counter* counter = counterOf(*expr.place)) return b.CreateTrunc(b.CreateLoad(m.i64, counter->value), m.scalarType(expr.type));
+        if (const Counter* counter = counterOf(*expr.place))
+            return b.CreateTrunc(b.CreateLoad(m.i64, counter->value), m.scalarType(expr.type));
         if (expr.place->kind == tree::PlaceKind::TextIndex) return load(textIndexAddress(*expr.place, Purpose::Read));
         return load(address(*expr.place));
-    case ExprKind::Unary: return unary(expr);
-    case ExprKind::Binary: return binary(expr);
+    case ExprKind::Unary:
+        return unary(expr);
+    case ExprKind::Binary:
+        return binary(expr);
     case ExprKind::AndThen:
-    case ExprKind::OrElse: return shortCircuit(expr);
-    case ExprKind::Convert: return convertExpr(expr);
+    case ExprKind::OrElse:
+        return shortCircuit(expr);
+    case ExprKind::Convert:
+        return convertExpr(expr);
     case ExprKind::AddressOf:
     case ExprKind::InterfaceOf: {
         const Address a = address(*expr.place);
         Value* at = a.isImage ? offset(a) : int64(0);
         return b.CreateZExtOrTrunc(at, m.scalarType(expr.type));
     }
-    case ExprKind::Intrinsic: return intrinsic(expr);
+    case ExprKind::Intrinsic:
+        return intrinsic(expr);
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);
-        return returned.result ? returned.result : static_cast<Value*>(llvm::Constant::getNullValue(m.isScalar(expr.type) ? m.scalarType(expr.type) : m.i64));
+        return returned.result ? returned.result
+                               : static_cast<Value*>(llvm::Constant::getNullValue(
+                                     m.isScalar(expr.type) ? m.scalarType(expr.type) : m.i64));
     }
-    case ExprKind::Conditional: return conditional(expr);
+    case ExprKind::Conditional:
+        return conditional(expr);
     case ExprKind::Sequence:
         sequence(expr);
         return expr.a ? scalar(*expr.a) : static_cast<Value*>(int64(0));
-    case ExprKind::Bound: return bound(expr);
-    case ExprKind::IsNull: return b.CreateICmpEQ(b.CreateZExtOrTrunc(scalar(*expr.a), m.i64), int64(0));
-    case ExprKind::TryCast: return tryCast(expr);
+    case ExprKind::Bound:
+        return bound(expr);
+    case ExprKind::IsNull:
+        return b.CreateICmpEQ(b.CreateZExtOrTrunc(scalar(*expr.a), m.i64), int64(0));
+    case ExprKind::TryCast:
+        return tryCast(expr);
     }
     return int64(0);
 }
@@ -52,7 +68,9 @@ llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
 llvm::Value* FunctionEmitter::scalarConstant(const types::Value& value, types::TypeId type) {
     llvm::Type* wanted = m.scalarType(type);
     if (wanted->isFloatingPointTy()) {
-        const double real = std::holds_alternative<double>(value.data) ? value.real() : std::holds_alternative<int64_t>(value.data) ? static_cast<double>(value.integer()) : 0.0;
+        const double real = std::holds_alternative<double>(value.data)    ? value.real()
+                            : std::holds_alternative<int64_t>(value.data) ? static_cast<double>(value.integer())
+                                                                          : 0.0;
         if (wanted->isFloatTy()) return llvm::ConstantFP::get(m.context, llvm::APFloat(static_cast<float>(real)));
         return llvm::ConstantFP::get(m.context, llvm::APFloat(real));
     }
@@ -64,8 +82,10 @@ llvm::Value* FunctionEmitter::scalarConstant(const types::Value& value, types::T
 llvm::Value* FunctionEmitter::unary(const Expr& expr) {
     Value* a = scalar(*expr.a);
     switch (expr.unary) {
-    case library::UnaryOp::Negate: return a->getType()->isFloatingPointTy() ? b.CreateFNeg(a) : b.CreateNeg(a);
-    case library::UnaryOp::Not: return b.CreateNot(a);
+    case library::UnaryOp::Negate:
+        return a->getType()->isFloatingPointTy() ? b.CreateFNeg(a) : b.CreateNeg(a);
+    case library::UnaryOp::Not:
+        return b.CreateNot(a);
     }
     return a;
 }
@@ -85,8 +105,9 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
     if (m.types().isAggregate(expr.a->type) && isComparison) {
         const Address a = aggregate(*expr.a);
         const Address c = aggregate(*expr.b);
-        Value* same = b.CreateCall(m.helper("plc_compare_bytes", m.i32, {m.ptr, m.ptr, m.i32}, ModuleEmitter::Effects::ReadsArguments),
-                                   {pointer(a), pointer(c), int32(m.types()[expr.a->type].size)});
+        Value* same = b.CreateCall(
+            m.helper("plc_compare_bytes", m.i32, {m.ptr, m.ptr, m.i32}, ModuleEmitter::Effects::ReadsArguments),
+            {pointer(a), pointer(c), int32(m.types()[expr.a->type].size)});
         return expr.binary == BinaryOp::NotEqual ? b.CreateICmpNE(same, int32(0)) : b.CreateICmpEQ(same, int32(0));
     }
     Value* a = scalar(*expr.a);
@@ -94,19 +115,26 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
     if (isComparison) return compare(expr.binary, a, c, type);
     const bool isReal = a->getType()->isFloatingPointTy();
     switch (expr.binary) {
-    case BinaryOp::Add: return isReal ? b.CreateFAdd(a, c) : b.CreateAdd(a, c);
-    case BinaryOp::Subtract: return isReal ? b.CreateFSub(a, c) : b.CreateSub(a, c);
-    case BinaryOp::Multiply: return isReal ? b.CreateFMul(a, c) : b.CreateMul(a, c);
+    case BinaryOp::Add:
+        return isReal ? b.CreateFAdd(a, c) : b.CreateAdd(a, c);
+    case BinaryOp::Subtract:
+        return isReal ? b.CreateFSub(a, c) : b.CreateSub(a, c);
+    case BinaryOp::Multiply:
+        return isReal ? b.CreateFMul(a, c) : b.CreateMul(a, c);
     case BinaryOp::Divide:
         if (isReal) return b.CreateFDiv(a, c);
         return divide(a, c, type, false, expr.b);
     case BinaryOp::Modulo:
         if (isReal) return mathCall("plc_fmodf", "plc_fmod", {a, c});
         return divide(a, c, type, true, expr.b);
-    case BinaryOp::And: return b.CreateAnd(a, c);
-    case BinaryOp::Or: return b.CreateOr(a, c);
-    case BinaryOp::Xor: return b.CreateXor(a, c);
-    default: return a;
+    case BinaryOp::And:
+        return b.CreateAnd(a, c);
+    case BinaryOp::Or:
+        return b.CreateOr(a, c);
+    case BinaryOp::Xor:
+        return b.CreateXor(a, c);
+    default:
+        return a;
     }
 }
 
@@ -121,7 +149,8 @@ llvm::Value* FunctionEmitter::divide(Value* a, Value* c, types::TypeId type, boo
         Value* wideC = b.CreateSExt(c, m.i32);
         return b.CreateTrunc(isModulo ? b.CreateSRem(wideA, wideC) : b.CreateSDiv(wideA, wideC), wanted);
     }
-    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(c); known && !known->isMinusOne()) return isModulo ? b.CreateSRem(a, c) : b.CreateSDiv(a, c);
+    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(c); known && !known->isMinusOne())
+        return isModulo ? b.CreateSRem(a, c) : b.CreateSDiv(a, c);
     Value* isMinusOne = b.CreateICmpEQ(c, llvm::Constant::getAllOnesValue(wanted));
     Value* safe = b.CreateSelect(isMinusOne, llvm::ConstantInt::get(wanted, 1), c);
     if (isModulo) return b.CreateSRem(a, safe);
@@ -132,12 +161,18 @@ llvm::Value* FunctionEmitter::compare(BinaryOp op, Value* a, Value* c, types::Ty
     using P = llvm::CmpInst;
     if (a->getType()->isFloatingPointTy()) {
         switch (op) {
-        case BinaryOp::Equal: return b.CreateFCmpOEQ(a, c);
-        case BinaryOp::NotEqual: return b.CreateFCmpUNE(a, c);
-        case BinaryOp::Less: return b.CreateFCmpOLT(a, c);
-        case BinaryOp::LessEqual: return b.CreateFCmpOLE(a, c);
-        case BinaryOp::Greater: return b.CreateFCmpOGT(a, c);
-        default: return b.CreateFCmpOGE(a, c);
+        case BinaryOp::Equal:
+            return b.CreateFCmpOEQ(a, c);
+        case BinaryOp::NotEqual:
+            return b.CreateFCmpUNE(a, c);
+        case BinaryOp::Less:
+            return b.CreateFCmpOLT(a, c);
+        case BinaryOp::LessEqual:
+            return b.CreateFCmpOLE(a, c);
+        case BinaryOp::Greater:
+            return b.CreateFCmpOGT(a, c);
+        default:
+            return b.CreateFCmpOGE(a, c);
         }
     }
     if (a->getType() != c->getType()) { // pointers and NULL
@@ -146,12 +181,18 @@ llvm::Value* FunctionEmitter::compare(BinaryOp op, Value* a, Value* c, types::Ty
     }
     const bool s = isSigned(m.types().family(type));
     switch (op) {
-    case BinaryOp::Equal: return b.CreateICmpEQ(a, c);
-    case BinaryOp::NotEqual: return b.CreateICmpNE(a, c);
-    case BinaryOp::Less: return b.CreateICmp(s ? P::ICMP_SLT : P::ICMP_ULT, a, c);
-    case BinaryOp::LessEqual: return b.CreateICmp(s ? P::ICMP_SLE : P::ICMP_ULE, a, c);
-    case BinaryOp::Greater: return b.CreateICmp(s ? P::ICMP_SGT : P::ICMP_UGT, a, c);
-    default: return b.CreateICmp(s ? P::ICMP_SGE : P::ICMP_UGE, a, c);
+    case BinaryOp::Equal:
+        return b.CreateICmpEQ(a, c);
+    case BinaryOp::NotEqual:
+        return b.CreateICmpNE(a, c);
+    case BinaryOp::Less:
+        return b.CreateICmp(s ? P::ICMP_SLT : P::ICMP_ULT, a, c);
+    case BinaryOp::LessEqual:
+        return b.CreateICmp(s ? P::ICMP_SLE : P::ICMP_ULE, a, c);
+    case BinaryOp::Greater:
+        return b.CreateICmp(s ? P::ICMP_SGT : P::ICMP_UGT, a, c);
+    default:
+        return b.CreateICmp(s ? P::ICMP_SGE : P::ICMP_UGE, a, c);
     }
 }
 
@@ -198,7 +239,9 @@ llvm::Value* FunctionEmitter::bound(const Expr& expr) {
     const Address a = address(*expr.place);
     const auto bounds = boundsOf(a);
     const auto dimension = static_cast<size_t>(std::max<int64_t>(0, expr.selector));
-    Value* value = dimension >= bounds.size() ? static_cast<Value*>(int64(0)) : expr.isUpper ? bounds[dimension].second : bounds[dimension].first;
+    Value* value = dimension >= bounds.size() ? static_cast<Value*>(int64(0))
+                   : expr.isUpper             ? bounds[dimension].second
+                                              : bounds[dimension].first;
     return b.CreateSExtOrTrunc(value, m.scalarType(expr.type));
 }
 
@@ -216,7 +259,8 @@ llvm::Value* FunctionEmitter::tryCast(const Expr& expr) {
     Block* done = newBlock("done");
     b.CreateCondBr(isLive(at, int64(8)), look, done);
     enter(look);
-    Value* number = b.CreateZExt(b.CreateAlignedLoad(m.i32, b.CreateInBoundsGEP(m.i8, m_image, at), llvm::Align(1)), m.i64);
+    Value* number =
+        b.CreateZExt(b.CreateAlignedLoad(m.i32, b.CreateInBoundsGEP(m.i8, m_image, at), llvm::Align(1)), m.i64);
     b.CreateCondBr(b.CreateICmpULT(number, int64(m.facts.blockCount())), known, done);
     enter(known);
     Value* fits = b.CreateICmpNE(b.CreateLoad(m.i8, b.CreateInBoundsGEP(m.i8, flags, number)), b.getInt8(0));
@@ -234,7 +278,8 @@ llvm::Value* FunctionEmitter::tryCast(const Expr& expr) {
 
 Address FunctionEmitter::aggregate(const Expr& expr) {
     switch (expr.kind) {
-    case ExprKind::Load: return address(*expr.place);
+    case ExprKind::Load:
+        return address(*expr.place);
     case ExprKind::Constant: {
         const types::Type& type = m.types()[expr.type];
         std::vector<std::byte> bytes = type.initial;
@@ -247,7 +292,8 @@ Address FunctionEmitter::aggregate(const Expr& expr) {
         a.align = 8;
         return a;
     }
-    case ExprKind::Convert: return aggregate(*expr.a);
+    case ExprKind::Convert:
+        return aggregate(*expr.a);
     case ExprKind::Sequence:
         sequence(expr);
         return aggregate(*expr.a);
@@ -269,7 +315,8 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
         copy(target, from, size);
         return;
     }
-    const bool isChoice = expr.kind == ExprKind::Conditional || (expr.kind == ExprKind::Intrinsic && expr.intrinsic == library::Intrinsic::Sel);
+    const bool isChoice = expr.kind == ExprKind::Conditional ||
+                          (expr.kind == ExprKind::Intrinsic && expr.intrinsic == library::Intrinsic::Sel);
     if (isChoice) {
         const Expr* no = expr.kind == ExprKind::Conditional ? expr.c : expr.operands[1];
         const Expr* yes = expr.kind == ExprKind::Conditional ? expr.b : expr.operands[2];
@@ -316,7 +363,8 @@ void FunctionEmitter::aggregateInto(const Expr& expr, const Address& target) {
 Range FunctionEmitter::rangeOf(const Expr& expr) {
     const Family family = m.types().family(expr.type);
     Range own;
-    if (m.isScalar(expr.type) && (types::isInteger(family) || family == Family::Bool) && m.types()[m.types().storage(expr.type)].size < 8) {
+    if (m.isScalar(expr.type) && (types::isInteger(family) || family == Family::Bool) &&
+        m.types()[m.types().storage(expr.type)].size < 8) {
         const auto [low, high] = types::TypeTable::integerRange(m.types().storageKind(expr.type));
         own = {low, static_cast<int64_t>(high)};
     }
@@ -330,7 +378,8 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
         return own;
     case ExprKind::Convert: {
         const Family from = m.types().family(expr.a->type);
-        if (!m.isScalar(expr.a->type) || (!types::isInteger(from) && from != Family::Bool) || !types::isInteger(family)) return own;
+        if (!m.isScalar(expr.a->type) || (!types::isInteger(from) && from != Family::Bool) || !types::isInteger(family))
+            return own;
         return within(rangeOf(*expr.a));
     }
     case ExprKind::Binary: {
@@ -339,13 +388,17 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
         Range r;
         switch (expr.binary) {
         case BinaryOp::Add:
-            if (__builtin_add_overflow(a.low, c.low, &r.low) || __builtin_add_overflow(a.high, c.high, &r.high)) return own;
+            if (__builtin_add_overflow(a.low, c.low, &r.low) || __builtin_add_overflow(a.high, c.high, &r.high))
+                return own;
             return within(r);
         case BinaryOp::Subtract:
-            if (__builtin_sub_overflow(a.low, c.high, &r.low) || __builtin_sub_overflow(a.high, c.low, &r.high)) return own;
+            if (__builtin_sub_overflow(a.low, c.high, &r.low) || __builtin_sub_overflow(a.high, c.low, &r.high))
+                return own;
             return within(r);
         case BinaryOp::Multiply:
-            if (c.low != c.high || c.low < 0 || __builtin_mul_overflow(a.low, c.low, &r.low) || __builtin_mul_overflow(a.high, c.low, &r.high)) return own;
+            if (c.low != c.high || c.low < 0 || __builtin_mul_overflow(a.low, c.low, &r.low) ||
+                __builtin_mul_overflow(a.high, c.low, &r.high))
+                return own;
             return within(r);
         case BinaryOp::Modulo:
             if (c.low != c.high || c.low <= 0) return own;
@@ -357,10 +410,12 @@ Range FunctionEmitter::rangeOf(const Expr& expr) {
         case BinaryOp::And:
             if (c.low == c.high && c.low >= 0) return within({0, c.low});
             return own;
-        default: return own;
+        default:
+            return own;
         }
     }
-    default: return own;
+    default:
+        return own;
     }
 }
 

@@ -41,11 +41,15 @@ FrameLayout layFrameOut(const types::TypeTable& types, const Function& function,
         layout.offsets[i] = layout.size;
         layout.size += slotSize(types, local);
     };
-    const auto isShared = [&](size_t i) { return !function.locals[i].isInOut && !isScalar(types, function.locals[i].type); };
+    const auto isShared = [&](size_t i) {
+        return !function.locals[i].isInOut && !isScalar(types, function.locals[i].type);
+    };
     const uint32_t result = function.resultLocal;
     if (result < function.locals.size() && isShared(result)) place(result);
     for (size_t i = 0; i < function.locals.size(); ++i)
-        if ((function.locals[i].kind == LocalKind::Input || function.locals[i].kind == LocalKind::Output) && isShared(i)) place(i);
+        if ((function.locals[i].kind == LocalKind::Input || function.locals[i].kind == LocalKind::Output) &&
+            isShared(i))
+            place(i);
     for (size_t i = 0; i < function.locals.size(); ++i) place(i);
     layout.size = aligned(layout.size, 16);
     return layout;
@@ -77,7 +81,8 @@ protected:
         }
         if (stmt.kind == StmtKind::Block && !standsForOne(stmt)) return;
         bool isRepeated = before && before->range == stmt.range && !before->isHidden;
-        for (size_t i = 0; i + 1 < m_parents.size(); ++i) isRepeated = isRepeated || (m_parents[i]->range == stmt.range && !m_parents[i]->isHidden);
+        for (size_t i = 0; i + 1 < m_parents.size(); ++i)
+            isRepeated = isRepeated || (m_parents[i]->range == stmt.range && !m_parents[i]->isHidden);
         visible.push_back({&stmt, !isRepeated});
     }
     void afterStmt(const Stmt& stmt) override {
@@ -87,7 +92,8 @@ protected:
 
 private:
     static bool standsForOne(const Stmt& block) {
-        return std::any_of(block.body.begin(), block.body.end(), [&](const Stmt* s) { return s && !s->isHidden && s->range == block.range; });
+        return std::any_of(block.body.begin(), block.body.end(),
+                           [&](const Stmt* s) { return s && !s->isHidden && s->range == block.range; });
     }
     std::vector<const Stmt*> m_parents;
     const Stmt* m_before = nullptr;
@@ -107,14 +113,17 @@ SiteTable::SiteTable(const tree::Program& program) : sites(1) {
             if (isNew) sites.push_back({f, stmt.range});
             return it->second;
         };
-        for (const SiteCollector::Found& found : collector.visible) m_places[found.stmt] = {siteFor(*found.stmt), found.stops};
-        // Made statements belong to the text they stand for, or else to the narrowest statement around: faults in them are shown there.
+        for (const SiteCollector::Found& found : collector.visible)
+            m_places[found.stmt] = {siteFor(*found.stmt), found.stops};
+        // Made statements belong to the text they stand for, or else to the narrowest statement around: faults in them
+        // are shown there.
         for (const Stmt* stmt : collector.hidden) {
             uint32_t best = 0;
             if (const auto it = byRange.find(keyOf(stmt->range)); it != byRange.end()) {
                 best = it->second;
             } else {
-                for (auto around = byRange.upper_bound({stmt->range.file.value, stmt->range.begin, UINT32_MAX}); around != byRange.begin();) {
+                for (auto around = byRange.upper_bound({stmt->range.file.value, stmt->range.begin, UINT32_MAX});
+                     around != byRange.begin();) {
                     --around;
                     const auto [file, begin, end] = around->first;
                     if (file != stmt->range.file.value) break;
@@ -144,7 +153,8 @@ DebugMap makeDebugMap(const tree::Program& program) {
         info.library = function.library;
         info.instanceType = function.instanceType;
         info.declaration = function.declaration;
-        const FrameLayout layout = layFrameOut(*program.types, function, std::vector<bool>(function.locals.size(), true));
+        const FrameLayout layout =
+            layFrameOut(*program.types, function, std::vector<bool>(function.locals.size(), true));
         info.frameSize = layout.size;
         for (size_t i = 0; i < function.locals.size(); ++i) {
             const Local& local = function.locals[i];
@@ -159,7 +169,8 @@ DebugMap makeDebugMap(const tree::Program& program) {
 namespace {
 class FunctionScan : public Walker {
 public:
-    FunctionScan(const ProgramFacts& facts, const tree::Program& program, FunctionFacts& out, std::vector<FunctionFacts>& all, std::vector<bool>& inMemory)
+    FunctionScan(const ProgramFacts& facts, const tree::Program& program, FunctionFacts& out,
+                 std::vector<FunctionFacts>& all, std::vector<bool>& inMemory)
         : m_facts(facts), m_program(program), m_out(out), m_all(all), m_inMemory(inMemory) {}
 
 protected:
@@ -171,18 +182,23 @@ protected:
         case StmtKind::Jump:
             m_out.hasLoop = m_out.charges = m_out.canFault = true;
             break;
-        default: break;
+        default:
+            break;
         }
     }
 
     void onExpr(const Expr& expr) override {
         const types::TypeTable& types = *m_program.types;
-        if (expr.kind == ExprKind::Binary && (expr.binary == library::BinaryOp::Divide || expr.binary == library::BinaryOp::Modulo)) {
-            const bool isConstant = expr.b && expr.b->kind == ExprKind::Constant && std::holds_alternative<int64_t>(expr.b->value.data) && expr.b->value.integer() != 0;
+        if (expr.kind == ExprKind::Binary &&
+            (expr.binary == library::BinaryOp::Divide || expr.binary == library::BinaryOp::Modulo)) {
+            const bool isConstant = expr.b && expr.b->kind == ExprKind::Constant &&
+                                    std::holds_alternative<int64_t>(expr.b->value.data) && expr.b->value.integer() != 0;
             const types::TypeId type = expr.operandType.isValid() ? expr.operandType : expr.type;
             if (types.family(type) != types::Family::Real && !isConstant) m_out.canFault = true;
         }
-        if (expr.kind == ExprKind::Intrinsic && (expr.intrinsic == library::Intrinsic::DivDuration || expr.intrinsic == library::Intrinsic::CharAt)) m_out.canFault = true;
+        if (expr.kind == ExprKind::Intrinsic &&
+            (expr.intrinsic == library::Intrinsic::DivDuration || expr.intrinsic == library::Intrinsic::CharAt))
+            m_out.canFault = true;
         if (expr.kind == ExprKind::Call && expr.call) call(*expr.call);
     }
 
@@ -196,13 +212,19 @@ protected:
                 break;
             }
             case PlaceKind::TextIndex:
-            case PlaceKind::Deref: m_out.canFault = true; break;
-            case PlaceKind::InOutSlot: m_out.canFault = m_out.hasSlots = true; break;
-            default: break;
+            case PlaceKind::Deref:
+                m_out.canFault = true;
+                break;
+            case PlaceKind::InOutSlot:
+                m_out.canFault = m_out.hasSlots = true;
+                break;
+            default:
+                break;
             }
         }
         const Place& root = rootOf(place);
-        if (use == Use::Address && root.kind == PlaceKind::Local && root.local < m_inMemory.size()) m_inMemory[root.local] = true;
+        if (use == Use::Address && root.kind == PlaceKind::Local && root.local < m_inMemory.size())
+            m_inMemory[root.local] = true;
     }
 
 private:
@@ -218,10 +240,12 @@ private:
     }
     void addCallee(uint32_t callee, const tree::Call& call) {
         if (callee == 0 || callee >= m_all.size()) return;
-        if (std::find(m_out.callees.begin(), m_out.callees.end(), callee) == m_out.callees.end()) m_out.callees.push_back(callee);
+        if (std::find(m_out.callees.begin(), m_out.callees.end(), callee) == m_out.callees.end())
+            m_out.callees.push_back(callee);
         std::vector<bool> given(m_all[callee].mayBeNull.size(), false);
         for (const tree::CallArgument& argument : call.arguments)
-            if (argument.mode == tree::ArgumentMode::InOut && argument.place && argument.local < given.size()) given[argument.local] = true;
+            if (argument.mode == tree::ArgumentMode::InOut && argument.place && argument.local < given.size())
+                given[argument.local] = true;
         for (size_t i = 0; i < given.size(); ++i)
             if (!given[i]) m_all[callee].mayBeNull[i] = true;
     }
@@ -253,8 +277,10 @@ void WriteSummary::addAbsolute(Extent extent) {
 bool extentOf(const types::TypeTable& types, const Place& place, WriteSummary::Extent& extent) {
     const Place* whole = &place; // the outermost part without an index below it
     for (const Place* p = &place; p; p = p->base) {
-        if (p->kind == PlaceKind::InOutSlot || p->kind == PlaceKind::Deref || p->kind == PlaceKind::Temporary) return false;
-        if ((p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex || p->kind == PlaceKind::Bit) && p->base) whole = p->base;
+        if (p->kind == PlaceKind::InOutSlot || p->kind == PlaceKind::Deref || p->kind == PlaceKind::Temporary)
+            return false;
+        if ((p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex || p->kind == PlaceKind::Bit) && p->base)
+            whole = p->base;
     }
     extent.begin = 0;
     for (const Place* p = whole; p; p = p->base) extent.begin += p->offset;
@@ -274,9 +300,12 @@ protected:
         const Place& root = rootOf(place);
         if (root.kind == PlaceKind::Local) return; // its own, or an IN_OUT: the caller's affair
         WriteSummary::Extent extent;
-        if (!extentOf(*m_program.types, place, extent)) m_writes.anything = true;
-        else if (root.kind == PlaceKind::Instance) m_writes.instance = true;
-        else m_writes.addAbsolute(extent);
+        if (!extentOf(*m_program.types, place, extent))
+            m_writes.anything = true;
+        else if (root.kind == PlaceKind::Instance)
+            m_writes.instance = true;
+        else
+            m_writes.addAbsolute(extent);
     }
     void onExpr(const Expr& expr) override {
         if (expr.kind != ExprKind::Call || !expr.call) return;
@@ -291,7 +320,8 @@ private:
 
 /// Callees' writes in the caller's terms: their THIS was already counted where its place escaped into the call.
 void ProgramFacts::spreadWrites() {
-    for (uint32_t f = 1; f < m_functions.size(); ++f) WriteScan(m_program, f, m_functions).walkFunction(m_program.functions[f]);
+    for (uint32_t f = 1; f < m_functions.size(); ++f)
+        WriteScan(m_program, f, m_functions).walkFunction(m_program.functions[f]);
     for (bool changed = true; changed;) {
         changed = false;
         for (FunctionFacts& f : m_functions) {
@@ -300,8 +330,9 @@ void ProgramFacts::spreadWrites() {
                 if (callee.anything && !f.writes.anything) f.writes.anything = changed = true;
                 if (f.writes.anything) continue;
                 for (const WriteSummary::Extent& extent : std::vector(callee.absolutes)) {
-                    const bool isKnown = std::any_of(f.writes.absolutes.begin(), f.writes.absolutes.end(),
-                                                     [&](const WriteSummary::Extent& e) { return e.begin <= extent.begin && extent.end <= e.end; });
+                    const bool isKnown = std::any_of(
+                        f.writes.absolutes.begin(), f.writes.absolutes.end(),
+                        [&](const WriteSummary::Extent& e) { return e.begin <= extent.begin && extent.end <= e.end; });
                     if (isKnown) continue;
                     f.writes.addAbsolute(extent);
                     changed = true;
@@ -311,7 +342,8 @@ void ProgramFacts::spreadWrites() {
     }
 }
 
-ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier) : m_program(program), m_tier(tier), m_sites(program), m_functions(program.functions.size()) {
+ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier)
+    : m_program(program), m_tier(tier), m_sites(program), m_functions(program.functions.size()) {
     const types::TypeTable& types = *program.types;
     for (uint32_t t = 0; t < types.count(); ++t) {
         const types::Type& type = types[types::TypeId(t)];
@@ -319,7 +351,8 @@ ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier) : m_program(
         if (m_blocks.size() <= type.blockNumber) m_blocks.resize(type.blockNumber + 1);
         m_blocks[type.blockNumber] = types::TypeId(t);
     }
-    for (uint32_t f = 1; f < program.functions.size(); ++f) m_functions[f].mayBeNull.assign(program.functions[f].locals.size(), false);
+    for (uint32_t f = 1; f < program.functions.size(); ++f)
+        m_functions[f].mayBeNull.assign(program.functions[f].locals.size(), false);
     for (uint32_t f = 1; f < program.functions.size(); ++f)
         if (program.functions[f].methodSlot != Id<int>::kNone) m_targets[f] = findTargets(f);
     for (uint32_t f = 1; f < program.functions.size(); ++f) collect(f);
@@ -358,20 +391,24 @@ std::vector<Target> ProgramFacts::findTargets(uint32_t method) const {
     const types::TypeTable& types = *m_program.types;
     for (uint32_t b = 1; b < m_blocks.size(); ++b) {
         if (!m_blocks[b].isValid()) continue;
-        const bool fits = types.kind(declared.instanceType) == TypeKind::Interface ? types.implements(m_blocks[b], declared.instanceType)
-                                                                                   : types.isDerivedFrom(m_blocks[b], declared.instanceType);
+        const bool fits = types.kind(declared.instanceType) == TypeKind::Interface
+                              ? types.implements(m_blocks[b], declared.instanceType)
+                              : types.isDerivedFrom(m_blocks[b], declared.instanceType);
         if (!fits) continue;
         Target target{b, m_blocks[b], 0};
         if (b < m_program.dispatch.size() && declared.methodSlot < m_program.dispatch[b].size()) {
             const tree::FunctionId id = m_program.dispatch[b][declared.methodSlot];
-            if (id.isValid() && id.value != 0 && !m_program.functions[id.index()].isAbstract) target.function = id.value;
+            if (id.isValid() && id.value != 0 && !m_program.functions[id.index()].isAbstract)
+                target.function = id.value;
         }
         targets.push_back(target);
     }
     return targets;
 }
 
-types::TypeId ProgramFacts::blockType(uint32_t blockNumber) const { return blockNumber < m_blocks.size() ? m_blocks[blockNumber] : types::TypeId(); }
+types::TypeId ProgramFacts::blockType(uint32_t blockNumber) const {
+    return blockNumber < m_blocks.size() ? m_blocks[blockNumber] : types::TypeId();
+}
 
 /// Tarjan's strongly connected components without recursion (a program may nest calls as deep as it likes).
 void ProgramFacts::findCycles() {
@@ -434,7 +471,8 @@ void ProgramFacts::spread() {
         for (FunctionFacts& f : m_functions) {
             for (const uint32_t g : f.callees) {
                 const FunctionFacts& callee = m_functions[g];
-                if ((callee.canFault && !f.canFault) || (callee.charges && !f.charges) || (callee.isUnbounded && !f.isUnbounded)) {
+                if ((callee.canFault && !f.canFault) || (callee.charges && !f.charges) ||
+                    (callee.isUnbounded && !f.isUnbounded)) {
                     f.canFault |= callee.canFault;
                     f.charges |= callee.charges;
                     f.isUnbounded |= callee.isUnbounded;

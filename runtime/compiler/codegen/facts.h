@@ -8,24 +8,26 @@
 
 namespace plc::codegen {
 
-/// Where the locals of a function lie in its frame. Text and aggregate result first, then text and aggregate parameters in order (so
-/// that every implementation of a method agrees about them), then the rest.
+/// Where the locals of a function lie in its frame. Text and aggregate result first, then text and aggregate parameters
+/// in order (so that every implementation of a method agrees about them), then the rest.
 struct FrameLayout {
     std::vector<uint32_t> offsets; // by local; kNoFrame = in a register
     uint32_t size = 0;
 };
 inline constexpr uint32_t kNoFrame = 0xffffffffu;
-[[nodiscard]] FrameLayout layFrameOut(const types::TypeTable& types, const tree::Function& function, const std::vector<bool>& inMemory);
+[[nodiscard]] FrameLayout layFrameOut(const types::TypeTable& types, const tree::Function& function,
+                                      const std::vector<bool>& inMemory);
 [[nodiscard]] uint32_t slotSize(const types::TypeTable& types, const tree::Local& local);
 
-/// Statement → site, in the order of DebugMap::sites. Statements of one text share a site; it is asked for a stop once, where the
-/// outermost (or first) of them begins. A Block that stands for a written statement (a block call) is such a statement.
+/// Statement → site, in the order of DebugMap::sites. Statements of one text share a site; it is asked for a stop once,
+/// where the outermost (or first) of them begins. A Block that stands for a written statement (a block call) is such a
+/// statement.
 class SiteTable {
 public:
     explicit SiteTable(const tree::Program& program);
     struct Place {
-        uint32_t site = 0;    // 0 = none
-        bool stops = false;   // asks whether to stop
+        uint32_t site = 0;  // 0 = none
+        bool stops = false; // asks whether to stop
     };
     [[nodiscard]] Place at(const tree::Stmt& stmt) const;
     [[nodiscard]] uint32_t siteOf(const tree::Stmt& stmt) const { return at(stmt).site; }
@@ -40,27 +42,28 @@ struct WriteSummary {
     struct Extent {
         uint32_t begin = 0, end = 0;
     };
-    bool anything = false;          // through pointers, slots, dispatched calls
-    bool instance = false;          // of THIS
+    bool anything = false; // through pointers, slots, dispatched calls
+    bool instance = false; // of THIS
     std::vector<Extent> absolutes;
     void addAbsolute(Extent extent);
 };
 
-/// The bytes a place may touch, from its root's begin: all of an indexed array. False when they are not fixed to THIS or the image.
+/// The bytes a place may touch, from its root's begin: all of an indexed array. False when they are not fixed to THIS
+/// or the image.
 bool extentOf(const types::TypeTable& types, const tree::Place& place, WriteSummary::Extent& extent);
 
 struct FunctionFacts {
-    FrameLayout frame;               // of this tier
-    std::vector<bool> mayBeNull;     // IN_OUT locals that a caller leaves out
-    std::vector<uint32_t> callees;   // indices, without repetition
+    FrameLayout frame;             // of this tier
+    std::vector<bool> mayBeNull;   // IN_OUT locals that a caller leaves out
+    std::vector<uint32_t> callees; // indices, without repetition
     bool canFault = false;
-    bool charges = false;            // touches the loop budget, itself or through callees
-    bool hasLoop = false;            // itself
-    bool hasSlots = false;           // follows IN_OUT slots of its instance
-    bool inCycle = false;            // of calls
-    bool isUnbounded = false;        // reaches a cycle: frames are checked as they come
+    bool charges = false;     // touches the loop budget, itself or through callees
+    bool hasLoop = false;     // itself
+    bool hasSlots = false;    // follows IN_OUT slots of its instance
+    bool inCycle = false;     // of calls
+    bool isUnbounded = false; // reaches a cycle: frames are checked as they come
     WriteSummary writes;
-    bool isReachable = false;        // from a task, the initializer or a dispatch table
+    bool isReachable = false; // from a task, the initializer or a dispatch table
 };
 
 /// One implementation a dispatched call can reach.

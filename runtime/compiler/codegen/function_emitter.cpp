@@ -36,8 +36,8 @@ bool fixedFromThis(const tree::Place* place, uint32_t& offset) {
 } // namespace
 
 FunctionEmitter::FunctionEmitter(ModuleEmitter& module, uint32_t index)
-    : m(module), b(module.context), m_index(index), m_tree(module.program.functions[index]), m_facts(module.facts[index]), m_abi(module.abi(index)),
-      m_function(module.function(index)) {
+    : m(module), b(module.context), m_index(index), m_tree(module.program.functions[index]),
+      m_facts(module.facts[index]), m_abi(module.abi(index)), m_function(module.function(index)) {
     m_context = m_function->getArg(0);
     m_image = m_function->getArg(1);
     m_thisPointer = m_function->getArg(2);
@@ -51,7 +51,9 @@ void FunctionEmitter::emit() {
     emitEpilogue();
 }
 
-FunctionEmitter::Block* FunctionEmitter::newBlock(const char* name) { return Block::Create(m.context, m.isQuick() ? "" : name, m_function); }
+FunctionEmitter::Block* FunctionEmitter::newBlock(const char* name) {
+    return Block::Create(m.context, m.isQuick() ? "" : name, m_function);
+}
 
 void FunctionEmitter::jump(Block* target) {
     if (!b.GetInsertBlock()->getTerminator()) b.CreateBr(target);
@@ -92,8 +94,10 @@ void FunctionEmitter::emitPrologue() {
     enter(entry);
     m_entryEnd = b.CreateBr(start);
     b.SetInsertPoint(m_entryEnd);
-    if (m_tree.instanceType.isValid()) m_this64 = b.CreateSub(b.CreatePtrToInt(m_thisPointer, m.i64), b.CreatePtrToInt(m_image, m.i64));
-    else m_this64 = int64(0);
+    if (m_tree.instanceType.isValid())
+        m_this64 = b.CreateSub(b.CreatePtrToInt(m_thisPointer, m.i64), b.CreatePtrToInt(m_image, m.i64));
+    else
+        m_this64 = int64(0);
     m_framePointer = b.CreateInBoundsGEP(m.i8, m_image, m_frame64);
     auto* next = llvm::BinaryOperator::CreateAdd(m_frame64, int64(0), "next", m_entryEnd->getIterator());
     m_nextFrame = next;
@@ -108,7 +112,8 @@ void FunctionEmitter::emitPrologue() {
         if (local.isInOut) {
             m_locals[i] = newSlot(m.i64, "inout");
             if (m.types().kind(local.type) == TypeKind::OpenArray)
-                for (size_t d = 0; d < m.types()[local.type].dimensions.size(); ++d) m_localBounds[i].push_back({newSlot(m.i64, "low"), newSlot(m.i64, "high")});
+                for (size_t d = 0; d < m.types()[local.type].dimensions.size(); ++d)
+                    m_localBounds[i].push_back({newSlot(m.i64, "low"), newSlot(m.i64, "high")});
         } else if (m_facts.frame.offsets[i] == kNoFrame) {
             m_locals[i] = newSlot(m.memoryType(local.type), "local");
         }
@@ -128,7 +133,8 @@ void FunctionEmitter::emitPrologue() {
     }
     if (m_facts.inCycle) {
         Value* here = b.CreatePtrToInt(b.CreateIntrinsic(llvm::Intrinsic::frameaddress, {m.ptr}, {int32(0)}), m.i64);
-        guard(b.CreateICmpULT(here, loadContext(m.i64, offsetof(RuntimeContext, stackLimit))), image::FaultCode::StackOverflow);
+        guard(b.CreateICmpULT(here, loadContext(m.i64, offsetof(RuntimeContext, stackLimit))),
+              image::FaultCode::StackOverflow);
     }
 
     unsigned argument = 4;
@@ -140,7 +146,8 @@ void FunctionEmitter::emitPrologue() {
                 store(localAddress(i), given);
             } else {
                 const Address target = localAddress(i);
-                b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), given, llvm::MaybeAlign(1), m.types()[local.type].size);
+                b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), given, llvm::MaybeAlign(1),
+                               m.types()[local.type].size);
             }
         } else if (local.isInOut) {
             const bool isParameter = local.kind == LocalKind::InOut;
@@ -219,8 +226,11 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
             uint64_t bits = 0;
             std::memcpy(&bits, type.initial.data(), std::min<size_t>(8, type.initial.size()));
             value = memory->isIntegerTy() ? llvm::ConstantInt::get(memory, bits)
-                    : memory->isFloatTy() ? llvm::ConstantFP::get(m.context, llvm::APFloat(llvm::APFloat::IEEEsingle(), llvm::APInt(32, bits & 0xffffffffu)))
-                                          : llvm::ConstantFP::get(m.context, llvm::APFloat(llvm::APFloat::IEEEdouble(), llvm::APInt(64, bits)));
+                    : memory->isFloatTy()
+                        ? llvm::ConstantFP::get(m.context, llvm::APFloat(llvm::APFloat::IEEEsingle(),
+                                                                         llvm::APInt(32, bits & 0xffffffffu)))
+                        : llvm::ConstantFP::get(m.context,
+                                                llvm::APFloat(llvm::APFloat::IEEEdouble(), llvm::APInt(64, bits)));
         }
         b.CreateAlignedStore(value, pointer(target), alignOf(target).valueOrOne());
         return;
@@ -234,8 +244,10 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
     }
     if (!local.initial) return;
     const uint32_t top = m_temporaryTop;
-    if (m.types().isText(local.type)) textInto(*local.initial, textAt(target));
-    else aggregateInto(*local.initial, target);
+    if (m.types().isText(local.type))
+        textInto(*local.initial, textAt(target));
+    else
+        aggregateInto(*local.initial, target);
     m_temporaryTop = top;
 }
 

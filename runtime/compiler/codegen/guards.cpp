@@ -7,7 +7,8 @@ using image::RuntimeContext;
 
 llvm::BranchInst* FunctionEmitter::branchUnlikely(Value* condition, Block* rare, Block* usual) {
     llvm::BranchInst* branch = b.CreateCondBr(condition, rare, usual);
-    if (!m.isQuick()) branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1, 1 << 20));
+    if (!m.isQuick())
+        branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1, 1 << 20));
     return branch;
 }
 
@@ -18,23 +19,27 @@ void FunctionEmitter::guard(Value* isBad, FaultCode code, Value* d0, Value* d1, 
     Block* usual = newBlock("ok");
     branchUnlikely(isBad, rare, usual);
     enter(rare);
-    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), d0 ? d0 : int64(0), d1 ? d1 : int64(0), d2 ? d2 : int64(0)});
+    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), d0 ? d0 : int64(0),
+                             d1 ? d1 : int64(0), d2 ? d2 : int64(0)});
     b.CreateUnreachable();
     enter(usual);
 }
 
 void FunctionEmitter::raiseAlways(FaultCode code) {
-    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), int64(0), int64(0), int64(0)});
+    b.CreateCall(m.raise(),
+                 {m_context, int32(static_cast<uint32_t>(code)), int32(m_site), int64(0), int64(0), int64(0)});
     b.CreateUnreachable();
     enter(newBlock("dead"));
 }
 
-/// `size` bytes at `offset` lie within declared variables or within frames that are alive (this function's and its callers').
+/// `size` bytes at `offset` lie within declared variables or within frames that are alive (this function's and its
+/// callers').
 llvm::Value* FunctionEmitter::isLive(Value* at, Value* size) {
     const image::Layout& layout = m.program.layout;
     const int64_t dataBegin = sizeof(image::ImageHeader);
     Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
-    Value* inData = b.CreateAnd(b.CreateICmpSGE(dataRoom, int64(0)), b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom));
+    Value* inData =
+        b.CreateAnd(b.CreateICmpSGE(dataRoom, int64(0)), b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom));
     Value* frameLast = b.CreateSub(m_nextFrame, size);
     Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
     return b.CreateOr(inData, inFrame);
@@ -48,21 +53,25 @@ void FunctionEmitter::guardReference(Value* at, Value* size) {
     Block* ok = newBlock("ok");
     Value* dataRoom = b.CreateSub(int64(static_cast<int64_t>(layout.dataEnd) - dataBegin), size);
     Value* inData = b.CreateICmpULE(b.CreateSub(at, int64(dataBegin)), dataRoom);
-    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(dataRoom); !known || known->isNegative()) inData = b.CreateAnd(inData, b.CreateICmpSGE(dataRoom, int64(0)));
+    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(dataRoom); !known || known->isNegative())
+        inData = b.CreateAnd(inData, b.CreateICmpSGE(dataRoom, int64(0)));
     llvm::BranchInst* branch = b.CreateCondBr(inData, ok, frames);
-    if (!m.isQuick()) branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1 << 10, 1));
+    if (!m.isQuick())
+        branch->setMetadata(llvm::LLVMContext::MD_prof, llvm::MDBuilder(m.context).createBranchWeights(1 << 10, 1));
     enter(frames);
     Value* frameLast = b.CreateSub(m_nextFrame, size);
     Value* inFrame = b.CreateAnd(b.CreateICmpSGE(at, int64(layout.frameBegin)), b.CreateICmpSLE(at, frameLast));
     branchUnlikely(b.CreateNot(inFrame), bad, ok);
     enter(bad);
-    Value* code = b.CreateSelect(b.CreateICmpEQ(at, int64(0)), int32(static_cast<uint32_t>(FaultCode::NullReference)), int32(static_cast<uint32_t>(FaultCode::ForeignReference)));
+    Value* code = b.CreateSelect(b.CreateICmpEQ(at, int64(0)), int32(static_cast<uint32_t>(FaultCode::NullReference)),
+                                 int32(static_cast<uint32_t>(FaultCode::ForeignReference)));
     b.CreateCall(m.raise(), {m_context, code, int32(m_site), at, int64(0), int64(0)});
     b.CreateUnreachable();
     enter(ok);
 }
 
-/// The word at `at` (already live for the block's size) names `block` or one derived from it, and all of it lies inside the image.
+/// The word at `at` (already live for the block's size) names `block` or one derived from it, and all of it lies inside
+/// the image.
 void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
     const types::Type& type = m.types()[block];
     if (type.kind == types::TypeKind::Block && type.blockNumber == 0) return;
@@ -78,7 +87,8 @@ void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
     Value* fits = b.CreateLoad(m.i8, b.CreateInBoundsGEP(m.i8, flags, number64));
     branchUnlikely(b.CreateICmpEQ(fits, b.getInt8(0)), bad, ok);
     enter(bad);
-    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(FaultCode::ForeignReference)), int32(m_site), at, int64(0), int64(0)});
+    b.CreateCall(m.raise(), {m_context, int32(static_cast<uint32_t>(FaultCode::ForeignReference)), int32(m_site), at,
+                             int64(0), int64(0)});
     b.CreateUnreachable();
     enter(ok);
 }
@@ -87,8 +97,10 @@ void FunctionEmitter::charge(Value* amount) {
     const size_t at = offsetof(RuntimeContext, loopBudget);
     Value* left = m_budget ? static_cast<Value*>(b.CreateLoad(m.i64, m_budget)) : loadContext(m.i64, at);
     left = b.CreateSub(left, amount);
-    if (m_budget) b.CreateStore(left, m_budget);
-    else storeContext(left, at);
+    if (m_budget)
+        b.CreateStore(left, m_budget);
+    else
+        storeContext(left, at);
     Block* usedUp = newBlock("budget");
     Block* ok = newBlock("ok");
     branchUnlikely(b.CreateICmpSLT(left, int64(0)), usedUp, ok);

@@ -13,36 +13,55 @@ using types::Family;
 using types::TypeKind;
 
 namespace {
-bool isSignedFamily(Family f) { return f == Family::Signed || f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime; }
+bool isSignedFamily(Family f) {
+    return f == Family::Signed || f == Family::Duration || f == Family::Date || f == Family::TimeOfDay ||
+           f == Family::DateTime;
+}
 } // namespace
 
-/// The C library's function under a name LLVM does not know, so that it neither folds nor replaces it: every tier and the
-/// evaluator get the same bits.
+/// The C library's function under a name LLVM does not know, so that it neither folds nor replaces it: every tier and
+/// the evaluator get the same bits.
 llvm::Value* FunctionEmitter::mathCall(const char* single, const char* wide, std::initializer_list<Value*> operands) {
     std::vector<Value*> arguments(operands);
     llvm::Type* type = arguments[0]->getType();
     const std::vector<llvm::Type*> parameters(arguments.size(), type);
-    return b.CreateCall(m.helper(type->isFloatTy() ? single : wide, type, parameters, ModuleEmitter::Effects::None), arguments);
+    return b.CreateCall(m.helper(type->isFloatTy() ? single : wide, type, parameters, ModuleEmitter::Effects::None),
+                        arguments);
 }
 
 llvm::Value* FunctionEmitter::mathFunction(const Expr& expr) {
     llvm::Type* type = m.scalarType(expr.type);
-    const auto operand = [&](size_t i) { return convert(scalar(*expr.operands[i]), expr.operands[i]->type, expr.type); };
+    const auto operand = [&](size_t i) {
+        return convert(scalar(*expr.operands[i]), expr.operands[i]->type, expr.type);
+    };
     const auto one = [&](const char* single, const char* wide) { return mathCall(single, wide, {operand(0)}); };
     switch (expr.intrinsic) {
-    case Intrinsic::Sqrt: return b.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, operand(0)); // correctly rounded everywhere
-    case Intrinsic::Ln: return one("plc_logf", "plc_log");
-    case Intrinsic::Log: return one("plc_log10f", "plc_log10");
-    case Intrinsic::Exp: return one("plc_expf", "plc_exp");
-    case Intrinsic::Sin: return one("plc_sinf", "plc_sin");
-    case Intrinsic::Cos: return one("plc_cosf", "plc_cos");
-    case Intrinsic::Tan: return one("plc_tanf", "plc_tan");
-    case Intrinsic::Asin: return one("plc_asinf", "plc_asin");
-    case Intrinsic::Acos: return one("plc_acosf", "plc_acos");
-    case Intrinsic::Atan: return one("plc_atanf", "plc_atan");
-    case Intrinsic::Sinh: return one("plc_sinhf", "plc_sinh");
-    case Intrinsic::Cosh: return one("plc_coshf", "plc_cosh");
-    case Intrinsic::Tanh: return one("plc_tanhf", "plc_tanh");
+    case Intrinsic::Sqrt:
+        return b.CreateUnaryIntrinsic(llvm::Intrinsic::sqrt, operand(0)); // correctly rounded everywhere
+    case Intrinsic::Ln:
+        return one("plc_logf", "plc_log");
+    case Intrinsic::Log:
+        return one("plc_log10f", "plc_log10");
+    case Intrinsic::Exp:
+        return one("plc_expf", "plc_exp");
+    case Intrinsic::Sin:
+        return one("plc_sinf", "plc_sin");
+    case Intrinsic::Cos:
+        return one("plc_cosf", "plc_cos");
+    case Intrinsic::Tan:
+        return one("plc_tanf", "plc_tan");
+    case Intrinsic::Asin:
+        return one("plc_asinf", "plc_asin");
+    case Intrinsic::Acos:
+        return one("plc_acosf", "plc_acos");
+    case Intrinsic::Atan:
+        return one("plc_atanf", "plc_atan");
+    case Intrinsic::Sinh:
+        return one("plc_sinhf", "plc_sinh");
+    case Intrinsic::Cosh:
+        return one("plc_coshf", "plc_cosh");
+    case Intrinsic::Tanh:
+        return one("plc_tanhf", "plc_tanh");
     case Intrinsic::Atan2: {
         Value* y = operand(0);
         return mathCall("plc_atan2f", "plc_atan2", {y, operand(1)});
@@ -62,7 +81,8 @@ llvm::Value* FunctionEmitter::mathFunction(const Expr& expr) {
         Value* x = operand(0);
         return b.CreateFSub(x, b.CreateUnaryIntrinsic(llvm::Intrinsic::trunc, x));
     }
-    default: return llvm::Constant::getNullValue(type);
+    default:
+        return llvm::Constant::getNullValue(type);
     }
 }
 
@@ -77,10 +97,12 @@ llvm::Value* FunctionEmitter::wholeNumber(const Expr& expr, llvm::Intrinsic::ID 
 
 llvm::Value* FunctionEmitter::absolute(const Expr& expr) {
     Value* value = scalar(*expr.operands[0]);
-    if (value->getType()->isFloatingPointTy()) return b.CreateFPCast(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, value), m.scalarType(expr.type));
+    if (value->getType()->isFloatingPointTy())
+        return b.CreateFPCast(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, value), m.scalarType(expr.type));
     value = convert(value, expr.operands[0]->type, expr.type);
     if (!isSignedFamily(m.types().family(expr.type))) return value;
-    return b.CreateSelect(b.CreateICmpSLT(value, llvm::Constant::getNullValue(value->getType())), b.CreateNeg(value), value);
+    return b.CreateSelect(b.CreateICmpSLT(value, llvm::Constant::getNullValue(value->getType())), b.CreateNeg(value),
+                          value);
 }
 
 llvm::Value* FunctionEmitter::countOf(const Expr& expr) {
@@ -99,7 +121,8 @@ llvm::Value* FunctionEmitter::shift(const Expr& expr) {
     Value* count = countOf(*expr.operands[1]);
     if (expr.intrinsic == Intrinsic::Rol || expr.intrinsic == Intrinsic::Ror) {
         Value* turn = b.CreateTrunc(b.CreateSRem(count, int64(bits)), type);
-        return b.CreateIntrinsic(expr.intrinsic == Intrinsic::Rol ? llvm::Intrinsic::fshl : llvm::Intrinsic::fshr, {type}, {value, value, turn});
+        return b.CreateIntrinsic(expr.intrinsic == Intrinsic::Rol ? llvm::Intrinsic::fshl : llvm::Intrinsic::fshr,
+                                 {type}, {value, value, turn});
     }
     Value* inside = b.CreateICmpULT(count, int64(bits));
     Value* amount = b.CreateTrunc(b.CreateSelect(inside, count, int64(0)), type);
@@ -108,7 +131,9 @@ llvm::Value* FunctionEmitter::shift(const Expr& expr) {
 }
 
 llvm::Value* FunctionEmitter::better(Value* candidate, Value* best, types::TypeId type, bool isMaximum) {
-    return b.CreateSelect(compare(isMaximum ? library::BinaryOp::Greater : library::BinaryOp::Less, candidate, best, type), candidate, best);
+    return b.CreateSelect(
+        compare(isMaximum ? library::BinaryOp::Greater : library::BinaryOp::Less, candidate, best, type), candidate,
+        best);
 }
 
 llvm::Value* FunctionEmitter::extreme(const Expr& expr) {
@@ -125,8 +150,11 @@ llvm::Value* FunctionEmitter::mux(const Expr& expr) {
     Value* result = nullptr;
     // From the last down: a K beyond it takes the last, a negative one the first.
     std::vector<Value*> values;
-    for (size_t i = 1; i < expr.operands.size(); ++i) values.push_back(convert(scalar(*expr.operands[i]), expr.operands[i]->type, expr.type));
-    for (size_t i = values.size(); i-- > 0;) result = result ? b.CreateSelect(b.CreateICmpSLE(k, int64(static_cast<int64_t>(i))), values[i], result) : values[i];
+    for (size_t i = 1; i < expr.operands.size(); ++i)
+        values.push_back(convert(scalar(*expr.operands[i]), expr.operands[i]->type, expr.type));
+    for (size_t i = values.size(); i-- > 0;)
+        result =
+            result ? b.CreateSelect(b.CreateICmpSLE(k, int64(static_cast<int64_t>(i))), values[i], result) : values[i];
     return result;
 }
 
@@ -135,7 +163,9 @@ llvm::Value* FunctionEmitter::durationTimes(const Expr& expr, bool isDivision) {
     const Expr& number = *expr.operands[1];
     if (m.types().family(number.type) == Family::Real) {
         Value* factor = b.CreateFPCast(scalar(number), m.f64);
-        return b.CreateCall(m.helper(isDivision ? "plc_divide_duration" : "plc_multiply_duration", m.i64, {m.i64, m.f64}, ModuleEmitter::Effects::None), {duration, factor});
+        return b.CreateCall(m.helper(isDivision ? "plc_divide_duration" : "plc_multiply_duration", m.i64,
+                                     {m.i64, m.f64}, ModuleEmitter::Effects::None),
+                            {duration, factor});
     }
     if (isDivision) return divide(duration, countOf(number), types::TypeTable::of(TypeKind::Lint), false, &number);
     return b.CreateMul(duration, castInteger(scalar(number), number.type, m.i64));
@@ -184,25 +214,36 @@ llvm::Value* FunctionEmitter::intrinsicByHelper(const Expr& expr) {
         result = simple("plc_power_integer", {base, count(1)});
         break;
     }
-    case Intrinsic::DatePart: result = simple("plc_date_part", {scalar(*expr.operands[0]), int64(expr.selector)}); break;
-    case Intrinsic::TimePart: result = simple("plc_time_part", {scalar(*expr.operands[0]), int64(expr.selector)}); break;
+    case Intrinsic::DatePart:
+        result = simple("plc_date_part", {scalar(*expr.operands[0]), int64(expr.selector)});
+        break;
+    case Intrinsic::TimePart:
+        result = simple("plc_time_part", {scalar(*expr.operands[0]), int64(expr.selector)});
+        break;
     case Intrinsic::ConcatDate:
     case Intrinsic::ConcatTod:
     case Intrinsic::ConcatDt:
         for (size_t i = 0; i < expr.operands.size(); ++i) counts.push_back(count(i));
-        result = withOk(expr.intrinsic == Intrinsic::ConcatDate ? "plc_concat_date" : expr.intrinsic == Intrinsic::ConcatTod ? "plc_concat_tod" : "plc_concat_dt", counts);
+        result = withOk(expr.intrinsic == Intrinsic::ConcatDate  ? "plc_concat_date"
+                        : expr.intrinsic == Intrinsic::ConcatTod ? "plc_concat_tod"
+                                                                 : "plc_concat_dt",
+                        counts);
         break;
-    case Intrinsic::BcdTo: result = withOk("plc_bcd_to_integer", {word(0), kindOf(expr.type)}); break;
+    case Intrinsic::BcdTo:
+        result = withOk("plc_bcd_to_integer", {word(0), kindOf(expr.type)});
+        break;
     case Intrinsic::ToBcd: {
         Value* value = castInteger(scalar(*expr.operands[0]), expr.operands[0]->type, m.i64);
         result = withOk("plc_integer_to_bcd", {value, kindOf(expr.operands[0]->type), kindOf(expr.type)});
         break;
     }
     case Intrinsic::IsValidBcd: {
-        Value* valid = b.CreateCall(m.helper("plc_is_valid_bcd", m.i8, {m.i64}, ModuleEmitter::Effects::None), {word(0)});
+        Value* valid =
+            b.CreateCall(m.helper("plc_is_valid_bcd", m.i8, {m.i64}, ModuleEmitter::Effects::None), {word(0)});
         return b.CreateICmpNE(valid, b.getInt8(0));
     }
-    default: return llvm::Constant::getNullValue(m.scalarType(expr.type));
+    default:
+        return llvm::Constant::getNullValue(m.scalarType(expr.type));
     }
     return b.CreateTrunc(result, m.scalarType(expr.type));
 }
@@ -211,7 +252,9 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     Value* result = nullptr;
     bool hasOk = false;
     switch (expr.intrinsic) {
-    case Intrinsic::Abs: result = absolute(expr); break;
+    case Intrinsic::Abs:
+        result = absolute(expr);
+        break;
     case Intrinsic::Sqrt:
     case Intrinsic::Ln:
     case Intrinsic::Log:
@@ -229,21 +272,33 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::Expt:
     case Intrinsic::DegToRad:
     case Intrinsic::RadToDeg:
-    case Intrinsic::Frac: result = mathFunction(expr); break;
+    case Intrinsic::Frac:
+        result = mathFunction(expr);
+        break;
     case Intrinsic::Square: {
         Value* x = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
         result = x->getType()->isFloatingPointTy() ? b.CreateFMul(x, x) : b.CreateMul(x, x);
         break;
     }
     case Intrinsic::Trunc:
-    case Intrinsic::TruncReal: result = wholeNumber(expr, llvm::Intrinsic::trunc); break;
-    case Intrinsic::Floor: result = wholeNumber(expr, llvm::Intrinsic::floor); break;
-    case Intrinsic::Ceil: result = wholeNumber(expr, llvm::Intrinsic::ceil); break;
-    case Intrinsic::RoundReal: result = wholeNumber(expr, llvm::Intrinsic::roundeven); break;
+    case Intrinsic::TruncReal:
+        result = wholeNumber(expr, llvm::Intrinsic::trunc);
+        break;
+    case Intrinsic::Floor:
+        result = wholeNumber(expr, llvm::Intrinsic::floor);
+        break;
+    case Intrinsic::Ceil:
+        result = wholeNumber(expr, llvm::Intrinsic::ceil);
+        break;
+    case Intrinsic::RoundReal:
+        result = wholeNumber(expr, llvm::Intrinsic::roundeven);
+        break;
     case Intrinsic::Shl:
     case Intrinsic::Shr:
     case Intrinsic::Rol:
-    case Intrinsic::Ror: result = shift(expr); break;
+    case Intrinsic::Ror:
+        result = shift(expr);
+        break;
     case Intrinsic::Sel: {
         Value* g = scalar(*expr.operands[0]);
         Value* no = convert(scalar(*expr.operands[1]), expr.operands[1]->type, expr.type);
@@ -252,7 +307,9 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
         break;
     }
     case Intrinsic::Max:
-    case Intrinsic::Min: result = extreme(expr); break;
+    case Intrinsic::Min:
+        result = extreme(expr);
+        break;
     case Intrinsic::Limit: {
         Value* mn = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
         Value* in = convert(scalar(*expr.operands[1]), expr.operands[1]->type, expr.type);
@@ -260,13 +317,19 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
         result = better(mx, better(mn, in, expr.type, true), expr.type, false);
         break;
     }
-    case Intrinsic::Mux: result = mux(expr); break;
-    case Intrinsic::Move: result = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type); break;
+    case Intrinsic::Mux:
+        result = mux(expr);
+        break;
+    case Intrinsic::Move:
+        result = convert(scalar(*expr.operands[0]), expr.operands[0]->type, expr.type);
+        break;
     case Intrinsic::Len:
     case Intrinsic::Find:
     case Intrinsic::IsNumber:
     case Intrinsic::CharAt:
-    case Intrinsic::AsciiOf: result = textIntrinsicScalar(expr); break;
+    case Intrinsic::AsciiOf:
+        result = textIntrinsicScalar(expr);
+        break;
     case Intrinsic::Left:
     case Intrinsic::Right:
     case Intrinsic::Mid:
@@ -279,17 +342,32 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::Trim:
     case Intrinsic::CharOf: { // a text where a character is wanted
         const Text made = text(expr);
-        result = b.CreateZExtOrTrunc(b.CreateAlignedLoad(made.isWide ? m.i16 : m.i8, made.pointer, llvm::Align(1)), m.scalarType(expr.type));
+        result = b.CreateZExtOrTrunc(b.CreateAlignedLoad(made.isWide ? m.i16 : m.i8, made.pointer, llvm::Align(1)),
+                                     m.scalarType(expr.type));
         hasOk = true;
         break;
     }
-    case Intrinsic::Time: result = headerField(offsetof(ImageHeader, timeNs), m.i64, expr.type); break;
-    case Intrinsic::Calendar: result = headerField(offsetof(ImageHeader, calendarNs), m.i64, expr.type); break;
-    case Intrinsic::FirstScan: result = headerField(offsetof(ImageHeader, firstScan), m.i32, expr.type); break;
-    case Intrinsic::ScanNumber: result = headerField(offsetof(ImageHeader, scan), m.i64, expr.type); break;
-    case Intrinsic::TaskPeriod: result = headerField(offsetof(ImageHeader, taskPeriodNs), m.i64, expr.type); break;
-    case Intrinsic::MulDuration: result = durationTimes(expr, false); break;
-    case Intrinsic::DivDuration: result = durationTimes(expr, true); break;
+    case Intrinsic::Time:
+        result = headerField(offsetof(ImageHeader, timeNs), m.i64, expr.type);
+        break;
+    case Intrinsic::Calendar:
+        result = headerField(offsetof(ImageHeader, calendarNs), m.i64, expr.type);
+        break;
+    case Intrinsic::FirstScan:
+        result = headerField(offsetof(ImageHeader, firstScan), m.i32, expr.type);
+        break;
+    case Intrinsic::ScanNumber:
+        result = headerField(offsetof(ImageHeader, scan), m.i64, expr.type);
+        break;
+    case Intrinsic::TaskPeriod:
+        result = headerField(offsetof(ImageHeader, taskPeriodNs), m.i64, expr.type);
+        break;
+    case Intrinsic::MulDuration:
+        result = durationTimes(expr, false);
+        break;
+    case Intrinsic::DivDuration:
+        result = durationTimes(expr, true);
+        break;
     case Intrinsic::ConcatDateTod: {
         Value* date = scalar(*expr.operands[0]);
         result = b.CreateAdd(date, scalar(*expr.operands[1]));
@@ -307,20 +385,26 @@ llvm::Value* FunctionEmitter::intrinsic(const Expr& expr) {
     case Intrinsic::ExptInt:
     case Intrinsic::DatePart:
     case Intrinsic::TimePart:
-    case Intrinsic::IsValidBcd: result = intrinsicByHelper(expr); break;
+    case Intrinsic::IsValidBcd:
+        result = intrinsicByHelper(expr);
+        break;
     case Intrinsic::IsValid: {
         Value* x = scalar(*expr.operands[0]);
         if (!x->getType()->isFloatingPointTy()) {
             result = b.getTrue();
             break;
         }
-        result = b.CreateFCmpOLT(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, x), llvm::ConstantFP::getInfinity(x->getType()));
+        result = b.CreateFCmpOLT(b.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, x),
+                                 llvm::ConstantFP::getInfinity(x->getType()));
         break;
     }
-    case Intrinsic::SameBits: result = sameBits(expr); break;
+    case Intrinsic::SameBits:
+        result = sameBits(expr);
+        break;
     case Intrinsic::SwapBytes: {
         Value* value = scalar(*expr.operands[0]);
-        if (value->getType()->isIntegerTy() && value->getType()->getIntegerBitWidth() >= 16) value = b.CreateUnaryIntrinsic(llvm::Intrinsic::bswap, value);
+        if (value->getType()->isIntegerTy() && value->getType()->getIntegerBitWidth() >= 16)
+            value = b.CreateUnaryIntrinsic(llvm::Intrinsic::bswap, value);
         result = convert(value, expr.operands[0]->type, expr.type);
         break;
     }

@@ -61,7 +61,8 @@ namespace {
 /// Looks for anything in a loop's body that could write the loop's variable.
 class WriteFinder : public Walker {
 public:
-    WriteFinder(const tree::Program& program, const ProgramFacts& facts, const tree::Function& function, const Place& variable)
+    WriteFinder(const tree::Program& program, const ProgramFacts& facts, const tree::Function& function,
+                const Place& variable)
         : m_program(program), m_facts(facts), m_function(function), m_root(rootOf(variable)) {
         m_isLocal = m_root.kind == PlaceKind::Local;
         extentOf(*program.types, variable, m_extent);
@@ -79,9 +80,12 @@ protected:
         }
         if (root.kind == PlaceKind::Local && !m_function.locals[root.local].isInOut) return;
         WriteSummary::Extent extent;
-        if (root.kind == PlaceKind::Local || !extentOf(*m_program.types, place, extent)) found = true;
-        else if (root.kind != m_root.kind) found = found || mayMeet(root, extent);
-        else if (extent.begin < m_extent.end && m_extent.begin < extent.end) found = true;
+        if (root.kind == PlaceKind::Local || !extentOf(*m_program.types, place, extent))
+            found = true;
+        else if (root.kind != m_root.kind)
+            found = found || mayMeet(root, extent);
+        else if (extent.begin < m_extent.end && m_extent.begin < extent.end)
+            found = true;
     }
     void onExpr(const tree::Expr& expr) override {
         if (expr.kind != ExprKind::Call || !expr.call || m_isLocal) return;
@@ -93,8 +97,10 @@ protected:
         const WriteSummary& writes = m_facts[expr.call->callee.value].writes;
         found = found || writes.anything;
         for (const WriteSummary::Extent& extent : writes.absolutes) {
-            if (m_root.kind == PlaceKind::Absolute) found = found || (extent.begin < m_extent.end && m_extent.begin < extent.end);
-            else found = found || holdsBlocks(extent);
+            if (m_root.kind == PlaceKind::Absolute)
+                found = found || (extent.begin < m_extent.end && m_extent.begin < extent.end);
+            else
+                found = found || holdsBlocks(extent);
         }
     }
 
@@ -107,7 +113,9 @@ private:
     bool holdsBlocks(const WriteSummary::Extent& extent) const {
         for (const image::Root& r : m_program.layout.roots) {
             const uint32_t end = r.offset + std::max(1u, (*m_program.types)[r.type].size);
-            if (extent.begin < end && r.offset < extent.end && !m_program.types->isText(r.type) && m_program.types->isAggregate(r.type) && mayHoldBlock(r.type)) return true;
+            if (extent.begin < end && r.offset < extent.end && !m_program.types->isText(r.type) &&
+                m_program.types->isAggregate(r.type) && mayHoldBlock(r.type))
+                return true;
         }
         return false;
     }
@@ -130,13 +138,16 @@ private:
 
 bool FunctionEmitter::mayChange(const Place& variable, const std::vector<Stmt*>& statements) {
     for (const Place* p = &variable; p; p = p->base)
-        if (p->kind != PlaceKind::Absolute && p->kind != PlaceKind::Instance && p->kind != PlaceKind::Local && p->kind != PlaceKind::Field) return true;
+        if (p->kind != PlaceKind::Absolute && p->kind != PlaceKind::Instance && p->kind != PlaceKind::Local &&
+            p->kind != PlaceKind::Field)
+            return true;
     if (variable.bit >= 0) return true;
     const Place& root = rootOf(variable);
     if (root.kind == PlaceKind::Local) {
         const tree::Local& local = m_tree.locals[root.local];
         if (local.isInOut) return true;
-        if (m.isQuick() ? local.isAddressTaken : m_facts.frame.offsets[root.local] != kNoFrame && local.isAddressTaken) return true;
+        if (m.isQuick() ? local.isAddressTaken : m_facts.frame.offsets[root.local] != kNoFrame && local.isAddressTaken)
+            return true;
         if (!m.isScalar(local.type)) return true;
     }
     WriteFinder finder(m.program, m.facts, m_tree, variable);
@@ -165,16 +176,21 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
     const types::TypeId type = stmt.place->type;
     const types::TypeId counted = stmt.operandType.isValid() ? stmt.operandType : type;
     auto* narrow = llvm::cast<llvm::IntegerType>(m.scalarType(type));
-    const auto isSignedFamily = [&](types::TypeId id) { return m.types().family(id) == types::Family::Signed || m.types().family(id) == types::Family::Duration; };
-    // The three are computed in the type the loop counts in, which may be wider than the variable's (BY -1 with an unsigned one).
+    const auto isSignedFamily = [&](types::TypeId id) {
+        return m.types().family(id) == types::Family::Signed || m.types().family(id) == types::Family::Duration;
+    };
+    // The three are computed in the type the loop counts in, which may be wider than the variable's (BY -1 with an
+    // unsigned one).
     const auto value = [&](const tree::Expr* expr) -> Value* {
         return expr ? castInteger(scalar(*expr), expr->type.isValid() ? expr->type : counted, m.i64) : int64(1);
     };
-    ForLoop loop{stmt, {}, narrow, isSignedFamily(type), narrow->getBitWidth() < 64 || isSignedFamily(counted), nullptr, nullptr, nullptr};
+    ForLoop loop{stmt,    {},      narrow, isSignedFamily(type), narrow->getBitWidth() < 64 || isSignedFamily(counted),
+                 nullptr, nullptr, nullptr};
     loop.first = value(stmt.a);
     loop.last = value(stmt.b);
     loop.step = value(stmt.c);
-    if (stmt.c && stmt.c->kind == ExprKind::Constant && std::holds_alternative<int64_t>(stmt.c->value.data)) loop.step = int64(stmt.c->value.integer());
+    if (stmt.c && stmt.c->kind == ExprKind::Constant && std::holds_alternative<int64_t>(stmt.c->value.data))
+        loop.step = int64(stmt.c->value.integer());
     const unsigned bits = narrow->getBitWidth();
     if (bits < 64) {
         const int64_t low = loop.isSigned ? -(int64_t(1) << (bits - 1)) : 0;
@@ -187,9 +203,12 @@ void FunctionEmitter::forLoop(const Stmt& stmt) {
     }
     loop.variable = address(*stmt.place);
     storeCounter(loop, loop.first);
-    // A label makes it possible to jump into the body: then nothing may be known that only the way through the head makes true.
-    if (m_tree.labelCount > 0 || mayChange(*stmt.place, stmt.body)) steppedLoop(loop);
-    else countedLoop(loop);
+    // A label makes it possible to jump into the body: then nothing may be known that only the way through the head
+    // makes true.
+    if (m_tree.labelCount > 0 || mayChange(*stmt.place, stmt.body))
+        steppedLoop(loop);
+    else
+        countedLoop(loop);
 }
 
 std::pair<llvm::Value*, llvm::Value*> FunctionEmitter::stepped(const ForLoop& loop, Value* value64) {
@@ -208,7 +227,9 @@ std::pair<llvm::Value*, llvm::Value*> FunctionEmitter::stepped(const ForLoop& lo
     return {next, b.CreateSelect(isUp, above, below)};
 }
 
-void FunctionEmitter::storeCounter(const ForLoop& loop, Value* value64) { store(loop.variable, b.CreateTrunc(value64, loop.type)); }
+void FunctionEmitter::storeCounter(const ForLoop& loop, Value* value64) {
+    store(loop.variable, b.CreateTrunc(value64, loop.type));
+}
 
 Range FunctionEmitter::counterRange(const ForLoop& loop) const {
     Range range;
@@ -240,8 +261,10 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Value* pace = b.CreateSelect(isUp, loop.step, b.CreateNeg(loop.step));
     const auto* knownPace = llvm::dyn_cast<llvm::ConstantInt>(pace);
     // Passes behind the first one.
-    Value* more = knownPace && knownPace->isOne() ? distance : b.CreateUDiv(distance, b.CreateSelect(isZero, int64(1), pace));
-    if (loop.type->getBitWidth() == 64) more = b.CreateSelect(b.CreateICmpULT(more, int64(kEndless)), more, int64(kEndless));
+    Value* more =
+        knownPace && knownPace->isOne() ? distance : b.CreateUDiv(distance, b.CreateSelect(isZero, int64(1), pace));
+    if (loop.type->getBitWidth() == 64)
+        more = b.CreateSelect(b.CreateICmpULT(more, int64(kEndless)), more, int64(kEndless));
 
     llvm::AllocaInst* counter = newSlot(m.i64, "counter");
     llvm::AllocaInst* left = newSlot(m.i64, "left");   // in this portion
@@ -262,8 +285,10 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     enter(portion);
     Value* behind = b.CreateLoad(m.i64, later);
     Value* taken = behind;
-    if (inPortions) taken = b.CreateSelect(b.CreateICmpULT(behind, int64(kPortion)), behind, int64(kPortion - 1));
-    else taken = more;
+    if (inPortions)
+        taken = b.CreateSelect(b.CreateICmpULT(behind, int64(kPortion)), behind, int64(kPortion - 1));
+    else
+        taken = more;
     b.CreateStore(taken, left);
     if (inPortions) b.CreateStore(b.CreateSub(behind, taken), later);
     charge(b.CreateAdd(taken, int64(1)));

@@ -14,9 +14,12 @@ constexpr int64_t kUnknownNeed = -1;
 constexpr int64_t kHostStack = 4 * 1024 * 1024;
 } // namespace
 
-ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program& tree, const ProgramFacts& known, const Options& wanted, Part which)
-    : frameSizes(tree.functions.size(), 0), context(llvmContext), module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), options(wanted), facts(known),
-      part(which), m_abis(tree.functions.size()), m_functions(tree.functions.size()), m_needs(tree.functions.size(), kUnknownNeed) {
+ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program& tree, const ProgramFacts& known,
+                             const Options& wanted, Part which)
+    : frameSizes(tree.functions.size(), 0), context(llvmContext),
+      module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), options(wanted), facts(known),
+      part(which), m_abis(tree.functions.size()), m_functions(tree.functions.size()),
+      m_needs(tree.functions.size(), kUnknownNeed) {
     i1 = llvm::Type::getInt1Ty(context);
     i8 = llvm::Type::getInt8Ty(context);
     i16 = llvm::Type::getInt16Ty(context);
@@ -46,8 +49,8 @@ std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
     return std::move(module);
 }
 
-/// Inlining everything that is called once would make one function of a whole plant, and optimising that takes minutes. What is long
-/// gains nothing by it; callers with many calls take in only what is short.
+/// Inlining everything that is called once would make one function of a whole plant, and optimising that takes minutes.
+/// What is long gains nothing by it; callers with many calls take in only what is short.
 void ModuleEmitter::limitInlining() {
     constexpr unsigned kLong = 500, kShort = 80, kManyCalls = 40;
     for (llvm::Function* function : m_functions) {
@@ -59,7 +62,9 @@ void ModuleEmitter::limitInlining() {
         std::vector<llvm::CallBase*> calls;
         for (llvm::BasicBlock& block : *function)
             for (llvm::Instruction& instruction : block)
-                if (auto* call = llvm::dyn_cast<llvm::CallBase>(&instruction); call && call->getCalledFunction() && !call->getCalledFunction()->isDeclaration() && call->getCalledFunction() != m_raise)
+                if (auto* call = llvm::dyn_cast<llvm::CallBase>(&instruction);
+                    call && call->getCalledFunction() && !call->getCalledFunction()->isDeclaration() &&
+                    call->getCalledFunction() != m_raise)
                     calls.push_back(call);
         if (calls.size() < kManyCalls) continue;
         for (llvm::CallBase* call : calls)
@@ -67,7 +72,8 @@ void ModuleEmitter::limitInlining() {
     }
 }
 
-/// What tasks and the initializer run; quick code also has every body and action that needs no arguments, for tests and tools.
+/// What tasks and the initializer run; quick code also has every body and action that needs no arguments, for tests and
+/// tools.
 std::vector<uint32_t> ModuleEmitter::entryFunctions() const {
     std::vector<bool> isEntry(program.functions.size(), false);
     const auto add = [&](uint32_t f) {
@@ -81,7 +87,8 @@ std::vector<uint32_t> ModuleEmitter::entryFunctions() const {
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
         const tree::Function& tree = program.functions[f];
         if (!isOwn(f) || tree.isAbstract) continue;
-        const bool hasParameters = std::any_of(tree.locals.begin(), tree.locals.end(), [](const tree::Local& l) { return l.kind != LocalKind::Local; });
+        const bool hasParameters = std::any_of(tree.locals.begin(), tree.locals.end(),
+                                               [](const tree::Local& l) { return l.kind != LocalKind::Local; });
         if (isEntry[f] || (isQuick() && !hasParameters)) entries.push_back(f);
     }
     return entries;
@@ -90,7 +97,8 @@ std::vector<uint32_t> ModuleEmitter::entryFunctions() const {
 void ModuleEmitter::emitEntries() {
     llvm::StructType* row = llvm::StructType::get(context, {i64, ptr});
     std::vector<llvm::Constant*> rows;
-    for (const uint32_t f : entryFunctions()) rows.push_back(llvm::ConstantStruct::get(row, {llvm::ConstantInt::get(i64, f), emitEntry(f)}));
+    for (const uint32_t f : entryFunctions())
+        rows.push_back(llvm::ConstantStruct::get(row, {llvm::ConstantInt::get(i64, f), emitEntry(f)}));
     rows.push_back(llvm::Constant::getNullValue(row));
     llvm::Constant* table = llvm::ConstantArray::get(llvm::ArrayType::get(row, rows.size()), rows);
     newConstant("plc.entries." + std::to_string(part.index), table)->setLinkage(llvm::GlobalValue::ExternalLinkage);
@@ -104,23 +112,33 @@ bool ModuleEmitter::isScalar(types::TypeId type) const {
 
 llvm::Type* ModuleEmitter::memoryType(types::TypeId type) {
     switch (types().storageKind(type)) {
-    case TypeKind::Real: return f32;
-    case TypeKind::Lreal: return f64;
+    case TypeKind::Real:
+        return f32;
+    case TypeKind::Lreal:
+        return f64;
     case TypeKind::Interface:
     case TypeKind::Pointer:
     case TypeKind::Reference:
-    case TypeKind::Null: return i64;
-    default: break;
+    case TypeKind::Null:
+        return i64;
+    default:
+        break;
     }
     switch (types()[types().storage(type)].size) {
-    case 1: return i8;
-    case 2: return i16;
-    case 4: return i32;
-    default: return i64;
+    case 1:
+        return i8;
+    case 2:
+        return i16;
+    case 4:
+        return i32;
+    default:
+        return i64;
     }
 }
 
-llvm::Type* ModuleEmitter::scalarType(types::TypeId type) { return types().storageKind(type) == TypeKind::Bool ? i1 : memoryType(type); }
+llvm::Type* ModuleEmitter::scalarType(types::TypeId type) {
+    return types().storageKind(type) == TypeKind::Bool ? i1 : memoryType(type);
+}
 
 const Abi& ModuleEmitter::abi(uint32_t index) {
     Abi& abi = m_abis[index];
@@ -146,7 +164,9 @@ const Abi& ModuleEmitter::abi(uint32_t index) {
         }
     }
     abi.returned = static_cast<unsigned>(returned.size());
-    llvm::Type* result = returned.empty() ? voidType : returned.size() == 1 ? returned[0] : llvm::StructType::get(context, returned);
+    llvm::Type* result = returned.empty()       ? voidType
+                         : returned.size() == 1 ? returned[0]
+                                                : llvm::StructType::get(context, returned);
     abi.type = llvm::FunctionType::get(result, parameters, false);
     return abi;
 }
@@ -165,13 +185,15 @@ void ModuleEmitter::addAttributes(llvm::Function& f) {
 llvm::Function* ModuleEmitter::function(uint32_t index) {
     llvm::Function*& f = m_functions[index];
     if (f) return f;
-    const auto linkage = part.count == 1 || program.functions[index].isAbstract ? llvm::GlobalValue::InternalLinkage : llvm::GlobalValue::ExternalLinkage;
+    const auto linkage = part.count == 1 || program.functions[index].isAbstract ? llvm::GlobalValue::InternalLinkage
+                                                                                : llvm::GlobalValue::ExternalLinkage;
     f = llvm::Function::Create(abi(index).type, linkage, "plc.f." + std::to_string(index), *module);
     addAttributes(*f);
     if (program.functions[index].isAbstract) {
         llvm::IRBuilder<> builder(llvm::BasicBlock::Create(context, "", f));
-        builder.CreateCall(raise(), {f->getArg(0), builder.getInt32(static_cast<uint32_t>(image::FaultCode::AbstractCall)), builder.getInt32(0), builder.getInt64(0),
-                                     builder.getInt64(0), builder.getInt64(0)});
+        builder.CreateCall(raise(),
+                           {f->getArg(0), builder.getInt32(static_cast<uint32_t>(image::FaultCode::AbstractCall)),
+                            builder.getInt32(0), builder.getInt64(0), builder.getInt64(0), builder.getInt64(0)});
         builder.CreateUnreachable();
     }
     return f;
@@ -183,7 +205,8 @@ uint32_t ModuleEmitter::frameOffset(uint32_t index, uint32_t local) const { retu
 
 llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     auto* type = llvm::FunctionType::get(voidType, {ptr, ptr, i32}, false);
-    auto* entry = llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.entry." + std::to_string(index), *module);
+    auto* entry =
+        llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.entry." + std::to_string(index), *module);
     addAttributes(*entry);
     llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", entry));
     llvm::Value* ctx = entry->getArg(0);
@@ -195,7 +218,8 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     auto* ok = llvm::BasicBlock::Create(context, "", entry);
     b.CreateCondBr(tooFar, bad, ok);
     b.SetInsertPoint(bad);
-    b.CreateCall(raise(), {ctx, b.getInt32(static_cast<uint32_t>(image::FaultCode::StackOverflow)), b.getInt32(0), b.getInt64(0), b.getInt64(0), b.getInt64(0)});
+    b.CreateCall(raise(), {ctx, b.getInt32(static_cast<uint32_t>(image::FaultCode::StackOverflow)), b.getInt32(0),
+                           b.getInt64(0), b.getInt64(0), b.getInt64(0)});
     b.CreateUnreachable();
     b.SetInsertPoint(ok);
     llvm::Value* here = b.CreatePtrToInt(b.CreateIntrinsic(llvm::Intrinsic::frameaddress, {ptr}, {b.getInt32(0)}), i64);
@@ -207,17 +231,20 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     b.CreateStore(entry->getArg(2), field(record + offsetof(image::CallRecord, instance)));
     b.CreateStore(frame, field(record + offsetof(image::CallRecord, frame)));
     b.CreateStore(b.getInt32(1), field(offsetof(RuntimeContext, depth)));
-    std::vector<llvm::Value*> arguments{ctx, entry->getArg(1), b.CreateInBoundsGEP(i8, entry->getArg(1), b.CreateZExt(entry->getArg(2), i64)), b.CreateZExt(frame, i64)};
+    std::vector<llvm::Value*> arguments{ctx, entry->getArg(1),
+                                        b.CreateInBoundsGEP(i8, entry->getArg(1), b.CreateZExt(entry->getArg(2), i64)),
+                                        b.CreateZExt(frame, i64)};
     llvm::FunctionType* called = abi(index).type;
-    for (unsigned i = 4; i < called->getNumParams(); ++i) arguments.push_back(llvm::Constant::getNullValue(called->getParamType(i)));
+    for (unsigned i = 4; i < called->getNumParams(); ++i)
+        arguments.push_back(llvm::Constant::getNullValue(called->getParamType(i)));
     b.CreateCall(function(index), arguments);
     b.CreateStore(b.getInt32(0), field(offsetof(RuntimeContext, depth)));
     b.CreateRetVoid();
     return entry;
 }
 
-/// Bytes of frame area a call of `index` uses at most, calls into cycles left out (those check for themselves). In quick code every
-/// function checks its own.
+/// Bytes of frame area a call of `index` uses at most, calls into cycles left out (those check for themselves). In
+/// quick code every function checks its own.
 uint32_t ModuleEmitter::need(uint32_t index) {
     if (isQuick()) return frameSizes[index];
     if (m_needs[index] != kUnknownNeed) return static_cast<uint32_t>(m_needs[index]);
@@ -236,13 +263,15 @@ void ModuleEmitter::resolvePatches() {
             const uint32_t wanted = need(patch.function);
             value = wanted > program.layout.imageSize ? 0 : program.layout.imageSize - wanted;
         }
-        patch.instruction->setOperand(patch.operand, llvm::ConstantInt::get(patch.instruction->getOperand(patch.operand)->getType(), value));
+        patch.instruction->setOperand(
+            patch.operand, llvm::ConstantInt::get(patch.instruction->getOperand(patch.operand)->getType(), value));
     }
 }
 
 // ---------------------------------------------------------------- helpers and tables
 
-llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters, Effects effects) {
+llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters,
+                                           Effects effects) {
     llvm::FunctionCallee callee = module->getOrInsertFunction(name, llvm::FunctionType::get(result, parameters, false));
     auto* f = llvm::cast<llvm::Function>(callee.getCallee());
     if (f->doesNotThrow()) return callee;
@@ -263,11 +292,13 @@ llvm::FunctionCallee ModuleEmitter::helper(const char* name, llvm::Type* result,
         break;
     case Effects::Context: // keeps off the image, may not come back: loops may hold variables in registers meanwhile
     case Effects::Fault:   // the image at the fault is the last record: what was written before must be there
-        f->setMemoryEffects(llvm::MemoryEffects::argMemOnly() | llvm::MemoryEffects::inaccessibleMemOnly() |
-                            (effects == Effects::Fault ? llvm::MemoryEffects::readOnly() : llvm::MemoryEffects::none()));
+        f->setMemoryEffects(
+            llvm::MemoryEffects::argMemOnly() | llvm::MemoryEffects::inaccessibleMemOnly() |
+            (effects == Effects::Fault ? llvm::MemoryEffects::readOnly() : llvm::MemoryEffects::none()));
         f->addParamAttr(0, llvm::Attribute::NoCapture);
         break;
-    case Effects::Any: break;
+    case Effects::Any:
+        break;
     }
     return callee;
 }
@@ -281,7 +312,9 @@ llvm::Function* ModuleEmitter::raise() {
     m_raise->setDoesNotReturn();
     m_raise->setDoesNotThrow();
     llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", m_raise));
-    const auto put = [&](unsigned argument, size_t offset) { b.CreateStore(m_raise->getArg(argument), b.CreateConstInBoundsGEP1_64(i8, m_raise->getArg(0), offset)); };
+    const auto put = [&](unsigned argument, size_t offset) {
+        b.CreateStore(m_raise->getArg(argument), b.CreateConstInBoundsGEP1_64(i8, m_raise->getArg(0), offset));
+    };
     put(1, offsetof(RuntimeContext, fault));
     put(2, offsetof(RuntimeContext, faultSite));
     for (unsigned i = 0; i < 3; ++i) put(3 + i, offsetof(RuntimeContext, faultDetail) + i * 8);
@@ -292,10 +325,12 @@ llvm::Function* ModuleEmitter::raise() {
     return m_raise;
 }
 
-/// One call a statement instead of branches in place: half the time to compile. THIS and frame stand in the newest call record.
+/// One call a statement instead of branches in place: half the time to compile. THIS and frame stand in the newest call
+/// record.
 llvm::Function* ModuleEmitter::siteCheck() {
     if (m_siteCheck) return m_siteCheck;
-    m_siteCheck = llvm::Function::Create(llvm::FunctionType::get(voidType, {ptr, i32}, false), llvm::GlobalValue::InternalLinkage, "plc.site", *module);
+    m_siteCheck = llvm::Function::Create(llvm::FunctionType::get(voidType, {ptr, i32}, false),
+                                         llvm::GlobalValue::InternalLinkage, "plc.site", *module);
     m_siteCheck->setDoesNotThrow();
     llvm::Value *ctx = m_siteCheck->getArg(0), *site = m_siteCheck->getArg(1);
     auto* entry = llvm::BasicBlock::Create(context, "", m_siteCheck);
@@ -310,9 +345,12 @@ llvm::Function* ModuleEmitter::siteCheck() {
     b.SetInsertPoint(stop);
     static_assert(sizeof(image::CallRecord) == 16);
     llvm::Value* depth = b.CreateZExt(b.CreateLoad(i32, field(offsetof(RuntimeContext, depth))), i64);
-    llvm::Value* record = b.CreateInBoundsGEP(i8, field(offsetof(RuntimeContext, calls)), b.CreateShl(b.CreateSub(depth, b.getInt64(1)), b.getInt64(4)));
-    llvm::Value* instance = b.CreateLoad(i32, b.CreateConstInBoundsGEP1_64(i8, record, offsetof(image::CallRecord, instance)));
-    llvm::Value* frame = b.CreateLoad(i32, b.CreateConstInBoundsGEP1_64(i8, record, offsetof(image::CallRecord, frame)));
+    llvm::Value* record = b.CreateInBoundsGEP(i8, field(offsetof(RuntimeContext, calls)),
+                                              b.CreateShl(b.CreateSub(depth, b.getInt64(1)), b.getInt64(4)));
+    llvm::Value* instance =
+        b.CreateLoad(i32, b.CreateConstInBoundsGEP1_64(i8, record, offsetof(image::CallRecord, instance)));
+    llvm::Value* frame =
+        b.CreateLoad(i32, b.CreateConstInBoundsGEP1_64(i8, record, offsetof(image::CallRecord, frame)));
     b.CreateCall(helper("plc_at_site", voidType, {ptr, i32, i32, i32}, Effects::Any), {ctx, site, instance, frame});
     b.CreateBr(go);
     b.SetInsertPoint(go);
@@ -354,11 +392,13 @@ llvm::GlobalVariable* ModuleEmitter::dispatchTable(uint32_t method) {
     llvm::StructType* row = llvm::StructType::get(context, {ptr, i32, i32});
     std::vector<llvm::Constant*> rows(std::max(1u, facts.blockCount()), llvm::Constant::getNullValue(row));
     for (const Target& target : facts.targetsOf(method)) {
-        const uint32_t f = target.function != 0 && abi(target.function).type == abi(method).type ? target.function : method;
+        const uint32_t f =
+            target.function != 0 && abi(target.function).type == abi(method).type ? target.function : method;
         if (!program.functions[f].isAbstract && !isQuick() && !facts[f].isReachable) continue;
         if (f == method && !program.functions[f].isAbstract && target.function == 0) continue;
         rows[target.blockNumber] =
-            llvm::ConstantStruct::get(row, {function(f), llvm::ConstantInt::get(i32, f), llvm::ConstantInt::get(i32, types()[target.block].size)});
+            llvm::ConstantStruct::get(row, {function(f), llvm::ConstantInt::get(i32, f),
+                                            llvm::ConstantInt::get(i32, types()[target.block].size)});
     }
     llvm::ArrayType* type = llvm::ArrayType::get(row, rows.size());
     table = newConstant("plc.dispatch." + std::to_string(method), llvm::ConstantArray::get(type, rows));
@@ -393,13 +433,18 @@ llvm::MDNode* ModuleEmitter::contextTag() { return m_contextTag; }
 
 llvm::MDNode* ModuleEmitter::fieldNode(types::TypeId container, size_t field) {
     // The type that declares the field stands for all that inherit it.
-    while (types()[container].base.isValid() && field < types()[types()[container].base].fields.size()) container = types()[container].base;
+    while (types()[container].base.isValid() && field < types()[types()[container].base].fields.size())
+        container = types()[container].base;
     const types::Field& f = types()[container].fields[field];
     if (f.bit >= 0) { // BIT members share their byte
-        while (field > 0 && types()[container].fields[field - 1].bit >= 0 && types()[container].fields[field - 1].offset == f.offset) --field;
+        while (field > 0 && types()[container].fields[field - 1].bit >= 0 &&
+               types()[container].fields[field - 1].offset == f.offset)
+            --field;
     }
     llvm::MDNode*& node = m_fieldNodes[{container.value, static_cast<uint32_t>(field)}];
-    if (!node) node = llvm::MDBuilder(context).createTBAAScalarTypeNode("f" + std::to_string(container.value) + "." + std::to_string(field), m_imageNode);
+    if (!node)
+        node = llvm::MDBuilder(context).createTBAAScalarTypeNode(
+            "f" + std::to_string(container.value) + "." + std::to_string(field), m_imageNode);
     return node;
 }
 
@@ -410,15 +455,16 @@ llvm::MDNode* ModuleEmitter::rootNode(size_t root) {
 }
 
 int ModuleEmitter::rootAt(uint32_t offset) const {
-    auto it = std::upper_bound(m_rootsByOffset.begin(), m_rootsByOffset.end(), std::pair<uint32_t, size_t>{offset, SIZE_MAX});
+    auto it =
+        std::upper_bound(m_rootsByOffset.begin(), m_rootsByOffset.end(), std::pair<uint32_t, size_t>{offset, SIZE_MAX});
     if (it == m_rootsByOffset.begin()) return -1;
     --it;
     const image::Root& root = program.layout.roots[it->second];
     return offset < root.offset + std::max(1u, types()[root.type].size) ? static_cast<int>(it->second) : -1;
 }
 
-/// Types whose storage may overlap other variables: members of unions, located variables, locals of functions (frames are
-/// reused). Their fields get no alias node of their own.
+/// Types whose storage may overlap other variables: members of unions, located variables, locals of functions (frames
+/// are reused). Their fields get no alias node of their own.
 void ModuleEmitter::taint() {
     for (size_t t = 0; t < types().count(); ++t) {
         const types::Type& type = types()[types::TypeId(t)];
@@ -431,18 +477,27 @@ void ModuleEmitter::taint() {
     const image::Layout& layout = program.layout;
     for (size_t i = 0; i < layout.roots.size(); ++i) {
         const image::Root& root = layout.roots[i];
-        const bool isOwn = (root.area == image::Area::Global || root.area == image::Area::Program) && root.address.empty() && root.bit < 0;
-        if (isOwn) m_rootsByOffset.push_back({root.offset, i});
-        else taintType(root.type);
+        const bool isOwn = (root.area == image::Area::Global || root.area == image::Area::Program) &&
+                           root.address.empty() && root.bit < 0;
+        if (isOwn)
+            m_rootsByOffset.push_back({root.offset, i});
+        else
+            taintType(root.type);
     }
     std::sort(m_rootsByOffset.begin(), m_rootsByOffset.end());
     // Two names of one storage (VAR_ACCESS and such): neither is precise.
     std::vector<std::pair<uint32_t, size_t>> apart;
     for (size_t i = 0; i < m_rootsByOffset.size(); ++i) {
-        const auto end = [&](size_t k) { return layout.roots[m_rootsByOffset[k].second].offset + types()[layout.roots[m_rootsByOffset[k].second].type].size; };
-        const bool overlaps = (i > 0 && end(i - 1) > m_rootsByOffset[i].first) || (i + 1 < m_rootsByOffset.size() && end(i) > m_rootsByOffset[i + 1].first);
-        if (overlaps) taintType(layout.roots[m_rootsByOffset[i].second].type);
-        else apart.push_back(m_rootsByOffset[i]);
+        const auto end = [&](size_t k) {
+            return layout.roots[m_rootsByOffset[k].second].offset +
+                   types()[layout.roots[m_rootsByOffset[k].second].type].size;
+        };
+        const bool overlaps = (i > 0 && end(i - 1) > m_rootsByOffset[i].first) ||
+                              (i + 1 < m_rootsByOffset.size() && end(i) > m_rootsByOffset[i + 1].first);
+        if (overlaps)
+            taintType(layout.roots[m_rootsByOffset[i].second].type);
+        else
+            apart.push_back(m_rootsByOffset[i]);
     }
     m_rootsByOffset = std::move(apart);
 }
@@ -456,9 +511,12 @@ void ModuleEmitter::taintType(types::TypeId id) {
     for (const types::Field& field : type.fields) taintType(field.type);
 }
 
-std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options) { return std::make_shared<ProgramFacts>(program, options.tier); }
+std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options) {
+    return std::make_shared<ProgramFacts>(program, options.tier);
+}
 
-std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts, const Options& options, Part part) {
+std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program,
+                                         const ProgramFacts& facts, const Options& options, Part part) {
     return ModuleEmitter(context, program, facts, options, part).emit();
 }
 

@@ -35,16 +35,20 @@ template <class Access> void FunctionEmitter::tag(Access* access, const Address&
 llvm::Value* FunctionEmitter::load(const Address& a) {
     if (a.bit >= 0) {
         // A bit of the byte (located BOOL, BIT member) or of the integer below (bit access).
-        llvm::Type* type = a.container.isValid() && a.type == types::TypeTable::of(TypeKind::Bool) && !a.isImage ? m.memoryType(a.container) : m.i8;
+        llvm::Type* type = a.container.isValid() && a.type == types::TypeTable::of(TypeKind::Bool) && !a.isImage
+                               ? m.memoryType(a.container)
+                               : m.i8;
         Address byte = a;
         int bit = a.bit;
         if (type == m.i8 && a.isImage) {
             byte.constant += bit / 8;
             bit %= 8;
         }
-        llvm::LoadInst* value = b.CreateAlignedLoad(type, pointer(byte), type == m.i8 ? llvm::Align(1) : alignOf(byte).valueOrOne());
+        llvm::LoadInst* value =
+            b.CreateAlignedLoad(type, pointer(byte), type == m.i8 ? llvm::Align(1) : alignOf(byte).valueOrOne());
         tag(value, a);
-        return b.CreateICmpNE(b.CreateAnd(value, llvm::ConstantInt::get(type, uint64_t(1) << bit)), llvm::ConstantInt::get(type, 0));
+        return b.CreateICmpNE(b.CreateAnd(value, llvm::ConstantInt::get(type, uint64_t(1) << bit)),
+                              llvm::ConstantInt::get(type, 0));
     }
     llvm::LoadInst* value = b.CreateAlignedLoad(m.memoryType(a.type), pointer(a), alignOf(a).valueOrOne());
     tag(value, a);
@@ -66,15 +70,18 @@ void FunctionEmitter::store(const Address& a, Value* value) {
         llvm::LoadInst* old = b.CreateAlignedLoad(type, at, align);
         tag(old, a);
         Value* mask = llvm::ConstantInt::get(type, uint64_t(1) << bit);
-        Value* with = b.CreateShl(b.CreateZExtOrTrunc(value, type), llvm::ConstantInt::get(type, static_cast<uint64_t>(bit)));
+        Value* with =
+            b.CreateShl(b.CreateZExtOrTrunc(value, type), llvm::ConstantInt::get(type, static_cast<uint64_t>(bit)));
         if (type == m.i1) with = value;
-        llvm::StoreInst* stored = b.CreateAlignedStore(b.CreateOr(b.CreateAnd(old, b.CreateNot(mask)), with), at, align);
+        llvm::StoreInst* stored =
+            b.CreateAlignedStore(b.CreateOr(b.CreateAnd(old, b.CreateNot(mask)), with), at, align);
         tag(stored, a);
         return;
     }
     if (value->getType() == m.i1) value = b.CreateZExt(value, m.i8);
     llvm::Type* wanted = m.memoryType(a.type);
-    if (value->getType() != wanted && value->getType()->isIntegerTy() && wanted->isIntegerTy()) value = b.CreateZExtOrTrunc(value, wanted);
+    if (value->getType() != wanted && value->getType()->isIntegerTy() && wanted->isIntegerTy())
+        value = b.CreateZExtOrTrunc(value, wanted);
     tag(b.CreateAlignedStore(value, pointer(a), alignOf(a).valueOrOne()), a);
 }
 
@@ -103,7 +110,8 @@ Address FunctionEmitter::address(const Place& place) {
             const image::Root& r = m.program.layout.roots[static_cast<size_t>(root)];
             a.isPrecise = true;
             a.alias = m.rootNode(static_cast<size_t>(root));
-            if (r.type != place.type || r.offset != place.offset) describeField(a, r.type, place.offset - r.offset, place.type);
+            if (r.type != place.type || r.offset != place.offset)
+                describeField(a, r.type, place.offset - r.offset, place.type);
             a.isPrecise = a.isPrecise && !m.isTainted(place.type);
         }
         return a;
@@ -126,7 +134,8 @@ Address FunctionEmitter::address(const Place& place) {
         Address a = localAddress(place.local);
         return a;
     }
-    case PlaceKind::InOutSlot: return followSlot(place);
+    case PlaceKind::InOutSlot:
+        return followSlot(place);
     case PlaceKind::Field: {
         Address a = address(*place.base);
         a.constant += place.offset;
@@ -136,7 +145,8 @@ Address FunctionEmitter::address(const Place& place) {
         a.bit = place.bit;
         return a;
     }
-    case PlaceKind::Index: return indexAddress(place);
+    case PlaceKind::Index:
+        return indexAddress(place);
     case PlaceKind::Bit: {
         Address a = address(*place.base);
         a.container = place.base->type;
@@ -145,8 +155,10 @@ Address FunctionEmitter::address(const Place& place) {
         a.bit = place.bit;
         return a;
     }
-    case PlaceKind::TextIndex: return textIndexAddress(place, Purpose::Write);
-    case PlaceKind::Deref: return derefAddress(place);
+    case PlaceKind::TextIndex:
+        return textIndexAddress(place, Purpose::Write);
+    case PlaceKind::Deref:
+        return derefAddress(place);
     case PlaceKind::Temporary: {
         if (m.types().isText(place.type)) {
             Address a = temporary(place.type);
@@ -173,7 +185,8 @@ Address FunctionEmitter::localAddress(uint32_t index) {
         Value* at = b.CreateLoad(m.i64, m_locals[index]);
         if (m_facts.mayBeNull[index]) guard(b.CreateICmpEQ(at, int64(0)), FaultCode::MissingInOut);
         a = imageAddress(at, local.type);
-        for (auto& [low, high] : m_localBounds[index]) a.bounds.push_back({b.CreateLoad(m.i64, low), b.CreateLoad(m.i64, high)});
+        for (auto& [low, high] : m_localBounds[index])
+            a.bounds.push_back({b.CreateLoad(m.i64, low), b.CreateLoad(m.i64, high)});
         return a;
     }
     if (m_locals[index]) {
@@ -229,12 +242,15 @@ Address FunctionEmitter::followSlot(const Place& place) {
         branchUnlikely(b.CreateICmpEQ(at, int64(0)), bad, ok);
         enter(bad);
         Value* raw = b.CreateAlignedLoad(m.i64, pointer(slotAddress(place)), llvm::Align(1));
-        Value* code = b.CreateSelect(b.CreateICmpEQ(raw, int64(0)), int32(static_cast<uint32_t>(FaultCode::MissingInOut)), int32(static_cast<uint32_t>(FaultCode::ForeignReference)));
+        Value* code =
+            b.CreateSelect(b.CreateICmpEQ(raw, int64(0)), int32(static_cast<uint32_t>(FaultCode::MissingInOut)),
+                           int32(static_cast<uint32_t>(FaultCode::ForeignReference)));
         b.CreateCall(m.raise(), {m_context, code, int32(m_site), raw, int64(0), int64(0)});
         b.CreateUnreachable();
         enter(ok);
         Address a = imageAddress(at, place.type);
-        for (auto& [low, high] : it->second.bounds) a.bounds.push_back({b.CreateLoad(m.i64, low), b.CreateLoad(m.i64, high)});
+        for (auto& [low, high] : it->second.bounds)
+            a.bounds.push_back({b.CreateLoad(m.i64, low), b.CreateLoad(m.i64, high)});
         return a;
     }
     const Address slot = slotAddress(place);
@@ -328,8 +344,10 @@ Address FunctionEmitter::textIndexAddress(const Place& place, Purpose purpose) {
     const tree::Expr& indexExpr = *place.indices.front();
     Value* index = castInteger(scalar(indexExpr), indexExpr.type, m.i64);
     Value* length = b.CreateZExt(textCall("length", text.isWide, m.i32, {text.pointer, text.capacity}, false), m.i64);
-    if (purpose == Purpose::Read) guard(b.CreateICmpUGT(index, length), FaultCode::StringIndex, index, int64(0), length);
-    else guard(b.CreateICmpUGE(index, length), FaultCode::StringIndex, index, int64(0), b.CreateSub(length, int64(1)));
+    if (purpose == Purpose::Read)
+        guard(b.CreateICmpUGT(index, length), FaultCode::StringIndex, index, int64(0), length);
+    else
+        guard(b.CreateICmpUGE(index, length), FaultCode::StringIndex, index, int64(0), b.CreateSub(length, int64(1)));
     Value* bytes = text.isWide ? b.CreateShl(index, int64(1)) : index;
     a.dynamic = a.dynamic ? b.CreateAdd(a.dynamic, bytes) : bytes;
     a.align = 1;
@@ -363,7 +381,8 @@ void FunctionEmitter::describeField(Address& a, types::TypeId container, uint32_
         size_t found = type.fields.size();
         for (size_t i = 0; i < type.fields.size(); ++i) {
             const types::Field& field = type.fields[i];
-            const uint32_t size = field.section == types::FieldSection::InOut ? 8 : std::max(1u, m.types()[field.type].size);
+            const uint32_t size =
+                field.section == types::FieldSection::InOut ? 8 : std::max(1u, m.types()[field.type].size);
             if (at >= field.offset && at < field.offset + size) {
                 found = i;
                 break;

@@ -19,8 +19,8 @@ void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
     }
 }
 
-/// Schedulers and the vectoriser take a time that grows with the square of a block: converted ladder diagrams are thousands of
-/// assignments in a row. A branch that LLVM can not see through cuts them.
+/// Schedulers and the vectoriser take a time that grows with the square of a block: converted ladder diagrams are
+/// thousands of assignments in a row. A branch that LLVM can not see through cuts them.
 void FunctionEmitter::breakBlock() {
     if (b.GetInsertBlock()->getTerminator()) return;
     llvm::LoadInst* depth = loadContext(m.i32, offsetof(image::RuntimeContext, depth));
@@ -32,13 +32,19 @@ void FunctionEmitter::statement(const Stmt& stmt) {
     const uint32_t top = m_temporaryTop;
     if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
     switch (stmt.kind) {
-    case StmtKind::Assign: assign(stmt); break;
-    case StmtKind::Bind: bind(stmt); break;
+    case StmtKind::Assign:
+        assign(stmt);
+        break;
+    case StmtKind::Bind:
+        bind(stmt);
+        break;
     case StmtKind::Evaluate:
         if (stmt.a) {
             if (m.types().kind(stmt.a->type) == TypeKind::Void || stmt.a->kind == tree::ExprKind::Call) {
-                if (stmt.a->kind == tree::ExprKind::Call) call(*stmt.a->call);
-                else scalar(*stmt.a);
+                if (stmt.a->kind == tree::ExprKind::Call)
+                    call(*stmt.a->call);
+                else
+                    scalar(*stmt.a);
             } else if (m.types().isText(stmt.a->type)) {
                 text(*stmt.a);
             } else if (m.isScalar(stmt.a->type)) {
@@ -48,11 +54,21 @@ void FunctionEmitter::statement(const Stmt& stmt) {
             }
         }
         break;
-    case StmtKind::If: ifStatement(stmt); break;
-    case StmtKind::Case: caseStatement(stmt); break;
-    case StmtKind::While: whileLoop(stmt); break;
-    case StmtKind::Repeat: repeatLoop(stmt); break;
-    case StmtKind::For: forLoop(stmt); break;
+    case StmtKind::If:
+        ifStatement(stmt);
+        break;
+    case StmtKind::Case:
+        caseStatement(stmt);
+        break;
+    case StmtKind::While:
+        whileLoop(stmt);
+        break;
+    case StmtKind::Repeat:
+        repeatLoop(stmt);
+        break;
+    case StmtKind::For:
+        forLoop(stmt);
+        break;
     case StmtKind::Exit:
     case StmtKind::Continue:
         if (!m_loops.empty()) {
@@ -80,12 +96,15 @@ void FunctionEmitter::statement(const Stmt& stmt) {
             enter(take);
         }
         Block* target = labelBlock(stmt.label);
-        if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()]) charge(int64(1)); // backwards: a loop
+        if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()])
+            charge(int64(1)); // backwards: a loop
         b.CreateBr(target);
         enter(skip ? skip : newBlock("dead"));
         break;
     }
-    case StmtKind::Block: body(stmt.body); break;
+    case StmtKind::Block:
+        body(stmt.body);
+        break;
     }
     m_temporaryTop = top;
 }
@@ -173,7 +192,8 @@ void FunctionEmitter::ifStatement(const Stmt& stmt) {
 void FunctionEmitter::caseStatement(const Stmt& stmt) {
     constexpr uint64_t kExpanded = 64; // wider ranges are compared
     Value* selector = castInteger(scalar(*stmt.a), stmt.a->type, m.i64);
-    const bool isUnsigned = m.types().family(stmt.a->type) == types::Family::Unsigned || m.types().family(stmt.a->type) == types::Family::Bits;
+    const bool isUnsigned = m.types().family(stmt.a->type) == types::Family::Unsigned ||
+                            m.types().family(stmt.a->type) == types::Family::Bits;
     Block* otherwise = newBlock("else");
     Block* done = newBlock("done");
     llvm::SwitchInst* choice = b.CreateSwitch(selector, otherwise);
@@ -188,7 +208,9 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
         arms.push_back(newBlock("arm"));
         for (const tree::CaseRange& range : arm.ranges) {
             const uint64_t count = static_cast<uint64_t>(range.high) - static_cast<uint64_t>(range.low);
-            if (isUnsigned ? static_cast<uint64_t>(range.high) < static_cast<uint64_t>(range.low) : range.high < range.low) continue;
+            if (isUnsigned ? static_cast<uint64_t>(range.high) < static_cast<uint64_t>(range.low)
+                           : range.high < range.low)
+                continue;
             if (count >= kExpanded) {
                 wide.push_back({&range, arms.back()});
                 continue;
@@ -201,7 +223,8 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
     }
     enter(otherwise);
     for (const Wide& w : wide) {
-        Value* span = int64(static_cast<int64_t>(static_cast<uint64_t>(w.range->high) - static_cast<uint64_t>(w.range->low)));
+        Value* span =
+            int64(static_cast<int64_t>(static_cast<uint64_t>(w.range->high) - static_cast<uint64_t>(w.range->low)));
         Block* next = newBlock("range");
         b.CreateCondBr(b.CreateICmpULE(b.CreateSub(selector, int64(w.range->low)), span), w.arm, next);
         enter(next);

@@ -1,5 +1,5 @@
-// STRING and WSTRING: every operation is a call of runtime/library/text_runtime.h on places in the image; temporaries lie
-// in the frame.
+// STRING and WSTRING: every operation is a call of runtime/library/text_runtime.h on places in the image; temporaries
+// lie in the frame.
 #include "runtime/compiler/codegen/emitter.h"
 
 namespace plc::codegen {
@@ -12,11 +12,15 @@ using tree::PlaceKind;
 using types::Family;
 using types::TypeKind;
 
-llvm::Value* FunctionEmitter::textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments, bool writes) {
+llvm::Value* FunctionEmitter::textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments,
+                                       bool writes) {
     std::vector<llvm::Type*> parameters;
     for (Value* a : arguments) parameters.push_back(a->getType());
     const std::string full = std::string(isWide ? "plc_wtext_" : "plc_text_") + name;
-    return b.CreateCall(m.helper(full.c_str(), result, parameters, writes ? ModuleEmitter::Effects::WritesArguments : ModuleEmitter::Effects::ReadsArguments), arguments);
+    return b.CreateCall(
+        m.helper(full.c_str(), result, parameters,
+                 writes ? ModuleEmitter::Effects::WritesArguments : ModuleEmitter::Effects::ReadsArguments),
+        arguments);
 }
 
 void FunctionEmitter::assignText(const Text& to, const Text& from) {
@@ -26,8 +30,14 @@ void FunctionEmitter::assignText(const Text& to, const Text& from) {
     }
     const std::vector<llvm::Type*> parameters{m.ptr, m.i32, m.ptr, m.i32};
     const std::vector<Value*> arguments{to.pointer, to.capacity, from.pointer, from.capacity};
-    if (to.isWide) b.CreateCall(m.helper("plc_text_to_wide", m.voidType, parameters, ModuleEmitter::Effects::WritesArguments), arguments);
-    else b.CreateStore(b.CreateCall(m.helper("plc_wtext_to_narrow", m.i8, parameters, ModuleEmitter::Effects::WritesArguments), arguments), okSlot());
+    if (to.isWide)
+        b.CreateCall(m.helper("plc_text_to_wide", m.voidType, parameters, ModuleEmitter::Effects::WritesArguments),
+                     arguments);
+    else
+        b.CreateStore(
+            b.CreateCall(m.helper("plc_wtext_to_narrow", m.i8, parameters, ModuleEmitter::Effects::WritesArguments),
+                         arguments),
+            okSlot());
 }
 
 Text FunctionEmitter::textTemporary(types::TypeId type) {
@@ -40,7 +50,8 @@ Text FunctionEmitter::characterText(Value* code, bool isWide) {
     a.base = m_framePointer;
     a.constant = allocateTemporary(4, 4);
     const Text made{pointer(a), int32(1), isWide};
-    textCall("from_character", isWide, m.voidType, {made.pointer, made.capacity, b.CreateZExtOrTrunc(code, m.i32)}, true);
+    textCall("from_character", isWide, m.voidType, {made.pointer, made.capacity, b.CreateZExtOrTrunc(code, m.i32)},
+             true);
     return made;
 }
 
@@ -55,9 +66,11 @@ Text FunctionEmitter::widened(const Text& narrow, uint32_t capacity) {
 
 /// Text to read: a variable in place, a constant, or a temporary. CHAR and WCHAR count as texts of one character.
 Text FunctionEmitter::text(const Expr& expr) {
-    if (m.types().family(expr.type) == Family::Character) return characterText(scalar(expr), m.types().storageKind(expr.type) == TypeKind::Wchar);
+    if (m.types().family(expr.type) == Family::Character)
+        return characterText(scalar(expr), m.types().storageKind(expr.type) == TypeKind::Wchar);
     switch (expr.kind) {
-    case ExprKind::Load: return textAt(address(*expr.place));
+    case ExprKind::Load:
+        return textAt(address(*expr.place));
     case ExprKind::Constant: {
         const bool isWide = m.types().kind(expr.type) == TypeKind::Wstring;
         std::string bytes;
@@ -103,15 +116,20 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
         const Expr& from = *expr.a;
         const Family family = m.types().family(from.type);
         if (m.types().isText(from.type) || family == Family::Character) {
-            const bool narrows = m.types().isText(from.type) && m.types().kind(from.type) == TypeKind::Wstring && !target.isWide;
+            const bool narrows =
+                m.types().isText(from.type) && m.types().kind(from.type) == TypeKind::Wstring && !target.isWide;
             assignText(target, text(from));
             storeOk(expr, narrows ? b.CreateICmpNE(b.CreateLoad(m.i8, okSlot()), b.getInt8(0)) : b.getTrue());
             return;
         }
         Value* kind = int32(static_cast<uint32_t>(m.types().storageKind(from.type)));
         Value* value = scalar(from);
-        if (family == Family::Real) textCall("from_real", target.isWide, m.voidType, {target.pointer, target.capacity, kind, b.CreateFPExt(value, m.f64)}, true);
-        else textCall("from_integer", target.isWide, m.voidType, {target.pointer, target.capacity, kind, castInteger(value, from.type, m.i64)}, true);
+        if (family == Family::Real)
+            textCall("from_real", target.isWide, m.voidType,
+                     {target.pointer, target.capacity, kind, b.CreateFPExt(value, m.f64)}, true);
+        else
+            textCall("from_integer", target.isWide, m.voidType,
+                     {target.pointer, target.capacity, kind, castInteger(value, from.type, m.i64)}, true);
         storeOk(expr, b.getTrue());
         return;
     }
@@ -130,12 +148,16 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
         enter(done);
         return;
     }
-    case ExprKind::Intrinsic: textIntrinsicInto(expr, target); return;
+    case ExprKind::Intrinsic:
+        textIntrinsicInto(expr, target);
+        return;
     case ExprKind::Sequence:
         sequence(expr);
         textInto(*expr.a, target);
         return;
-    default: assignText(target, text(expr)); return;
+    default:
+        assignText(target, text(expr));
+        return;
     }
 }
 
@@ -143,11 +165,14 @@ void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
 std::vector<Text> FunctionEmitter::textOperands(const Expr& expr) {
     std::vector<Text> texts;
     bool isWide = false;
-    const auto isTextual = [&](const Expr* e) { return m.types().isText(e->type) || m.types().family(e->type) == Family::Character; };
+    const auto isTextual = [&](const Expr* e) {
+        return m.types().isText(e->type) || m.types().family(e->type) == Family::Character;
+    };
     for (size_t i = 0; i < expr.operands.size(); ++i) {
         const Expr* operand = expr.operands[i];
         if (!isTextual(operand)) continue;
-        if (i > 0 && m.types().family(operand->type) == Family::Character && expr.intrinsic == Intrinsic::CharAt) continue;
+        if (i > 0 && m.types().family(operand->type) == Family::Character && expr.intrinsic == Intrinsic::CharAt)
+            continue;
         Text t = text(*operand);
         bool isExposed = false;
         for (size_t k = i + 1; k < expr.operands.size(); ++k) isExposed = isExposed || hasEffects(expr.operands[k]);
@@ -185,12 +210,18 @@ llvm::Value* FunctionEmitter::textCompare(library::BinaryOp op, const Text& left
     Value* order = textCall("compare", a.isWide, m.i32, {a.pointer, a.capacity, c.pointer, c.capacity}, false);
     Value* zero = int32(0);
     switch (op) {
-    case BinaryOp::Equal: return b.CreateICmpEQ(order, zero);
-    case BinaryOp::NotEqual: return b.CreateICmpNE(order, zero);
-    case BinaryOp::Less: return b.CreateICmpSLT(order, zero);
-    case BinaryOp::LessEqual: return b.CreateICmpSLE(order, zero);
-    case BinaryOp::Greater: return b.CreateICmpSGT(order, zero);
-    default: return b.CreateICmpSGE(order, zero);
+    case BinaryOp::Equal:
+        return b.CreateICmpEQ(order, zero);
+    case BinaryOp::NotEqual:
+        return b.CreateICmpNE(order, zero);
+    case BinaryOp::Less:
+        return b.CreateICmpSLT(order, zero);
+    case BinaryOp::LessEqual:
+        return b.CreateICmpSLE(order, zero);
+    case BinaryOp::Greater:
+        return b.CreateICmpSGT(order, zero);
+    default:
+        return b.CreateICmpSGE(order, zero);
     }
 }
 
@@ -199,8 +230,12 @@ llvm::Value* FunctionEmitter::textIntrinsicScalar(const Expr& expr) {
     const Text& t = texts.front();
     llvm::Type* wanted = m.scalarType(expr.type);
     switch (expr.intrinsic) {
-    case Intrinsic::Len: return b.CreateZExtOrTrunc(textCall("length", t.isWide, m.i32, {t.pointer, t.capacity}, false), wanted);
-    case Intrinsic::Find: return b.CreateZExtOrTrunc(textCall("find", t.isWide, m.i32, {t.pointer, t.capacity, texts[1].pointer, texts[1].capacity}, false), wanted);
+    case Intrinsic::Len:
+        return b.CreateZExtOrTrunc(textCall("length", t.isWide, m.i32, {t.pointer, t.capacity}, false), wanted);
+    case Intrinsic::Find:
+        return b.CreateZExtOrTrunc(
+            textCall("find", t.isWide, m.i32, {t.pointer, t.capacity, texts[1].pointer, texts[1].capacity}, false),
+            wanted);
     case Intrinsic::IsNumber: {
         Value* is = textCall("is_number", t.isWide, m.i8, {t.pointer, t.capacity}, false);
         return b.CreateICmpNE(is, b.getInt8(0));
@@ -208,7 +243,8 @@ llvm::Value* FunctionEmitter::textIntrinsicScalar(const Expr& expr) {
     case Intrinsic::AsciiOf: {
         Value* first = b.CreateAlignedLoad(t.isWide ? m.i16 : m.i8, t.pointer, llvm::Align(1));
         Value* isEmpty = b.CreateICmpEQ(t.capacity, int32(0));
-        return b.CreateZExtOrTrunc(b.CreateSelect(isEmpty, llvm::Constant::getNullValue(first->getType()), first), wanted);
+        return b.CreateZExtOrTrunc(b.CreateSelect(isEmpty, llvm::Constant::getNullValue(first->getType()), first),
+                                   wanted);
     }
     default: { // CharAt
         Value* index = countOf(*expr.operands[1]);
@@ -227,7 +263,8 @@ llvm::Value* FunctionEmitter::chooseText(const Expr& expr, const Text& target) {
         Value* g = scalar(*expr.operands[0]);
         const Text no = text(*expr.operands[1]);
         const Text yes = text(*expr.operands[2]);
-        Text chosen{b.CreateSelect(g, yes.pointer, no.pointer), b.CreateSelect(g, yes.capacity, no.capacity), yes.isWide};
+        Text chosen{b.CreateSelect(g, yes.pointer, no.pointer), b.CreateSelect(g, yes.capacity, no.capacity),
+                    yes.isWide};
         if (yes.isWide != no.isWide) {
             assignText(target, no);
             Block* take = newBlock("yes");
@@ -250,17 +287,20 @@ llvm::Value* FunctionEmitter::chooseText(const Expr& expr, const Text& target) {
         chosen = texts.back();
         for (size_t i = texts.size() - 1; i-- > 0;) {
             Value* is = b.CreateICmpSLE(k, int64(static_cast<int64_t>(i)));
-            chosen = {b.CreateSelect(is, texts[i].pointer, chosen.pointer), b.CreateSelect(is, texts[i].capacity, chosen.capacity), chosen.isWide};
+            chosen = {b.CreateSelect(is, texts[i].pointer, chosen.pointer),
+                      b.CreateSelect(is, texts[i].capacity, chosen.capacity), chosen.isWide};
         }
         assignText(target, chosen);
         return nullptr;
     }
-    default: break;
+    default:
+        break;
     }
     const std::vector<Text> texts = textOperands(expr);
     const auto pick = [&](const Text& candidate, const Text& best, bool isMaximum) {
         Value* wins = textCompare(isMaximum ? library::BinaryOp::Greater : library::BinaryOp::Less, candidate, best);
-        return Text{b.CreateSelect(wins, candidate.pointer, best.pointer), b.CreateSelect(wins, candidate.capacity, best.capacity), best.isWide};
+        return Text{b.CreateSelect(wins, candidate.pointer, best.pointer),
+                    b.CreateSelect(wins, candidate.capacity, best.capacity), best.isWide};
     };
     Text best = texts[0];
     if (expr.intrinsic == Intrinsic::Limit && texts.size() >= 3) {
@@ -287,25 +327,29 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
     case Intrinsic::Left:
     case Intrinsic::Right: {
         const Text t = textOperands(expr)[0];
-        made(expr.intrinsic == Intrinsic::Left ? "left" : "right", t.isWide, {t.pointer, t.capacity, countOf(*expr.operands[1])}, true);
+        made(expr.intrinsic == Intrinsic::Left ? "left" : "right", t.isWide,
+             {t.pointer, t.capacity, countOf(*expr.operands[1])}, true);
         break;
     }
     case Intrinsic::Mid:
     case Intrinsic::Delete: {
         const Text t = textOperands(expr)[0];
         Value* length = countOf(*expr.operands[1]);
-        made(expr.intrinsic == Intrinsic::Mid ? "mid" : "delete", t.isWide, {t.pointer, t.capacity, length, countOf(*expr.operands[2])}, true);
+        made(expr.intrinsic == Intrinsic::Mid ? "mid" : "delete", t.isWide,
+             {t.pointer, t.capacity, length, countOf(*expr.operands[2])}, true);
         break;
     }
     case Intrinsic::Insert: {
         const std::vector<Text> t = textOperands(expr);
-        made("insert", t[0].isWide, {t[0].pointer, t[0].capacity, t[1].pointer, t[1].capacity, countOf(*expr.operands[2])}, true);
+        made("insert", t[0].isWide,
+             {t[0].pointer, t[0].capacity, t[1].pointer, t[1].capacity, countOf(*expr.operands[2])}, true);
         break;
     }
     case Intrinsic::Replace: {
         const std::vector<Text> t = textOperands(expr);
         Value* length = countOf(*expr.operands[2]);
-        made("replace", t[0].isWide, {t[0].pointer, t[0].capacity, t[1].pointer, t[1].capacity, length, countOf(*expr.operands[3])}, true);
+        made("replace", t[0].isWide,
+             {t[0].pointer, t[0].capacity, t[1].pointer, t[1].capacity, length, countOf(*expr.operands[3])}, true);
         break;
     }
     case Intrinsic::Concat: {
@@ -313,7 +357,8 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
         const bool isWide = texts.front().isWide;
         const Text to = target.isWide == isWide ? target : textTemporary(expr.type);
         for (size_t i = 0; i < texts.size(); ++i)
-            textCall(i == 0 ? "assign" : "append", isWide, m.voidType, {to.pointer, to.capacity, texts[i].pointer, texts[i].capacity}, true);
+            textCall(i == 0 ? "assign" : "append", isWide, m.voidType,
+                     {to.pointer, to.capacity, texts[i].pointer, texts[i].capacity}, true);
         if (target.isWide != isWide) assignText(target, to);
         break;
     }
@@ -321,7 +366,10 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
     case Intrinsic::ToLower:
     case Intrinsic::Trim: {
         const Text t = textOperands(expr)[0];
-        made(expr.intrinsic == Intrinsic::ToUpper ? "upper" : expr.intrinsic == Intrinsic::ToLower ? "lower" : "trim", t.isWide, {t.pointer, t.capacity}, false);
+        made(expr.intrinsic == Intrinsic::ToUpper   ? "upper"
+             : expr.intrinsic == Intrinsic::ToLower ? "lower"
+                                                    : "trim",
+             t.isWide, {t.pointer, t.capacity}, false);
         break;
     }
     case Intrinsic::CharOf: {
@@ -333,7 +381,9 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
     case Intrinsic::Mux:
     case Intrinsic::Max:
     case Intrinsic::Min:
-    case Intrinsic::Limit: chooseText(expr, target); break;
+    case Intrinsic::Limit:
+        chooseText(expr, target);
+        break;
     default: // MOVE
         if (!expr.operands.empty()) assignText(target, text(*expr.operands[0]));
         break;
@@ -341,14 +391,17 @@ void FunctionEmitter::textIntrinsicInto(const Expr& expr, const Text& target) {
     storeOk(expr, ok ? ok : b.getTrue());
 }
 
-/// Whether building `expr` piece by piece in `target` could overwrite an operand that is still to be read. Only CONCAT is built so:
-/// the library's functions take care of themselves.
+/// Whether building `expr` piece by piece in `target` could overwrite an operand that is still to be read. Only CONCAT
+/// is built so: the library's functions take care of themselves.
 bool FunctionEmitter::mayOverlap(const Expr& expr, const tree::Place& target) const {
     if (expr.kind == ExprKind::Conditional || expr.kind == ExprKind::Sequence) return true;
     if (expr.kind != ExprKind::Intrinsic || expr.intrinsic != Intrinsic::Concat) return false;
-    const auto isSame = [&](const tree::Place& p) { return p.kind == target.kind && p.offset == target.offset && p.local == target.local && !p.base && !target.base; };
+    const auto isSame = [&](const tree::Place& p) {
+        return p.kind == target.kind && p.offset == target.offset && p.local == target.local && !p.base && !target.base;
+    };
     const auto isApart = [&](const tree::Place& p) {
-        if (p.kind == PlaceKind::Local && !m_tree.locals[p.local].isInOut) return target.kind != PlaceKind::Local || target.local != p.local;
+        if (p.kind == PlaceKind::Local && !m_tree.locals[p.local].isInOut)
+            return target.kind != PlaceKind::Local || target.local != p.local;
         const bool isFixed = p.kind == PlaceKind::Absolute || p.kind == PlaceKind::Instance;
         return isFixed && p.kind == target.kind && p.offset != target.offset;
     };
@@ -361,7 +414,8 @@ bool FunctionEmitter::mayOverlap(const Expr& expr, const tree::Place& target) co
     } reads;
     for (size_t i = 0; i < expr.operands.size(); ++i) {
         if (hasEffects(expr.operands[i])) return true;
-        if (i == 0 && expr.operands[0]->kind == ExprKind::Load && isSame(*expr.operands[0]->place)) continue; // s := CONCAT(s, x)
+        if (i == 0 && expr.operands[0]->kind == ExprKind::Load && isSame(*expr.operands[0]->place))
+            continue; // s := CONCAT(s, x)
         reads.walk(expr.operands[i]);
     }
     for (const tree::Place* place : reads.places)

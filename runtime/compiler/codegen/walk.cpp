@@ -48,7 +48,8 @@ void Walker::walk(const Expr* expr) {
         walk(call->interface);
         for (const tree::CallArgument& argument : call->arguments) {
             walk(argument.value);
-            if (argument.place) walk(argument.place, argument.mode == tree::ArgumentMode::InOut ? Use::Address : Use::Write);
+            if (argument.place)
+                walk(argument.place, argument.mode == tree::ArgumentMode::InOut ? Use::Address : Use::Write);
         }
     }
 }

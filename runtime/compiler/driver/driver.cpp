@@ -21,10 +21,14 @@ double millisecondsSince(std::chrono::steady_clock::time_point begin) {
 
 bool isWanted(std::string_view library, const std::vector<std::string>& wanted) {
     if (equalsIgnoringCase(library, "standard")) return true;
-    return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return equalsIgnoringCase(name, library); });
+    return std::any_of(wanted.begin(), wanted.end(),
+                       [&](const std::string& name) { return equalsIgnoringCase(name, library); });
 }
 
-bool isNameByte(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || static_cast<unsigned char>(c) >= 0x80; }
+bool isNameByte(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
 
 /// Every name in a text, folded; ".name" when it stands behind a dot.
 void gatherNames(std::string_view text, std::unordered_set<std::string>& out) {
@@ -91,7 +95,8 @@ Checked check(const BuildInput& input) {
     }
     for (const library::Source& source : library::sources()) {
         if (!isWanted(source.library, input.libraries)) continue;
-        sources->add("library/" + std::string(source.library) + "/" + std::string(source.fileName), std::string(source.text));
+        sources->add("library/" + std::string(source.library) + "/" + std::string(source.fileName),
+                     std::string(source.text));
         libraryOf.push_back(library::namespaceOf(source.library));
     }
     diagnostics::Sink sink;
@@ -150,11 +155,14 @@ Result<void> optimise(const Built& built) {
     return {};
 }
 
-Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text, std::string_view scope) {
+Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text,
+                                                 std::string_view scope) {
     Arena arena;
-    const sema::CheckedExpression result = sema::checkExpression(*checked.analysis, *checked.sources, text, scope, arena);
+    const sema::CheckedExpression result =
+        sema::checkExpression(*checked.analysis, *checked.sources, text, scope, arena);
     if (!result.root) {
-        const std::string message = result.diagnostics.empty() ? "this is not an expression" : result.diagnostics.front().message();
+        const std::string message =
+            result.diagnostics.empty() ? "this is not an expression" : result.diagnostics.front().message();
         return Error{message, std::string(text)};
     }
     return compile(*result.root, checked.analysis->program->types, std::string(text));

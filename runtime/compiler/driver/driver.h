@@ -1,5 +1,5 @@
-// Sources → checked, compiled program: the one door to the compiler for command line, studio and tests. Owned by nobody: functions
-// and immutable results. Any thread; one build at a time per call.
+// Sources → checked, compiled program: the one door to the compiler for command line, studio and tests. Owned by
+// nobody: functions and immutable results. Any thread; one build at a time per call.
 #pragma once
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/sema/sema.h"
@@ -20,8 +20,8 @@ struct BuildInput {
     std::vector<std::string> libraries; // "toolbox", …; the standard is always there
     bool strict = false;
     std::vector<std::string> companions{}; // texts of panels, alarms, traces, tests: a variable they name is used
-    bool keepsEveryResult = true;       // of each line of an instruction list, for online values
-    bool threadSanitizer = false;       // instruments the generated code (tests of the thread contract)
+    bool keepsEveryResult = true;          // of each line of an instruction list, for online values
+    bool threadSanitizer = false;          // instruments the generated code (tests of the thread contract)
 };
 
 /// Everything known after checking; `analysis->hasErrors` says whether it can run.
@@ -29,7 +29,8 @@ struct Checked {
     std::shared_ptr<const SourceSet> sources;
     std::shared_ptr<const sema::Analysis> analysis;
 };
-/// The libraries a project can name, lower case, sorted ("analog", "plant", …); the standard is always there and not listed.
+/// The libraries a project can name, lower case, sorted ("analog", "plant", …); the standard is always there and not
+/// listed.
 [[nodiscard]] std::vector<std::string> libraryNames();
 [[nodiscard]] Checked check(const BuildInput& input);
 
@@ -38,8 +39,8 @@ struct Built {
     std::shared_ptr<image::CompiledProgram> program; // null when there are errors
     std::string failure;                             // the compiler's own failure (never the user's), else empty
     double checkMs = 0, codeMs = 0;
-    std::shared_ptr<const codegen::DebugMap> debug;  // both tiers share it
-    std::shared_ptr<const BuildInput> input;         // what it was built from (recordings keep it)
+    std::shared_ptr<const codegen::DebugMap> debug; // both tiers share it
+    std::shared_ptr<const BuildInput> input;        // what it was built from (recordings keep it)
 };
 /// Checks and compiles with the quick tier.
 [[nodiscard]] Built build(const BuildInput& input);
@@ -48,6 +49,7 @@ struct Built {
 
 /// Compiles an expression (D7) for images of `checked`'s layout, as seen from instance path `scope` ("" = top).
 /// The error text is the first diagnostic's message.
-[[nodiscard]] Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text, std::string_view scope = {});
+[[nodiscard]] Result<expression::Expression> compileExpression(const Checked& checked, std::string_view text,
+                                                               std::string_view scope = {});
 
 } // namespace plc::driver

@@ -52,7 +52,8 @@ private:
 
     std::optional<Address> constantAddress(const Place& place) {
         switch (place.kind) {
-        case PlaceKind::Absolute: return Address{true, place.offset, place.bit};
+        case PlaceKind::Absolute:
+            return Address{true, place.offset, place.bit};
         case PlaceKind::Field: {
             auto base = constantAddress(*place.base);
             if (base) *base = {true, base->offset + place.offset, place.bit};
@@ -63,8 +64,10 @@ private:
             if (base) *base = {true, base->offset + static_cast<uint32_t>(place.bit) / 8, place.bit % 8};
             return base;
         }
-        case PlaceKind::Index: return constantElement(place);
-        default: return std::nullopt;
+        case PlaceKind::Index:
+            return constantElement(place);
+        default:
+            return std::nullopt;
         }
     }
 
@@ -76,7 +79,8 @@ private:
         uint64_t element = 0;
         for (size_t i = 0; i < place.indices.size(); ++i) {
             const Expr& index = *place.indices[i];
-            if (index.kind != ExprKind::Constant || !std::holds_alternative<int64_t>(index.value.data)) return std::nullopt;
+            if (index.kind != ExprKind::Constant || !std::holds_alternative<int64_t>(index.value.data))
+                return std::nullopt;
             const types::Dimension& dimension = array.dimensions[i];
             const int64_t value = index.value.integer();
             if (value < dimension.low || value > dimension.high) return std::nullopt;
@@ -92,11 +96,15 @@ private:
             return true;
         }
         switch (place.kind) {
-        case PlaceKind::Absolute: break; // is constant
+        case PlaceKind::Absolute:
+            break; // is constant
         case PlaceKind::Instance:
-        case PlaceKind::Local: return fail("this is a local of a running call and has no place of its own");
-        case PlaceKind::Temporary: return fail("this part of a computed value can not be shown");
-        case PlaceKind::TextIndex: return fail("a character of a text has no place of its own");
+        case PlaceKind::Local:
+            return fail("this is a local of a running call and has no place of its own");
+        case PlaceKind::Temporary:
+            return fail("this part of a computed value can not be shown");
+        case PlaceKind::TextIndex:
+            return fail("a character of a text has no place of its own");
         case PlaceKind::Field:
             if (!address(*place.base, out)) return false;
             out.offset += place.offset;
@@ -119,7 +127,8 @@ private:
             m_code.readsAnything();
             out = {false, 0, -1};
             return true;
-        case PlaceKind::Index: return element(place, out);
+        case PlaceKind::Index:
+            return element(place, out);
         }
         return fail("this place can not be shown");
     }
@@ -131,8 +140,10 @@ private:
         return true;
     }
     void pushed(const Address& at) {
-        if (at.isStatic) m_code.offset(at.offset);
-        else m_code.addOffset(at.offset);
+        if (at.isStatic)
+            m_code.offset(at.offset);
+        else
+            m_code.addOffset(at.offset);
     }
 
     /// The place of an IN_OUT's slot itself, not of what it refers to.
@@ -161,7 +172,8 @@ private:
             m_code.readsAnything();
             return true;
         }
-        if (array.kind != TypeKind::Array || array.dimensions.size() != place.indices.size()) return fail("this is not an array");
+        if (array.kind != TypeKind::Array || array.dimensions.size() != place.indices.size())
+            return fail("this is not an array");
         if (const auto base = constantAddress(*place.base)) {
             m_code.reads(base->offset, array.size);
             m_code.offset(base->offset);
@@ -231,10 +243,12 @@ private:
         const auto dimension = static_cast<size_t>(expr.selector);
         if (dimension >= array.dimensions.size()) return fail("the array has no such dimension");
         if (array.kind == TypeKind::Array) {
-            m_code.constant(m_types, {expr.type, expr.isUpper ? array.dimensions[dimension].high : array.dimensions[dimension].low});
+            m_code.constant(m_types, {expr.type, expr.isUpper ? array.dimensions[dimension].high
+                                                              : array.dimensions[dimension].low});
             return true;
         }
-        if (place.kind != PlaceKind::InOutSlot || !slotOffset(place)) return fail("this array of open length has no place here");
+        if (place.kind != PlaceKind::InOutSlot || !slotOffset(place))
+            return fail("this array of open length has no place here");
         m_code.addOffset(static_cast<uint32_t>(8 + 16 * dimension + (expr.isUpper ? 8 : 0)));
         m_code.loadAt(m_types, types::TypeTable::of(TypeKind::Lint), -1);
         m_code.readsAnything();
@@ -248,7 +262,8 @@ private:
             if (!expr.value.hasValue()) return fail("this has no value");
             m_code.constant(m_types, expr.value);
             return true;
-        case ExprKind::Load: return load(*expr.place);
+        case ExprKind::Load:
+            return load(*expr.place);
         case ExprKind::Unary:
             if (!expression(*expr.a)) return false;
             m_code.unary(m_types, expr.unary, expr.type);
@@ -258,13 +273,15 @@ private:
             m_code.binary(m_types, expr.binary, expr.operandType.isValid() ? expr.operandType : expr.type);
             return true;
         case ExprKind::AndThen:
-        case ExprKind::OrElse: return shortCircuit(expr);
+        case ExprKind::OrElse:
+            return shortCircuit(expr);
         case ExprKind::Convert:
             if (!expression(*expr.a)) return false;
             m_code.convert(expr.a->type, expr.type);
             return true;
         case ExprKind::AddressOf:
-        case ExprKind::InterfaceOf: return pushAddress(*expr.place);
+        case ExprKind::InterfaceOf:
+            return pushAddress(*expr.place);
         case ExprKind::Intrinsic: {
             expression::IntrinsicCall call{expr.intrinsic, expr.type, {}, expr.selector};
             for (const Expr* operand : expr.operands) {
@@ -274,8 +291,10 @@ private:
             m_code.intrinsic(std::move(call));
             return true;
         }
-        case ExprKind::Conditional: return conditional(expr);
-        case ExprKind::Bound: return bound(expr);
+        case ExprKind::Conditional:
+            return conditional(expr);
+        case ExprKind::Bound:
+            return bound(expr);
         case ExprKind::IsNull:
             if (!expression(*expr.a)) return false;
             m_code.isZero();
@@ -283,8 +302,10 @@ private:
         case ExprKind::Sequence:
             if (!expr.statements.empty()) return fail("an expression has no side effects");
             return expression(*expr.a);
-        case ExprKind::Call: return fail("only standard functions can be called here");
-        case ExprKind::TryCast: return fail("a cast to an interface can not be watched");
+        case ExprKind::Call:
+            return fail("only standard functions can be called here");
+        case ExprKind::TryCast:
+            return fail("a cast to an interface can not be watched");
         }
         return fail("this can not be evaluated");
     }
@@ -296,7 +317,8 @@ private:
 
 } // namespace
 
-Result<expression::Expression> compile(const tree::Expr& root, std::shared_ptr<const types::TypeTable> types, std::string text) {
+Result<expression::Expression> compile(const tree::Expr& root, std::shared_ptr<const types::TypeTable> types,
+                                       std::string text) {
     Compiler compiler(*types);
     if (!compiler.compile(root)) return Error{compiler.error(), text};
     if (compiler.code().isTooDeep()) return Error{"The expression is nested too deeply", text};

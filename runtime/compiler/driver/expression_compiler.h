@@ -6,6 +6,7 @@
 namespace plc::driver {
 
 /// `root` comes from sema::checkExpression: absolute places, no side effects. The result does not refer to the tree.
-[[nodiscard]] Result<expression::Expression> compile(const tree::Expr& root, std::shared_ptr<const types::TypeTable> types, std::string text);
+[[nodiscard]] Result<expression::Expression> compile(const tree::Expr& root,
+                                                     std::shared_ptr<const types::TypeTable> types, std::string text);
 
 } // namespace plc::driver

@@ -42,18 +42,23 @@ bool endsOperand(TokenKind kind) {
     case TokenKind::RightBracket:
     case TokenKind::Caret:
     case TokenKind::True:
-    case TokenKind::False: return true;
-    default: return false;
+    case TokenKind::False:
+        return true;
+    default:
+        return false;
     }
 }
 
 class Formatter {
 public:
-    Formatter(std::string_view text, const FormatOptions& options, const syntax::SyntaxFile& file, const Structure& structure) : m_text(text), m_options(options), m_structure(structure) {
+    Formatter(std::string_view text, const FormatOptions& options, const syntax::SyntaxFile& file,
+              const Structure& structure)
+        : m_text(text), m_options(options), m_structure(structure) {
         const auto& tokens = file.tokens.tokens;
         size_t c = 0;
         for (const Token& token : tokens) {
-            while (c < file.tokens.comments.size() && file.tokens.comments[c].begin < token.begin) pushComment(file.tokens.comments[c++]);
+            while (c < file.tokens.comments.size() && file.tokens.comments[c].begin < token.begin)
+                pushComment(file.tokens.comments[c++]);
             if (token.kind != TokenKind::EndOfFile) m_items.push_back({token.begin, token.end, &token});
         }
         while (c < file.tokens.comments.size()) pushComment(file.tokens.comments[c++]);
@@ -84,7 +89,9 @@ public:
     }
 
 private:
-    void pushComment(const lex::Comment& comment) { m_items.push_back({comment.begin, comment.end, nullptr, comment.kind == lex::TriviaKind::LineComment}); }
+    void pushComment(const lex::Comment& comment) {
+        m_items.push_back({comment.begin, comment.end, nullptr, comment.kind == lex::TriviaKind::LineComment});
+    }
     std::string_view slice(uint32_t begin, uint32_t end) const { return m_text.substr(begin, end - begin); }
 
     void split() {
@@ -101,12 +108,14 @@ private:
         uint32_t begin = offset;
         while (begin > 0 && m_text[begin - 1] != '\n') --begin;
         int columns = 0;
-        for (uint32_t at = begin; at < offset; ++at) columns += m_text[at] == '\t' ? m_options.indentWidth - columns % m_options.indentWidth : 1;
+        for (uint32_t at = begin; at < offset; ++at)
+            columns += m_text[at] == '\t' ? m_options.indentWidth - columns % m_options.indentWidth : 1;
         return columns;
     }
     std::string indent(int columns) const {
         if (!m_options.useTabs) return std::string(static_cast<size_t>(std::max(columns, 0)), ' ');
-        return std::string(static_cast<size_t>(columns / m_options.indentWidth), '\t') + std::string(static_cast<size_t>(columns % m_options.indentWidth), ' ');
+        return std::string(static_cast<size_t>(columns / m_options.indentWidth), '\t') +
+               std::string(static_cast<size_t>(columns % m_options.indentWidth), ' ');
     }
 
     void layOut() {
@@ -146,19 +155,22 @@ private:
                 code += spelled(m_items[i]);
             }
             m_code.push_back(std::move(code));
-            m_trailing.emplace_back(trailing ? std::string(rtrim(slice(m_items[last].begin, m_items[last].end))) : std::string());
+            m_trailing.emplace_back(trailing ? std::string(rtrim(slice(m_items[last].begin, m_items[last].end)))
+                                             : std::string());
             m_gap.push_back(trailing ? 1 : 0);
         }
     }
     static std::string_view rtrim(std::string_view text) {
-        while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+        while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+            text.remove_suffix(1);
         return text;
     }
 
     std::string spelled(const Item& item) const {
         std::string_view raw = slice(item.begin, item.end);
         if (!item.token) return std::string(item.isLineComment ? rtrim(raw) : raw);
-        const bool keyword = lex::isKeyword(item.token->kind) || (item.token->soft != SoftWord::None && m_structure.isSoftKeyword(item.begin));
+        const bool keyword = lex::isKeyword(item.token->kind) ||
+                             (item.token->soft != SoftWord::None && m_structure.isSoftKeyword(item.begin));
         std::string text(raw);
         if (!keyword || m_options.keywords == KeywordCase::AsWritten) return text;
         for (char& c : text) {
@@ -185,8 +197,10 @@ private:
         case TokenKind::And:
         case TokenKind::Or:
         case TokenKind::Xor:
-        case TokenKind::Mod: return isUnary(i);
-        default: return false;
+        case TokenKind::Mod:
+            return isUnary(i);
+        default:
+            return false;
         }
     }
 
@@ -203,9 +217,12 @@ private:
         case TokenKind::RightBracket:
         case TokenKind::Caret:
         case TokenKind::Dot:
-        case TokenKind::DotDot: return p == TokenKind::Pragma;
-        case TokenKind::Colon: return !m_structure.isLabelColon(next.begin);
-        default: break;
+        case TokenKind::DotDot:
+            return p == TokenKind::Pragma;
+        case TokenKind::Colon:
+            return !m_structure.isLabelColon(next.begin);
+        default:
+            break;
         }
         switch (p) {
         case TokenKind::LeftParen:
@@ -213,20 +230,30 @@ private:
         case TokenKind::Dot:
         case TokenKind::DotDot:
         case TokenKind::Hash:
-        case TokenKind::TypedPrefix: return false;
+        case TokenKind::TypedPrefix:
+            return false;
         case TokenKind::Plus:
-        case TokenKind::Minus: return !isUnary(i - 1);
-        default: break;
+        case TokenKind::Minus:
+            return !isUnary(i - 1);
+        default:
+            break;
         }
         if (n == TokenKind::LeftParen) {
             if (p == TokenKind::Identifier) return m_structure.isSoftKeyword(previous.begin) || isPriority(i);
-            if (p == TokenKind::RightBracket || p == TokenKind::Caret || p == TokenKind::RightParen || p == TokenKind::WstringLiteral || p == TokenKind::IntegerLiteral) return false;
+            if (p == TokenKind::RightBracket || p == TokenKind::Caret || p == TokenKind::RightParen ||
+                p == TokenKind::WstringLiteral || p == TokenKind::IntegerLiteral)
+                return false;
             return !isOperatorFunction(i - 1);
         }
-        if (n == TokenKind::LeftBracket) return !(p == TokenKind::Identifier || p == TokenKind::RightBracket || p == TokenKind::Caret || p == TokenKind::Array || p == TokenKind::RightParen || p == TokenKind::WstringLiteral);
+        if (n == TokenKind::LeftBracket)
+            return !(p == TokenKind::Identifier || p == TokenKind::RightBracket || p == TokenKind::Caret ||
+                     p == TokenKind::Array || p == TokenKind::RightParen || p == TokenKind::WstringLiteral);
         return true;
     }
-    bool isPriority(size_t i) const { return i + 1 < m_items.size() && m_items[i + 1].token && m_items[i + 1].token->soft == SoftWord::Priority && m_structure.isSoftKeyword(m_items[i + 1].begin); }
+    bool isPriority(size_t i) const {
+        return i + 1 < m_items.size() && m_items[i + 1].token && m_items[i + 1].token->soft == SoftWord::Priority &&
+               m_structure.isSoftKeyword(m_items[i + 1].begin);
+    }
 
     static int width(std::string_view text) {
         int columns = 0;
@@ -247,7 +274,9 @@ private:
             }
             size_t end = i;
             int column = 0;
-            for (; end < m_lines.size() && colonOf(end) != std::string::npos && (end == i || m_lines[end].blanksBefore == 0); ++end) {
+            for (; end < m_lines.size() && colonOf(end) != std::string::npos &&
+                   (end == i || m_lines[end].blanksBefore == 0);
+                 ++end) {
                 const int at = width(std::string_view(m_code[end]).substr(0, colonOf(end)));
                 if (at <= kFarthest) column = std::max(column, at);
             }
@@ -265,7 +294,9 @@ private:
         if (source.frozen || !m_structure.beginsDeclaration(m_items[source.first].begin)) return std::string::npos;
         const size_t colon = m_code[line].find(" :");
         const std::string_view before = std::string_view(m_code[line]).substr(0, colon);
-        if (colon == std::string::npos || before.find_first_of("('{\"/") != std::string_view::npos || m_code[line].substr(colon + 2).starts_with("=")) return std::string::npos;
+        if (colon == std::string::npos || before.find_first_of("('{\"/") != std::string_view::npos ||
+            m_code[line].substr(colon + 2).starts_with("="))
+            return std::string::npos;
         return colon + 1;
     }
 
@@ -320,7 +351,9 @@ bool sameContents(std::string_view a, std::string_view b) {
     }
     for (size_t i = 0; i < left.comments.size(); ++i) {
         const auto &l = left.comments[i], &r = right.comments[i];
-        if (l.beforeToken != r.beforeToken || rtrim(a.substr(l.begin, l.end - l.begin)) != rtrim(b.substr(r.begin, r.end - r.begin))) return false;
+        if (l.beforeToken != r.beforeToken ||
+            rtrim(a.substr(l.begin, l.end - l.begin)) != rtrim(b.substr(r.begin, r.end - r.begin)))
+            return false;
     }
     return true;
 }

@@ -12,13 +12,13 @@ struct FormatOptions {
     KeywordCase keywords = KeywordCase::Upper;
     int indentWidth = 4;
     bool useTabs = false;
-    int maxBlankLines = 1;      // in a row
-    bool alignComments = true;  // behind declarations and statements of neighbouring lines
+    int maxBlankLines = 1;          // in a row
+    bool alignComments = true;      // behind declarations and statements of neighbouring lines
     bool alignDeclarations = false; // the colons of neighbouring declarations
 };
 
-/// The tokens and comments stay the same and in order; formatting the result changes nothing. Lines with syntax errors stay
-/// byte for byte.
+/// The tokens and comments stay the same and in order; formatting the result changes nothing. Lines with syntax errors
+/// stay byte for byte.
 [[nodiscard]] std::string format(std::string_view text, const FormatOptions& options);
 
 } // namespace plc::format

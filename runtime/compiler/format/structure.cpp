@@ -9,7 +9,9 @@ using lex::SoftWord;
 using lex::Token;
 using lex::TokenKind;
 
-Structure::Structure(const SyntaxFile& file, std::string_view text, const std::vector<diagnostics::Diagnostic>& diagnostics) : m_tokens(file.tokens.tokens), m_text(text) {
+Structure::Structure(const SyntaxFile& file, std::string_view text,
+                     const std::vector<diagnostics::Diagnostic>& diagnostics)
+    : m_tokens(file.tokens.tokens), m_text(text) {
     // a declaration with a mistake stays as it is, and so does what belongs to none
     std::vector<std::pair<uint32_t, uint32_t>> good;
     uint32_t at = 0;
@@ -23,7 +25,9 @@ Structure::Structure(const SyntaxFile& file, std::string_view text, const std::v
     if (anyError) {
         for (const Decl* decl : file.declarations) {
             bool bad = false;
-            for (const auto& d : diagnostics) bad |= d.severity == diagnostics::Severity::Error && d.range.begin <= decl->range.end && d.range.end >= at;
+            for (const auto& d : diagnostics)
+                bad |=
+                    d.severity == diagnostics::Severity::Error && d.range.begin <= decl->range.end && d.range.end >= at;
             if (bad) wholeLines(at, decl->range.end);
             at = decl->range.end;
         }
@@ -53,7 +57,9 @@ Structure::Structure(const SyntaxFile& file, std::string_view text, const std::v
         case TokenKind::Do:
         case TokenKind::Struct:
         case TokenKind::Pragma:
-        case TokenKind::EndOfFile: begins(token.begin); break;
+        case TokenKind::EndOfFile:
+            begins(token.begin);
+            break;
         default:
             if (lex::isKeyword(token.kind) && lex::spelling(token.kind).starts_with("END_")) begins(token.begin);
             break;
@@ -71,7 +77,8 @@ int Structure::depthAt(uint32_t offset) const {
 }
 
 bool Structure::isFrozen(uint32_t begin, uint32_t end) const {
-    return std::any_of(m_frozen.begin(), m_frozen.end(), [&](const auto& range) { return begin < range.second && end > range.first; });
+    return std::any_of(m_frozen.begin(), m_frozen.end(),
+                       [&](const auto& range) { return begin < range.second && end > range.first; });
 }
 
 void Structure::region(uint32_t begin, uint32_t end) {
@@ -81,12 +88,16 @@ void Structure::region(uint32_t begin, uint32_t end) {
 }
 
 size_t Structure::tokenAt(uint32_t offset) const {
-    return static_cast<size_t>(std::lower_bound(m_tokens.begin(), m_tokens.end(), offset, [](const Token& t, uint32_t at) { return t.begin < at; }) - m_tokens.begin());
+    return static_cast<size_t>(std::lower_bound(m_tokens.begin(), m_tokens.end(), offset,
+                                                [](const Token& t, uint32_t at) { return t.begin < at; }) -
+                               m_tokens.begin());
 }
 
 size_t Structure::lastTokenOf(SourceRange range) const {
     size_t at = tokenAt(range.end);
-    while (at > 0 && (at >= m_tokens.size() || m_tokens[at].begin >= range.end || m_tokens[at].kind == TokenKind::Semicolon)) --at;
+    while (at > 0 &&
+           (at >= m_tokens.size() || m_tokens[at].begin >= range.end || m_tokens[at].kind == TokenKind::Semicolon))
+        --at;
     return at;
 }
 
@@ -140,7 +151,8 @@ void Structure::unit(const Pou& pou) {
     for (size_t i = tokenAt(pou.header.begin); i < m_tokens.size() && m_tokens[i].begin < pou.header.end; ++i)
         if (m_tokens[i].soft != SoftWord::None && m_tokens[i].begin != pou.name.range.begin) soft(m_tokens[i].begin);
     for (const VarSection* s : pou.sections) section(*s);
-    if (pou.kind == PouKind::Method || pou.kind == PouKind::PropertyGet || pou.kind == PouKind::PropertySet || pou.kind == PouKind::Interface) {
+    if (pou.kind == PouKind::Method || pou.kind == PouKind::PropertyGet || pou.kind == PouKind::PropertySet ||
+        pou.kind == PouKind::Interface) {
         if (pou.hasEnd) inside(pou.range);
         soft(pou.range.begin);
     }
@@ -195,7 +207,9 @@ void Structure::type(const TypeSpec* spec) {
         for (const EnumeratorDecl& e : spec->enumerators) begins(e.range.begin);
         if (!spec->enumerators.empty()) {
             size_t close = tokenAt(spec->enumerators.back().range.end);
-            while (close < m_tokens.size() && m_tokens[close].kind != TokenKind::RightParen && m_tokens[close].begin < spec->range.end) ++close;
+            while (close < m_tokens.size() && m_tokens[close].kind != TokenKind::RightParen &&
+                   m_tokens[close].begin < spec->range.end)
+                ++close;
             if (close < m_tokens.size()) {
                 region(spec->enumerators.front().range.begin, m_tokens[close].begin);
                 begins(m_tokens[close].begin);
@@ -206,8 +220,11 @@ void Structure::type(const TypeSpec* spec) {
         break;
     case TypeSpecKind::Pointer:
     case TypeSpecKind::Reference:
-    case TypeSpecKind::RefTo: soft(spec->range.begin); break;
-    default: break;
+    case TypeSpecKind::RefTo:
+        soft(spec->range.begin);
+        break;
+    default:
+        break;
     }
     type(spec->element);
 }
@@ -245,7 +262,9 @@ void Structure::statement(const Stmt& stmt) {
     switch (stmt.kind) {
     case StmtKind::If:
         for (const IfBranch& branch : stmt.branches) {
-            const uint32_t from = branch.condition ? headerEnd(branch.condition->range.end, TokenKind::Then, stmt.range.end) : branch.range.begin + 4;
+            const uint32_t from = branch.condition
+                                      ? headerEnd(branch.condition->range.end, TokenKind::Then, stmt.range.end)
+                                      : branch.range.begin + 4;
             region(from, tokenBehind(branch.range.end));
             block(branch.body);
         }
@@ -275,7 +294,9 @@ void Structure::statement(const Stmt& stmt) {
     }
     case StmtKind::For:
     case StmtKind::While:
-        region(headerEnd(stmt.kind == StmtKind::While ? stmt.value->range.end : stmt.to->range.end, TokenKind::Do, stmt.range.end), m_tokens[lastTokenOf(stmt.range)].begin);
+        region(headerEnd(stmt.kind == StmtKind::While ? stmt.value->range.end : stmt.to->range.end, TokenKind::Do,
+                         stmt.range.end),
+               m_tokens[lastTokenOf(stmt.range)].begin);
         block(stmt.body);
         break;
     case StmtKind::Repeat: {
@@ -289,7 +310,9 @@ void Structure::statement(const Stmt& stmt) {
         block(stmt.body);
         break;
     }
-    case StmtKind::Label: labelColonBehind(stmt.name.range.end); break;
+    case StmtKind::Label:
+        labelColonBehind(stmt.name.range.end);
+        break;
     case StmtKind::Run:
     case StmtKind::Assert:
     case StmtKind::Force:
@@ -298,8 +321,11 @@ void Structure::statement(const Stmt& stmt) {
         soft(stmt.range.begin);
         if (stmt.countsScans && stmt.to) softWordsIn({stmt.range.file, stmt.to->range.end, stmt.range.end});
         break;
-    case StmtKind::Jump: soft(stmt.range.begin); break;
-    default: break;
+    case StmtKind::Jump:
+        soft(stmt.range.begin);
+        break;
+    default:
+        break;
     }
 }
 
@@ -315,8 +341,11 @@ void Structure::chart(const SfcBody& chart) {
         begins(t->range.begin);
         soft(t->range.begin);
         inside(t->range);
-        for (size_t i = tokenAt(t->range.begin); i < m_tokens.size() && m_tokens[i].begin < t->range.end && m_tokens[i].kind != TokenKind::To; ++i)
-            if ((m_tokens[i].soft == SoftWord::From || m_tokens[i].soft == SoftWord::Priority) && m_tokens[i].begin != t->name.range.begin) soft(m_tokens[i].begin);
+        for (size_t i = tokenAt(t->range.begin);
+             i < m_tokens.size() && m_tokens[i].begin < t->range.end && m_tokens[i].kind != TokenKind::To; ++i)
+            if ((m_tokens[i].soft == SoftWord::From || m_tokens[i].soft == SoftWord::Priority) &&
+                m_tokens[i].begin != t->name.range.begin)
+                soft(m_tokens[i].begin);
         if (!t->ilCondition.empty()) body({.language = BodyLanguage::Il, .statements = t->ilCondition});
     }
     for (const ActionDecl* a : chart.actions) action(*a);
@@ -330,7 +359,8 @@ void Structure::configuration(const ConfigurationDecl& configuration) {
         if (resource->name.isValid()) {
             begins(resource->range.begin);
             soft(resource->range.begin);
-            if (resource->on.isValid()) softWordsIn({resource->range.file, resource->name.range.end, resource->on.range.begin});
+            if (resource->on.isValid())
+                softWordsIn({resource->range.file, resource->name.range.end, resource->on.range.begin});
             inside(resource->range);
         }
         for (const VarSection* s : resource->sections) section(*s);
@@ -340,7 +370,8 @@ void Structure::configuration(const ConfigurationDecl& configuration) {
         }
         for (const ProgramInstance* program : resource->programs) {
             begins(program->range.begin);
-            if (program->task.isValid()) softWordsIn({program->range.file, program->name.range.end, program->task.range.begin});
+            if (program->task.isValid())
+                softWordsIn({program->range.file, program->name.range.end, program->task.range.begin});
         }
     }
 }

@@ -1,5 +1,5 @@
-// What the formatter knows of a text beyond its tokens: how deep each place lies, where statements and declarations begin,
-// which colons stand behind labels, what must stay as it is. From the syntax tree; one format call, one use.
+// What the formatter knows of a text beyond its tokens: how deep each place lies, where statements and declarations
+// begin, which colons stand behind labels, what must stay as it is. From the syntax tree; one format call, one use.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 
@@ -9,7 +9,8 @@ namespace plc::format {
 
 class Structure {
 public:
-    Structure(const syntax::SyntaxFile& file, std::string_view text, const std::vector<diagnostics::Diagnostic>& diagnostics);
+    Structure(const syntax::SyntaxFile& file, std::string_view text,
+              const std::vector<diagnostics::Diagnostic>& diagnostics);
 
     [[nodiscard]] int depthAt(uint32_t offset) const;
     [[nodiscard]] bool beginsHere(uint32_t offset) const { return m_begins.contains(offset); }

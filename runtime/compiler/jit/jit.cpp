@@ -35,15 +35,21 @@ struct Symbol {
 
 template <class Function> void* addressOf(Function* function) { return reinterpret_cast<void*>(function); }
 
-#define PLC_MATH1(Name) {"plc_" #Name, addressOf<double(double)>(&::Name)}, {"plc_" #Name "f", addressOf<float(float)>(&::Name##f)}
-#define PLC_MATH2(Name) {"plc_" #Name, addressOf<double(double, double)>(&::Name)}, {"plc_" #Name "f", addressOf<float(float, float)>(&::Name##f)}
+#define PLC_MATH1(Name)                                                                                                \
+    {"plc_" #Name, addressOf<double(double)>(&::Name)}, { "plc_" #Name "f", addressOf<float(float)>(&::Name##f) }
+#define PLC_MATH2(Name)                                                                                                \
+    {"plc_" #Name, addressOf<double(double, double)>(&::Name)}, {                                                      \
+        "plc_" #Name "f", addressOf<float(float, float)>(&::Name##f)                                                   \
+    }
 // What LLVM itself may call where the processor has no instruction for it.
-#define PLC_OWN1(Name) {#Name, addressOf<double(double)>(&::Name)}, {#Name "f", addressOf<float(float)>(&::Name##f)}
+#define PLC_OWN1(Name)                                                                                                 \
+    {#Name, addressOf<double(double)>(&::Name)}, { #Name "f", addressOf < float(float)>(&::Name##f) }
 
 const Symbol kMath[] = {
-    PLC_MATH1(log),   PLC_MATH1(log10), PLC_MATH1(exp),  PLC_MATH1(sin),  PLC_MATH1(cos),   PLC_MATH1(tan), PLC_MATH1(asin), PLC_MATH1(acos), PLC_MATH1(atan),
-    PLC_MATH1(sinh),  PLC_MATH1(cosh),  PLC_MATH1(tanh), PLC_MATH2(pow),  PLC_MATH2(atan2), PLC_MATH2(fmod),
-    PLC_OWN1(floor),  PLC_OWN1(ceil),   PLC_OWN1(trunc), PLC_OWN1(sqrt),  PLC_OWN1(fabs),   PLC_OWN1(rint), PLC_OWN1(nearbyint),
+    PLC_MATH1(log),  PLC_MATH1(log10), PLC_MATH1(exp),  PLC_MATH1(sin),      PLC_MATH1(cos),  PLC_MATH1(tan),
+    PLC_MATH1(asin), PLC_MATH1(acos),  PLC_MATH1(atan), PLC_MATH1(sinh),     PLC_MATH1(cosh), PLC_MATH1(tanh),
+    PLC_MATH2(pow),  PLC_MATH2(atan2), PLC_MATH2(fmod), PLC_OWN1(floor),     PLC_OWN1(ceil),  PLC_OWN1(trunc),
+    PLC_OWN1(sqrt),  PLC_OWN1(fabs),   PLC_OWN1(rint),  PLC_OWN1(nearbyint),
 };
 #undef PLC_MATH1
 #undef PLC_MATH2
@@ -53,18 +59,19 @@ const Symbol kMath[] = {
 double roundEven(double value) { return std::nearbyint(value); }
 float roundEvenSingle(float value) { return std::nearbyintf(value); }
 
-/// What a PLC program decides seldom changes from one scan to the next: in a chain of dependent results a well predicted branch beats a
-/// select, which always waits for its condition (limits and dead bands of controllers). LLVM has these as options only, as the reach of
-/// its search for earlier stores.
+/// What a PLC program decides seldom changes from one scan to the next: in a chain of dependent results a well
+/// predicted branch beats a select, which always waits for its condition (limits and dead bands of controllers). LLVM
+/// has these as options only, as the reach of its search for earlier stores.
 void preferBranches() {
-    const char* const words[] = {"stepwise",
-                                 "-disable-select-optimize=false",
-                                 "-mispredict-default-rate=2",
-                                 "-select-opti-loop-cycle-gain-threshold=1",
-                                 "-select-opti-loop-relative-gain-threshold=20",
-                                 "-select-opti-loop-gradient-gain-threshold=10",
-                                 "-memdep-block-number-limit=50"}; // a third of the time of large programs for nothing measurable
-    llvm::raw_null_ostream nowhere; // an LLVM without one of them goes on as it is
+    const char* const words[] = {
+        "stepwise",
+        "-disable-select-optimize=false",
+        "-mispredict-default-rate=2",
+        "-select-opti-loop-cycle-gain-threshold=1",
+        "-select-opti-loop-relative-gain-threshold=20",
+        "-select-opti-loop-gradient-gain-threshold=10",
+        "-memdep-block-number-limit=50"}; // a third of the time of large programs for nothing measurable
+    llvm::raw_null_ostream nowhere;       // an LLVM without one of them goes on as it is
     llvm::cl::ParseCommandLineOptions(static_cast<int>(std::size(words)), words, "", &nowhere);
 }
 
@@ -83,10 +90,12 @@ Error failed(llvm::Error error) { return Error{"The code generator failed: " + l
 llvm::orc::SymbolMap runtimeSymbols(llvm::orc::LLJIT& jit) {
     llvm::orc::SymbolMap map;
     const auto add = [&](llvm::StringRef name, void* address) {
-        map[jit.mangleAndIntern(name)] = {llvm::orc::ExecutorAddr::fromPtr(address), llvm::JITSymbolFlags::Exported | llvm::JITSymbolFlags::Callable};
+        map[jit.mangleAndIntern(name)] = {llvm::orc::ExecutorAddr::fromPtr(address),
+                                          llvm::JITSymbolFlags::Exported | llvm::JITSymbolFlags::Callable};
     };
     for (const Symbol& symbol : kMath) add(symbol.name, symbol.address);
-    for (const library::RuntimeSymbol& symbol : library::runtimeSymbols()) add(llvm::StringRef(symbol.name.data(), symbol.name.size()), symbol.address);
+    for (const library::RuntimeSymbol& symbol : library::runtimeSymbols())
+        add(llvm::StringRef(symbol.name.data(), symbol.name.size()), symbol.address);
     add("roundeven", addressOf(&roundEven));
     add("roundevenf", addressOf(&roundEvenSingle));
     add("plc_compare_bytes", addressOf(&compareBytes));
@@ -159,7 +168,8 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
     auto builder = llvm::orc::JITTargetMachineBuilder::detectHost();
     if (!builder) return builder;
     builder->setCodeGenOptLevel(isQuick ? llvm::CodeGenOptLevel::None : llvm::CodeGenOptLevel::Default);
-    if (isQuick) { // the large code model would keep every call from fast instruction selection; the linker makes stubs instead
+    if (isQuick) { // the large code model would keep every call from fast instruction selection; the linker makes stubs
+                   // instead
         builder->setRelocationModel(llvm::Reloc::PIC_);
         builder->setCodeModel(llvm::CodeModel::Small);
     } else { // jump tables of whole addresses: a CASE costs one load less
@@ -172,7 +182,8 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
 }
 
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
-Result<Object> compilePart(const tree::Program& program, const codegen::ProgramFacts& facts, const codegen::Options& options, codegen::Part part) {
+Result<Object> compilePart(const tree::Program& program, const codegen::ProgramFacts& facts,
+                           const codegen::Options& options, codegen::Part part) {
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto builder = machineFor(isQuick);
     if (!builder) return failed(builder.takeError());
@@ -187,7 +198,8 @@ Result<Object> compilePart(const tree::Program& program, const codegen::ProgramF
 #ifndef NDEBUG
     std::string broken;
     llvm::raw_string_ostream stream(broken);
-    if (llvm::verifyModule(*module, &stream)) return Error{"The code generator made a broken module: " + stream.str(), ""};
+    if (llvm::verifyModule(*module, &stream))
+        return Error{"The code generator made a broken module: " + stream.str(), ""};
 #endif
     if (options.threadSanitizer) instrument(*module, **machine);
     const bool marks = marksWrites(program.layout);
@@ -200,7 +212,8 @@ Result<Object> compilePart(const tree::Program& program, const codegen::ProgramF
     return std::move(*object);
 }
 
-/// Quick code of large programs is made by several threads; optimised code is one module, so that everything can be inlined.
+/// Quick code of large programs is made by several threads; optimised code is one module, so that everything can be
+/// inlined.
 uint32_t partsFor(const tree::Program& program, const codegen::Options& options) {
     constexpr size_t kFunctionsPerPart = 40;
     if (options.tier != codegen::Tier::Quick) return 1;
@@ -208,7 +221,8 @@ uint32_t partsFor(const tree::Program& program, const codegen::Options& options)
     return static_cast<uint32_t>(std::min<size_t>({wanted, std::max(1u, std::thread::hardware_concurrency()), 8}));
 }
 
-std::vector<Result<Object>> compileParts(const tree::Program& program, const codegen::ProgramFacts& facts, const codegen::Options& options, uint32_t count) {
+std::vector<Result<Object>> compileParts(const tree::Program& program, const codegen::ProgramFacts& facts,
+                                         const codegen::Options& options, uint32_t count) {
     std::vector<Result<Object>> objects;
     for (uint32_t i = 0; i < count; ++i) objects.push_back(Error{"not compiled", ""});
     std::vector<std::thread> threads;
@@ -226,7 +240,8 @@ struct EntryRow {
 
 } // namespace
 
-Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::DebugMap&, const codegen::Options& options) {
+Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::DebugMap&,
+                                                   const codegen::Options& options) {
     initialiseTargets();
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto machine = machineFor(isQuick);
@@ -239,9 +254,12 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     if (options.threadSanitizer) {
         if (!llvm::sys::DynamicLibrary::SearchForAddressOfSymbol("__tsan_func_entry"))
             return Error{"Code for the thread sanitizer needs a process that runs under it", ""};
-        auto process = llvm::orc::DynamicLibrarySearchGenerator::GetForCurrentProcess((*jit)->getDataLayout().getGlobalPrefix());
-        if (process) library.addGenerator(std::move(*process));
-        else llvm::consumeError(process.takeError());
+        auto process =
+            llvm::orc::DynamicLibrarySearchGenerator::GetForCurrentProcess((*jit)->getDataLayout().getGlobalPrefix());
+        if (process)
+            library.addGenerator(std::move(*process));
+        else
+            llvm::consumeError(process.takeError());
     }
     if (auto error = library.define(llvm::orc::absoluteSymbols(runtimeSymbols(**jit)))) return failed(std::move(error));
 
@@ -258,7 +276,8 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     for (uint32_t part = 0; part < parts; ++part) {
         auto table = (*jit)->lookup("plc.entries." + std::to_string(part));
         if (!table) return failed(table.takeError());
-        for (const EntryRow* row = table->toPtr<const EntryRow*>(); row->function != 0; ++row) code->entries[row->function] = row->code;
+        for (const EntryRow* row = table->toPtr<const EntryRow*>(); row->function != 0; ++row)
+            code->entries[row->function] = row->code;
     }
     code->keepAlive = std::shared_ptr<llvm::orc::LLJIT>(std::move(*jit));
     return std::shared_ptr<const image::Code>(std::move(code));

@@ -17,7 +17,9 @@ namespace plc::jit {
 
 void markWritten(uint8_t* dirtyPages, int64_t offset, int64_t length, int64_t pages) {
     if (length <= 0) return;
-    const auto page = [&](int64_t at) { return std::min<uint64_t>(static_cast<uint64_t>(at) / image::kDirtyPage, static_cast<uint64_t>(pages)); };
+    const auto page = [&](int64_t at) {
+        return std::min<uint64_t>(static_cast<uint64_t>(at) / image::kDirtyPage, static_cast<uint64_t>(pages));
+    };
     for (uint64_t p = page(offset), last = page(offset + length - 1); p <= last; ++p) dirtyPages[p] = 1;
 }
 
@@ -25,7 +27,8 @@ namespace {
 
 constexpr const char* kKeeper = "# context and image";
 
-/// Functions that take context and image; the helpers of the module (plc.raise, plc.site) have no business with the image.
+/// Functions that take context and image; the helpers of the module (plc.raise, plc.site) have no business with the
+/// image.
 bool hasImage(const llvm::Function& function) {
     if (function.isDeclaration() || function.arg_size() < 2) return false;
     return function.getArg(0)->getType()->isPointerTy() && function.getArg(1)->getType()->isPointerTy();
@@ -46,8 +49,8 @@ bool isKeeper(const llvm::Instruction& instruction) {
 class Marker {
 public:
     Marker(llvm::Function& function, uint32_t imageSize)
-        : m_function(function), m_builder(function.getContext()), m_pages(image::dirtyPageCount(imageSize)), m_i8(llvm::Type::getInt8Ty(function.getContext())),
-          m_i64(llvm::Type::getInt64Ty(function.getContext())) {}
+        : m_function(function), m_builder(function.getContext()), m_pages(image::dirtyPageCount(imageSize)),
+          m_i8(llvm::Type::getInt8Ty(function.getContext())), m_i64(llvm::Type::getInt64Ty(function.getContext())) {}
 
     void run() {
         std::vector<llvm::Instruction*> writers;
@@ -74,10 +77,13 @@ private:
         }
         if (!name.starts_with("plc_text_") && !name.starts_with("plc_wtext_")) return;
         // Text functions write to their first argument; its capacity is the second. Two bytes a character is the most.
-        if (!mayBeImage(call->getArgOperand(0)) || call->arg_size() < 2 || !call->getArgOperand(1)->getType()->isIntegerTy(32)) return;
+        if (!mayBeImage(call->getArgOperand(0)) || call->arg_size() < 2 ||
+            !call->getArgOperand(1)->getType()->isIntegerTy(32))
+            return;
         m_builder.SetInsertPoint(&writer);
         llvm::Value* capacity = m_builder.CreateZExt(call->getArgOperand(1), m_i64);
-        markRange(writer, call->getArgOperand(0), m_builder.CreateMul(m_builder.CreateAdd(capacity, m_builder.getInt64(1)), m_builder.getInt64(2)));
+        markRange(writer, call->getArgOperand(0),
+                  m_builder.CreateMul(m_builder.CreateAdd(capacity, m_builder.getInt64(1)), m_builder.getInt64(2)));
     }
 
     void visitStore(llvm::StoreInst& store) {
@@ -88,13 +94,15 @@ private:
         m_builder.SetInsertPoint(&store);
         llvm::Value* offset = offsetOf(pointer);
         markPage(offset);
-        if (size > store.getAlign().value()) markPage(m_builder.CreateAdd(offset, m_builder.getInt64(size - 1))); // may lie over a border
+        if (size > store.getAlign().value())
+            markPage(m_builder.CreateAdd(offset, m_builder.getInt64(size - 1))); // may lie over a border
     }
 
     /// Not the context, not the stack.
     [[nodiscard]] bool mayBeImage(const llvm::Value* pointer) const {
         const llvm::Value* object = llvm::getUnderlyingObject(pointer, 0);
-        return object != m_function.getArg(0) && !llvm::isa<llvm::AllocaInst>(object) && !llvm::isa<llvm::GlobalValue>(object);
+        return object != m_function.getArg(0) && !llvm::isa<llvm::AllocaInst>(object) &&
+               !llvm::isa<llvm::GlobalValue>(object);
     }
 
     llvm::Value* offsetOf(llvm::Value* pointer) {
@@ -102,7 +110,8 @@ private:
         const llvm::DataLayout& layout = m_function.getParent()->getDataLayout();
         const llvm::Value* base = pointer->stripAndAccumulateConstantOffsets(layout, constant, true);
         if (base == m_function.getArg(1)) return m_builder.getInt64(constant.getZExtValue());
-        return m_builder.CreateSub(m_builder.CreatePtrToInt(pointer, m_i64), m_builder.CreatePtrToInt(m_function.getArg(1), m_i64));
+        return m_builder.CreateSub(m_builder.CreatePtrToInt(pointer, m_i64),
+                                   m_builder.CreatePtrToInt(m_function.getArg(1), m_i64));
     }
 
     void markPage(llvm::Value* offset) {
@@ -114,9 +123,12 @@ private:
     void markRange(llvm::Instruction& before, llvm::Value* pointer, llvm::Value* length) {
         m_builder.SetInsertPoint(&before);
         llvm::Module& module = *m_function.getParent();
-        llvm::FunctionCallee mark = module.getOrInsertFunction("plc_mark_written", llvm::FunctionType::get(m_builder.getVoidTy(), {dirtyPages()->getType(), m_i64, m_i64, m_i64}, false));
+        llvm::FunctionCallee mark = module.getOrInsertFunction(
+            "plc_mark_written",
+            llvm::FunctionType::get(m_builder.getVoidTy(), {dirtyPages()->getType(), m_i64, m_i64, m_i64}, false));
         m_builder.SetInsertPoint(&before);
-        m_builder.CreateCall(mark, {dirtyPages(), offsetOf(pointer), m_builder.CreateZExtOrTrunc(length, m_i64), m_builder.getInt64(m_pages)});
+        m_builder.CreateCall(mark, {dirtyPages(), offsetOf(pointer), m_builder.CreateZExtOrTrunc(length, m_i64),
+                                    m_builder.getInt64(m_pages)});
     }
 
     /// Loaded once, at the function's begin.
@@ -124,7 +136,8 @@ private:
         if (m_dirtyPages) return m_dirtyPages;
         llvm::BasicBlock& entry = m_function.getEntryBlock();
         llvm::IRBuilder<> begin(&entry, entry.getFirstInsertionPt());
-        llvm::Value* field = begin.CreateConstInBoundsGEP1_64(m_i8, m_function.getArg(0), offsetof(image::RuntimeContext, dirtyPages));
+        llvm::Value* field =
+            begin.CreateConstInBoundsGEP1_64(m_i8, m_function.getArg(0), offsetof(image::RuntimeContext, dirtyPages));
         m_dirtyPages = begin.CreateLoad(m_function.getArg(0)->getType(), field);
         return m_dirtyPages;
     }

@@ -1,5 +1,6 @@
-// Code of programs with a large image says which pages it writes (D2): finding what changed in a scan then does not cost the size of the
-// image. Added to finished IR, so that it is in the way of no optimisation. One module at a time, any thread.
+// Code of programs with a large image says which pages it writes (D2): finding what changed in a scan then does not
+// cost the size of the image. Added to finished IR, so that it is in the way of no optimisation. One module at a time,
+// any thread.
 #pragma once
 #include "runtime/image/program.h"
 

@@ -27,12 +27,23 @@ PrefixKind prefixKind(std::string_view word) {
         PrefixKind kind;
     };
     static constexpr Row rows[] = {
-        {"T", PrefixKind::Duration},       {"TIME", PrefixKind::Duration},           {"LT", PrefixKind::Duration},
-        {"LTIME", PrefixKind::Duration},   {"D", PrefixKind::Date},                  {"DATE", PrefixKind::Date},
-        {"LD", PrefixKind::Date},          {"LDATE", PrefixKind::Date},              {"TOD", PrefixKind::TimeOfDay},
-        {"LTOD", PrefixKind::TimeOfDay},   {"TIME_OF_DAY", PrefixKind::TimeOfDay},   {"DT", PrefixKind::DateTime},
-        {"LTIME_OF_DAY", PrefixKind::TimeOfDay}, {"DATE_AND_TIME", PrefixKind::DateTime}, {"LDT", PrefixKind::DateTime},
-        {"LDATE_AND_TIME", PrefixKind::DateTime}, {"C", PrefixKind::Bcd},
+        {"T", PrefixKind::Duration},
+        {"TIME", PrefixKind::Duration},
+        {"LT", PrefixKind::Duration},
+        {"LTIME", PrefixKind::Duration},
+        {"D", PrefixKind::Date},
+        {"DATE", PrefixKind::Date},
+        {"LD", PrefixKind::Date},
+        {"LDATE", PrefixKind::Date},
+        {"TOD", PrefixKind::TimeOfDay},
+        {"LTOD", PrefixKind::TimeOfDay},
+        {"TIME_OF_DAY", PrefixKind::TimeOfDay},
+        {"DT", PrefixKind::DateTime},
+        {"LTIME_OF_DAY", PrefixKind::TimeOfDay},
+        {"DATE_AND_TIME", PrefixKind::DateTime},
+        {"LDT", PrefixKind::DateTime},
+        {"LDATE_AND_TIME", PrefixKind::DateTime},
+        {"C", PrefixKind::Bcd},
     };
     for (const Row& row : rows)
         if (word.size() == row.word.size() && equalsIgnoringCase(word, row.word)) return row.kind;
@@ -57,7 +68,8 @@ private:
     std::string_view slice(size_t begin, size_t end) const { return m_text.substr(begin, end - begin); }
 
     diagnostics::Diagnostic& emit(size_t begin, size_t end, Kind kind, std::vector<std::string> arguments = {}) {
-        return m_sink.emit({m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}, kind, std::move(arguments));
+        return m_sink.emit({m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}, kind,
+                           std::move(arguments));
     }
     void push(TokenKind kind, size_t begin, size_t end, SoftWord soft = SoftWord::None) {
         m_list.tokens.push_back({kind, soft, m_newline, static_cast<uint32_t>(begin), static_cast<uint32_t>(end)});
@@ -88,13 +100,15 @@ private:
         if (static_cast<unsigned char>(m_text[m_at]) < 0x80) return false;
         size_t next = m_at;
         const char32_t c = decodeUtf8(m_text, next);
-        const bool blank = c == 0xA0 || c == 0xFEFF || (c >= 0x2000 && c <= 0x200F) || c == 0x2028 || c == 0x2029 || c == 0x202F || c == 0x3000;
+        const bool blank = c == 0xA0 || c == 0xFEFF || (c >= 0x2000 && c <= 0x200F) || c == 0x2028 || c == 0x2029 ||
+                           c == 0x202F || c == 0x3000;
         if (blank) m_at = next;
         return blank;
     }
 
     void comment(TriviaKind kind, size_t begin) {
-        m_list.comments.push_back({kind, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at), static_cast<uint32_t>(m_list.tokens.size())});
+        m_list.comments.push_back({kind, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at),
+                                   static_cast<uint32_t>(m_list.tokens.size())});
     }
     void lineComment() {
         const size_t begin = m_at;
@@ -143,13 +157,17 @@ private:
         if (isAsciiLetter(c) || c == '_') return word();
         if (isDigit(c)) return number();
         switch (c) {
-        case '\'': return string('\'', TokenKind::StringLiteral);
-        case '"': return string('"', TokenKind::WstringLiteral);
-        case '{': return pragma();
+        case '\'':
+            return string('\'', TokenKind::StringLiteral);
+        case '"':
+            return string('"', TokenKind::WstringLiteral);
+        case '{':
+            return pragma();
         case '%':
             if (directAddress()) return;
             break;
-        default: break;
+        default:
+            break;
         }
         if (symbol()) return;
         if (static_cast<unsigned char>(c) >= 0x80) {
@@ -166,12 +184,17 @@ private:
             std::string_view text;
             TokenKind kind;
         };
-        static constexpr Row two[] = {{":=", TokenKind::Assign}, {"=>", TokenKind::Output}, {"?=", TokenKind::TryAssign}, {"**", TokenKind::Power},
-                                      {"<>", TokenKind::NotEqual}, {"<=", TokenKind::LessEqual}, {">=", TokenKind::GreaterEqual}, {"..", TokenKind::DotDot}};
-        static constexpr Row one[] = {{"+", TokenKind::Plus}, {"-", TokenKind::Minus}, {"*", TokenKind::Star}, {"/", TokenKind::Slash}, {"=", TokenKind::Equal},
-                                      {"<", TokenKind::Less}, {">", TokenKind::Greater}, {"&", TokenKind::Ampersand}, {"(", TokenKind::LeftParen},
-                                      {")", TokenKind::RightParen}, {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket}, {",", TokenKind::Comma},
-                                      {";", TokenKind::Semicolon}, {":", TokenKind::Colon}, {".", TokenKind::Dot}, {"^", TokenKind::Caret}, {"#", TokenKind::Hash}};
+        static constexpr Row two[] = {{":=", TokenKind::Assign},       {"=>", TokenKind::Output},
+                                      {"?=", TokenKind::TryAssign},    {"**", TokenKind::Power},
+                                      {"<>", TokenKind::NotEqual},     {"<=", TokenKind::LessEqual},
+                                      {">=", TokenKind::GreaterEqual}, {"..", TokenKind::DotDot}};
+        static constexpr Row one[] = {
+            {"+", TokenKind::Plus},       {"-", TokenKind::Minus},       {"*", TokenKind::Star},
+            {"/", TokenKind::Slash},      {"=", TokenKind::Equal},       {"<", TokenKind::Less},
+            {">", TokenKind::Greater},    {"&", TokenKind::Ampersand},   {"(", TokenKind::LeftParen},
+            {")", TokenKind::RightParen}, {"[", TokenKind::LeftBracket}, {"]", TokenKind::RightBracket},
+            {",", TokenKind::Comma},      {";", TokenKind::Semicolon},   {":", TokenKind::Colon},
+            {".", TokenKind::Dot},        {"^", TokenKind::Caret},       {"#", TokenKind::Hash}};
         const char first = peek(), second = peek(1);
         for (const Row& row : two)
             if (row.text[0] == first && row.text[1] == second) return takeSymbol(row.kind, 2);
@@ -214,9 +237,12 @@ private:
     /// `a S= b`: the word stands directly before `=` and behind an operand.
     bool setOrReset(size_t begin, std::string_view text) {
         TokenKind kind = TokenKind::Error;
-        if (text == "S" || text == "s") kind = TokenKind::SetAssign;
-        else if (text == "R" || text == "r") kind = TokenKind::ResetAssign;
-        else if (text.size() == 3 && equalsIgnoringCase(text, "REF")) kind = TokenKind::RefAssign;
+        if (text == "S" || text == "s")
+            kind = TokenKind::SetAssign;
+        else if (text == "R" || text == "r")
+            kind = TokenKind::ResetAssign;
+        else if (text.size() == 3 && equalsIgnoringCase(text, "REF"))
+            kind = TokenKind::RefAssign;
         if (kind == TokenKind::Error || peek(1) == '>' || m_list.tokens.empty()) return false;
         switch (m_list.tokens.back().kind) {
         case TokenKind::Identifier:
@@ -225,8 +251,10 @@ private:
         case TokenKind::Caret:
         case TokenKind::DirectAddress:
         case TokenKind::WstringLiteral:
-        case TokenKind::IntegerLiteral: break;
-        default: return false;
+        case TokenKind::IntegerLiteral:
+            break;
+        default:
+            return false;
         }
         ++m_at;
         push(kind, begin, m_at);
@@ -242,20 +270,30 @@ private:
         case PrefixKind::Duration:
             if (number || next == '.') return duration(begin);
             break;
-        case PrefixKind::Date: if (number) return date(begin, TokenKind::DateLiteral, "date"); break;
-        case PrefixKind::TimeOfDay: if (number) return date(begin, TokenKind::TimeOfDayLiteral, "time of day"); break;
-        case PrefixKind::DateTime: if (number) return date(begin, TokenKind::DateTimeLiteral, "date and time"); break;
+        case PrefixKind::Date:
+            if (number) return date(begin, TokenKind::DateLiteral, "date");
+            break;
+        case PrefixKind::TimeOfDay:
+            if (number) return date(begin, TokenKind::TimeOfDayLiteral, "time of day");
+            break;
+        case PrefixKind::DateTime:
+            if (number) return date(begin, TokenKind::DateTimeLiteral, "date and time");
+            break;
         case PrefixKind::Bcd:
             if (number) {
                 takeDigits(10);
                 return finishNumber(begin, TokenKind::IntegerLiteral, "BCD");
             }
             break;
-        case PrefixKind::Type: break;
+        case PrefixKind::Type:
+            break;
         }
-        if (kind != PrefixKind::Type && kind != PrefixKind::Bcd && (next == ' ' || next == ';' || next == ')' || next == ',' || next == '\n' || next == '\0')) {
-            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), kind == PrefixKind::Duration ? "duration" : "date"});
-            return push(kind == PrefixKind::Duration ? TokenKind::DurationLiteral : TokenKind::DateLiteral, begin, m_at);
+        if (kind != PrefixKind::Type && kind != PrefixKind::Bcd &&
+            (next == ' ' || next == ';' || next == ')' || next == ',' || next == '\n' || next == '\0')) {
+            emit(begin, m_at, Kind::InvalidLiteral,
+                 {std::string(slice(begin, m_at)), kind == PrefixKind::Duration ? "duration" : "date"});
+            return push(kind == PrefixKind::Duration ? TokenKind::DurationLiteral : TokenKind::DateLiteral, begin,
+                        m_at);
         }
         push(TokenKind::TypedPrefix, begin, m_at);
     }
@@ -285,7 +323,8 @@ private:
         }
         const size_t good = m_at;
         m_at = wordEnd(m_at);
-        if (!valid || !ordered || good != m_at) emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "duration"});
+        if (!valid || !ordered || good != m_at)
+            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "duration"});
         push(TokenKind::DurationLiteral, begin, m_at);
     }
     static int unitRank(std::string_view unit) {
@@ -298,7 +337,9 @@ private:
     /// The digits and separators of the three calendar literals; how many of each: the numbers between them.
     void date(size_t begin, TokenKind kind, const char* what) {
         const size_t digits = m_at;
-        while (isDigit(peek()) || peek() == '_' || ((peek() == '-' || peek() == ':' || peek() == '.') && isDigit(peek(1)))) ++m_at;
+        while (isDigit(peek()) || peek() == '_' ||
+               ((peek() == '-' || peek() == ':' || peek() == '.') && isDigit(peek(1))))
+            ++m_at;
         const size_t good = m_at;
         m_at = wordEnd(m_at);
         int dashes = 0, colons = 0;
@@ -306,7 +347,7 @@ private:
             dashes += c == '-';
             colons += c == ':';
         }
-        const bool shape = kind == TokenKind::DateLiteral ? dashes == 2 && colons == 0
+        const bool shape = kind == TokenKind::DateLiteral        ? dashes == 2 && colons == 0
                            : kind == TokenKind::TimeOfDayLiteral ? dashes == 0 && (colons == 1 || colons == 2)
                                                                  : dashes == 3 && (colons == 1 || colons == 2);
         if (!shape || good != m_at) emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), what});
@@ -324,8 +365,10 @@ private:
             }
             if (base <= 10 ? !isDigit(c) : !isAlnum(c)) break;
             if (digitValue(c) >= base) {
-                if (isDigit(c) || base > 10) good = false;
-                else break;
+                if (isDigit(c) || base > 10)
+                    good = false;
+                else
+                    break;
             }
             any = true;
         }
@@ -334,7 +377,8 @@ private:
 
     void number() {
         const size_t begin = m_at;
-        const bool afterDot = !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::Dot && m_list.tokens.back().end == m_at;
+        const bool afterDot =
+            !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::Dot && m_list.tokens.back().end == m_at;
         takeDigits(10);
         if (peek() == '#' && !afterDot) return based(begin);
         bool real = false;
@@ -360,7 +404,8 @@ private:
         const bool valid = (base == 2 || base == 8 || base == 10 || base == 16) && takeDigits(base);
         const size_t good = m_at;
         m_at = wordEnd(m_at);
-        if (!valid || good != m_at) emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "integer"});
+        if (!valid || good != m_at)
+            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "integer"});
         push(TokenKind::IntegerLiteral, begin, m_at);
     }
     void finishNumber(size_t begin, TokenKind kind, const char* what) {
@@ -372,7 +417,8 @@ private:
 
     void string(char quote, TokenKind kind) {
         const size_t begin = m_at++;
-        while (m_at < m_text.size() && m_text[m_at] != quote && m_text[m_at] != '\n') m_at += m_text[m_at] == '$' && peek(1) != '\n' && m_at + 1 < m_text.size() ? 2 : 1;
+        while (m_at < m_text.size() && m_text[m_at] != quote && m_text[m_at] != '\n')
+            m_at += m_text[m_at] == '$' && peek(1) != '\n' && m_at + 1 < m_text.size() ? 2 : 1;
         if (peek() == quote && m_at < m_text.size()) {
             ++m_at;
             return push(kind, begin, m_at);
@@ -383,7 +429,10 @@ private:
             --m_at;
             while (m_at > begin + 1 && m_text[m_at - 1] == ')') --m_at;
         }
-        emit(begin, m_at, Kind::UnterminatedString).fixes.push_back({std::string("Insert ") + quote, {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(m_at)}, std::string(1, quote)}}});
+        emit(begin, m_at, Kind::UnterminatedString)
+            .fixes.push_back(
+                {std::string("Insert ") + quote,
+                 {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(m_at)}, std::string(1, quote)}}});
         push(kind, begin, m_at);
     }
 
@@ -408,7 +457,9 @@ private:
     /// %IX0.0 %I0.0 %QW3 %M* %IX*, and behind a point %X3 %B1.
     bool directAddress() {
         size_t at = m_at + 1;
-        const auto has = [&](std::string_view set) { return at < m_text.size() && set.find(detail::upper(m_text[at])) != std::string_view::npos; };
+        const auto has = [&](std::string_view set) {
+            return at < m_text.size() && set.find(detail::upper(m_text[at])) != std::string_view::npos;
+        };
         const bool afterDot = !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::Dot && !has("IQM");
         if (!afterDot) {
             if (!has("IQM")) return false;
@@ -419,7 +470,9 @@ private:
             ++at;
         } else {
             if (at >= m_text.size() || !isDigit(m_text[at])) return false;
-            while (at < m_text.size() && (isDigit(m_text[at]) || (!afterDot && m_text[at] == '.' && at + 1 < m_text.size() && isDigit(m_text[at + 1])))) ++at;
+            while (at < m_text.size() && (isDigit(m_text[at]) || (!afterDot && m_text[at] == '.' &&
+                                                                  at + 1 < m_text.size() && isDigit(m_text[at + 1]))))
+                ++at;
         }
         push(TokenKind::DirectAddress, m_at, at);
         m_at = at;
@@ -430,7 +483,9 @@ private:
     bool typographic(char32_t character, size_t next) {
         const auto isQuote = [](char32_t c) { return c >= 0x2018 && c <= 0x201F; };
         if (character >= 0x2010 && character <= 0x2015) {
-            emit(m_at, next, Kind::UnknownCharacter, {std::string(slice(m_at, next))}).fixes.push_back({"Write -", {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, "-"}}});
+            emit(m_at, next, Kind::UnknownCharacter, {std::string(slice(m_at, next))})
+                .fixes.push_back(
+                    {"Write -", {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, "-"}}});
             push(TokenKind::Minus, m_at, next);
             m_at = next;
             return true;
@@ -443,8 +498,9 @@ private:
             const char32_t c = decodeUtf8(m_text, at);
             if (!isQuote(c) && c != '\'' && c != '"') continue;
             emit(m_at, next, Kind::UnknownCharacter, {std::string(slice(m_at, next))})
-                .fixes.push_back({"Write plain quotes", {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, plain},
-                                                          {{m_file, static_cast<uint32_t>(closeBegin), static_cast<uint32_t>(at)}, plain}}});
+                .fixes.push_back({"Write plain quotes",
+                                  {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, plain},
+                                   {{m_file, static_cast<uint32_t>(closeBegin), static_cast<uint32_t>(at)}, plain}}});
             push(TokenKind::StringLiteral, m_at, at);
             m_at = at;
             return true;
@@ -464,9 +520,11 @@ private:
             m_at = next;
         }
         // the same character again on its line is the same mistake (a drawing, a pasted table)
-        const bool again = slice(begin, m_at) == m_lastUnknown && m_text.substr(m_lastUnknownAt, begin - m_lastUnknownAt).find('\n') == std::string_view::npos;
+        const bool again = slice(begin, m_at) == m_lastUnknown &&
+                           m_text.substr(m_lastUnknownAt, begin - m_lastUnknownAt).find('\n') == std::string_view::npos;
         std::string shown(slice(begin, m_at));
-        if (const auto byte = static_cast<unsigned char>(shown.empty() ? ' ' : shown.front()); byte < 0x20 || byte == 0x7F) { // nobody sees a control character
+        if (const auto byte = static_cast<unsigned char>(shown.empty() ? ' ' : shown.front());
+            byte < 0x20 || byte == 0x7F) { // nobody sees a control character
             char code[8];
             std::snprintf(code, sizeof code, "U+%04X", byte);
             shown = code;
@@ -489,6 +547,8 @@ private:
 
 } // namespace
 
-TokenList tokenize(FileId file, std::string_view text, diagnostics::Sink& sink) { return Lexer(file, text, sink).run(); }
+TokenList tokenize(FileId file, std::string_view text, diagnostics::Sink& sink) {
+    return Lexer(file, text, sink).run();
+}
 
 } // namespace plc::lex

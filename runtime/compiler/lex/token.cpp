@@ -5,7 +5,8 @@ namespace plc::lex {
 std::string_view spelling(TokenKind kind) {
     switch (kind) {
 #define PLC_TOKEN(Name, Spelling)                                                                                      \
-    case TokenKind::Name: return Spelling;
+    case TokenKind::Name:                                                                                              \
+        return Spelling;
 #include "runtime/compiler/lex/tokens.def"
     }
     return {};
@@ -13,9 +14,11 @@ std::string_view spelling(TokenKind kind) {
 
 std::string_view spelling(SoftWord word) {
     switch (word) {
-    case SoftWord::None: return {};
+    case SoftWord::None:
+        return {};
 #define PLC_SOFT(Name, Spelling)                                                                                       \
-    case SoftWord::Name: return Spelling;
+    case SoftWord::Name:                                                                                               \
+        return Spelling;
 #include "runtime/compiler/lex/tokens.def"
     }
     return {};
@@ -24,9 +27,11 @@ std::string_view spelling(SoftWord word) {
 bool isKeyword(TokenKind kind) {
     switch (kind) {
 #define PLC_TOKEN(Name, Spelling)                                                                                      \
-    case TokenKind::Name: return false;
+    case TokenKind::Name:                                                                                              \
+        return false;
 #define PLC_KEYWORD(Name, Spelling)                                                                                    \
-    case TokenKind::Name: return true;
+    case TokenKind::Name:                                                                                              \
+        return true;
 #include "runtime/compiler/lex/tokens.def"
     }
     return false;

@@ -17,7 +17,8 @@ namespace {
 bool isOneToken(std::string_view text, TokenKind kind) {
     diagnostics::Sink sink;
     const lex::TokenList list = lex::tokenize(FileId(), text, sink);
-    return sink.all().empty() && list.comments.empty() && list.tokens.size() == 2 && list.tokens[0].kind == kind && list.tokens[0].begin == 0 && list.tokens[0].end == text.size();
+    return sink.all().empty() && list.comments.empty() && list.tokens.size() == 2 && list.tokens[0].kind == kind &&
+           list.tokens[0].begin == 0 && list.tokens[0].end == text.size();
 }
 } // namespace
 
@@ -30,7 +31,11 @@ std::string spelled(std::string_view name) {
 
 std::string identifierFrom(std::string_view name) {
     std::string out;
-    for (char c : name) out += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80 ? c : '_';
+    for (char c : name)
+        out += (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       static_cast<unsigned char>(c) >= 0x80
+                   ? c
+                   : '_';
     if (isOneToken("_" + out, TokenKind::Identifier)) return out;
     for (char& c : out)
         if (static_cast<unsigned char>(c) >= 0x80) c = '_';
@@ -135,7 +140,8 @@ void Builder::settle(Expr*& e, SourceRange place, const std::vector<Expr*>& hole
         size_t index = 0;
         const std::string_view digits = e->name.text.substr(kHole.size());
         const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-        if (end.ec == std::errc() && end.ptr == digits.data() + digits.size() && index < holes.size()) { // else the user's own name
+        if (end.ec == std::errc() && end.ptr == digits.data() + digits.size() &&
+            index < holes.size()) { // else the user's own name
             e = holes[index];
             return;
         }

@@ -1,5 +1,5 @@
-// Makes statements of the syntax tree: by hand, from clones, or from a piece of ST text with holes for expressions of the
-// user. Everything lives in the file's arena. One lowering, one thread.
+// Makes statements of the syntax tree: by hand, from clones, or from a piece of ST text with holes for expressions of
+// the user. Everything lives in the file's arena. One lowering, one thread.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 
@@ -40,7 +40,8 @@ public:
     Block statements(const std::string& text, SourceRange place, const std::vector<Expr*>& holes = {});
 
     /// Declares `name : type` (or of the type of `inferredFrom`) in the section.
-    syntax::VarDecl* declare(syntax::VarSection& section, Name name, std::string_view type, Expr* inferredFrom = nullptr);
+    syntax::VarDecl* declare(syntax::VarSection& section, Name name, std::string_view type,
+                             Expr* inferredFrom = nullptr);
     syntax::VarSection* section(syntax::SectionKind kind, SourceRange range);
 
 private:

@@ -22,22 +22,32 @@ public:
         for (const syntax::VarSection* section : pou.sections)
             for (const syntax::VarDecl* decl : section->declarations)
                 for (const Name& name : decl->names)
-                    if (name.text.size() > 3 && equalsIgnoringCase(name.text.substr(0, 3), "sfc")) m_names.insert(foldCase(name.text));
+                    if (name.text.size() > 3 && equalsIgnoringCase(name.text.substr(0, 3), "sfc"))
+                        m_names.insert(foldCase(name.text));
     }
     bool has(std::string_view name) const { return !m_names.empty() && m_names.contains(foldCase(name)); }
 
     /// Their types, and which need another beside them.
-    ///   ok:    SFCTip, SFCTipMode : BOOL;    wrong: SFCInit : INT;  (P4012)   SFCTip : BOOL; without SFCTipMode  (P4013)
+    ///   ok:    SFCTip, SFCTipMode : BOOL;    wrong: SFCInit : INT;  (P4012)   SFCTip : BOOL; without SFCTipMode
+    ///   (P4013)
     void check(const syntax::Pou& pou, diagnostics::Sink& sink) {
         struct Row {
             std::string_view name;
             bool isText;
             std::string_view partner;
         };
-        static constexpr Row kFlags[] = {{"SFCInit", false, ""},           {"SFCReset", false, ""},    {"SFCError", false, ""},
-                                         {"SFCEnableLimit", false, "SFCError"}, {"SFCErrorStep", true, ""}, {"SFCErrorPOU", true, "SFCError"},
-                                         {"SFCQuitError", false, "SFCError"},   {"SFCPause", false, ""},    {"SFCTrans", false, ""},
-                                         {"SFCCurrentStep", true, ""},     {"SFCTip", false, "SFCTipMode"}, {"SFCTipMode", false, "SFCTip"}};
+        static constexpr Row kFlags[] = {{"SFCInit", false, ""},
+                                         {"SFCReset", false, ""},
+                                         {"SFCError", false, ""},
+                                         {"SFCEnableLimit", false, "SFCError"},
+                                         {"SFCErrorStep", true, ""},
+                                         {"SFCErrorPOU", true, "SFCError"},
+                                         {"SFCQuitError", false, "SFCError"},
+                                         {"SFCPause", false, ""},
+                                         {"SFCTrans", false, ""},
+                                         {"SFCCurrentStep", true, ""},
+                                         {"SFCTip", false, "SFCTipMode"},
+                                         {"SFCTipMode", false, "SFCTip"}};
         if (m_names.empty()) return;
         for (const syntax::VarSection* section : pou.sections)
             for (const syntax::VarDecl* decl : section->declarations)
@@ -47,21 +57,29 @@ public:
                         const syntax::TypeSpec* spec = decl->type;
                         const bool named = spec && spec->kind == syntax::TypeSpecKind::Named && spec->path.size() == 1;
                         const bool isBool = named && equalsIgnoringCase(spec->path[0].text, "BOOL");
-                        const bool isText = spec && (spec->kind == syntax::TypeSpecKind::String || (named && (equalsIgnoringCase(spec->path[0].text, "STRING") || equalsIgnoringCase(spec->path[0].text, "WSTRING"))));
-                        const bool isOther = spec && (isBool || isText || spec->kind != syntax::TypeSpecKind::Named || isElementary(spec->path));
+                        const bool isText = spec && (spec->kind == syntax::TypeSpecKind::String ||
+                                                     (named && (equalsIgnoringCase(spec->path[0].text, "STRING") ||
+                                                                equalsIgnoringCase(spec->path[0].text, "WSTRING"))));
+                        const bool isOther = spec && (isBool || isText || spec->kind != syntax::TypeSpecKind::Named ||
+                                                      isElementary(spec->path));
                         if (isOther && !(row.isText ? isText : isBool)) {
-                            auto& diagnostic = sink.emit(spec->range, diagnostics::Kind::ChartFlagType, {std::string(row.name), row.isText ? "STRING" : "BOOL"});
+                            auto& diagnostic = sink.emit(spec->range, diagnostics::Kind::ChartFlagType,
+                                                         {std::string(row.name), row.isText ? "STRING" : "BOOL"});
                             m_names.erase(foldCase(name.text));
-                            diagnostic.fixes.push_back({row.isText ? "Write STRING" : "Write BOOL", {{spec->range, row.isText ? "STRING" : "BOOL"}}});
+                            diagnostic.fixes.push_back({row.isText ? "Write STRING" : "Write BOOL",
+                                                        {{spec->range, row.isText ? "STRING" : "BOOL"}}});
                         } else if (!row.partner.empty() && !has(row.partner)) {
-                            sink.emit(name.range, diagnostics::Kind::ChartFlagAlone, {std::string(row.name), std::string(row.partner)});
+                            sink.emit(name.range, diagnostics::Kind::ChartFlagAlone,
+                                      {std::string(row.name), std::string(row.partner)});
                         }
                     }
     }
 
 private:
     static bool isElementary(const syntax::Path& path) {
-        static const std::set<std::string> kWords = {"byte", "word", "dword", "lword", "sint", "int", "dint", "lint", "usint", "uint", "udint", "ulint", "real", "lreal", "time", "ltime", "date", "tod", "dt", "char", "wchar"};
+        static const std::set<std::string> kWords = {"byte", "word",  "dword", "lword", "sint",  "int",  "dint",
+                                                     "lint", "usint", "uint",  "udint", "ulint", "real", "lreal",
+                                                     "time", "ltime", "date",  "tod",   "dt",    "char", "wchar"};
         return path.size() == 1 && kWords.contains(foldCase(path[0].text));
     }
     std::set<std::string> m_names;
@@ -100,20 +118,22 @@ int priorityOf(const TransitionDecl& transition) {
 struct Control {
     Name name;
     bool isAction = false;
-    std::string variable;               // __action_name
+    std::string variable;                                     // __action_name
     std::vector<std::string> non, stored, reset, entry, exit; // terms of the control block's inputs
-    std::vector<Expr*> holes;           // the times in the terms
+    std::vector<Expr*> holes;                                 // the times in the terms
     struct Timed {
         std::string variable, step;
         size_t hole;
     };
-    std::vector<Timed> timed;           // SD, SL
+    std::vector<Timed> timed; // SD, SL
 };
 
 class ChartLowering {
 public:
-    ChartLowering(const syntax::SfcBody& chart, SourceRange place, ChartUnit& unit, Builder& builder, diagnostics::Sink& sink)
-        : m_chart(chart), m_place(place), m_unit(unit), m_builder(builder), m_sink(sink), m_flags(unit.pou), m_number(std::to_string(unit.charts++)) {}
+    ChartLowering(const syntax::SfcBody& chart, SourceRange place, ChartUnit& unit, Builder& builder,
+                  diagnostics::Sink& sink)
+        : m_chart(chart), m_place(place), m_unit(unit), m_builder(builder), m_sink(sink), m_flags(unit.pou),
+          m_number(std::to_string(unit.charts++)) {}
 
     Block run() {
         declareSteps();
@@ -145,7 +165,10 @@ private:
     std::string chartVariable() const { return "__chart" + m_number; }
     std::string firedVariable() const { return "__fired" + m_number; }
     /// The variable of a step. One that takes the name of a variable has a hidden one, so that the clash is told once.
-    std::string step(const StepDecl& s) const { return m_clashing.contains(&s) ? "__step_" + identifierFrom(s.name.text) + "_" + m_number : spelled(s.name.text); }
+    std::string step(const StepDecl& s) const {
+        return m_clashing.contains(&s) ? "__step_" + identifierFrom(s.name.text) + "_" + m_number
+                                       : spelled(s.name.text);
+    }
 
     void declareSteps() {
         for (const StepDecl* s : m_chart.steps) {
@@ -154,11 +177,13 @@ private:
             m_steps.push_back(s);
             m_known[key] = s;
             if (const Name* other = variableNamed(s->name)) {
-                auto& diagnostic = m_sink.emit(s->name.range, diagnostics::Kind::DuplicateName, {std::string(s->name.text)});
+                auto& diagnostic =
+                    m_sink.emit(s->name.range, diagnostics::Kind::DuplicateName, {std::string(s->name.text)});
                 diagnostic.related.push_back({other->range, "first declared here"});
                 m_clashing.insert(s);
             }
-            syntax::VarDecl* decl = m_builder.declare(m_unit.section, m_clashing.contains(s) ? m_builder.name(step(*s), s->name.range) : s->name, "SFC_STEP");
+            syntax::VarDecl* decl = m_builder.declare(
+                m_unit.section, m_clashing.contains(s) ? m_builder.name(step(*s), s->name.range) : s->name, "SFC_STEP");
             decl->range = s->range;
         }
     }
@@ -207,7 +232,8 @@ private:
     Block evolution() {
         std::string clear;
         if (m_flags.has("SFCTrans") && m_number == "0") clear = "SFCTrans := FALSE;";
-        for (size_t i = 0; i < m_transitions.size(); ++i) clear += firedVariable() + "[" + std::to_string(i) + "] := FALSE;";
+        for (size_t i = 0; i < m_transitions.size(); ++i)
+            clear += firedVariable() + "[" + std::to_string(i) + "] := FALSE;";
         Block out = m_builder.statements(clear, m_place);
         std::string begin = chartVariable() + " := TRUE;";
         for (const StepDecl* s : m_steps)
@@ -227,11 +253,14 @@ private:
         return out;
     }
 
-    /// Left to right, explicit priorities first: who comes first takes the steps from those behind (2.6.5, rules 4 and 5).
+    /// Left to right, explicit priorities first: who comes first takes the steps from those behind (2.6.5, rules 4 and
+    /// 5).
     Block transitionStatements() {
         std::vector<size_t> order(m_transitions.size());
         for (size_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return priorityOf(*m_transitions[a]) < priorityOf(*m_transitions[b]); });
+        std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+            return priorityOf(*m_transitions[a]) < priorityOf(*m_transitions[b]);
+        });
         Block out;
         std::string tip;
         if (m_flags.has("SFCTipMode") && m_flags.has("SFCTip")) {
@@ -240,7 +269,9 @@ private:
         }
         for (size_t index : order) {
             const TransitionDecl& t = *m_transitions[index];
-            const bool known = !t.from.empty() && std::all_of(t.from.begin(), t.from.end(), [&](const Name& n) { return find(n); }) && std::all_of(t.to.begin(), t.to.end(), [&](const Name& n) { return find(n); });
+            const bool known = !t.from.empty() &&
+                               std::all_of(t.from.begin(), t.from.end(), [&](const Name& n) { return find(n); }) &&
+                               std::all_of(t.to.begin(), t.to.end(), [&](const Name& n) { return find(n); });
             if (!known) continue;
             std::string guard, effect;
             std::vector<Expr*> holes;
@@ -259,7 +290,10 @@ private:
             Block before;
             Expr* condition = t.condition;
             if (!condition) {
-                LoweredList list = lowerInstructions(t.ilCondition, {m_builder, m_unit.pou.sections, m_unit.blockTypes, m_unit.section, m_unit.instructionVariables, m_sink, Keep::Every}, true);
+                LoweredList list = lowerInstructions(t.ilCondition,
+                                                     {m_builder, m_unit.pou.sections, m_unit.blockTypes, m_unit.section,
+                                                      m_unit.instructionVariables, m_sink, Keep::Every},
+                                                     true);
                 before = std::move(list.statements);
                 condition = list.result;
             }
@@ -268,13 +302,15 @@ private:
             std::string test = hole;
             if (!tip.empty()) test = "SFCTipMode AND SFCTip AND NOT " + tip + " OR NOT SFCTipMode AND " + hole;
             holes.push_back(condition);
-            Block whole = m_builder.statements("IF " + guard + " THEN IF " + test + " THEN " + effect + " END_IF END_IF", t.range, holes);
+            Block whole = m_builder.statements(
+                "IF " + guard + " THEN IF " + test + " THEN " + effect + " END_IF END_IF", t.range, holes);
             if (!before.empty()) {
                 Block& inner = whole[0]->branches[0].body;
                 inner.insert(inner.begin(), before.begin(), before.end());
             }
             // where a breakpoint at the transition stops: only when it is taken
-            whole[0]->branches[0].body.back()->branches[0].body[0]->range.end = std::min(t.range.end, t.range.begin + static_cast<uint32_t>(std::string_view("TRANSITION").size()));
+            whole[0]->branches[0].body.back()->branches[0].body[0]->range.end =
+                std::min(t.range.end, t.range.begin + static_cast<uint32_t>(std::string_view("TRANSITION").size()));
             append(out, std::move(whole));
         }
         if (!tip.empty()) append(out, m_builder.statements(tip + " := SFCTip;", m_place));
@@ -286,7 +322,8 @@ private:
         for (const StepDecl* s : m_steps) append(out, m_builder.statements(step(*s) + "();", s->name.range));
         // where a breakpoint at the step stops: only when it became active; the statement changes nothing
         for (const StepDecl* s : m_steps) {
-            Block activated = m_builder.statements("IF " + step(*s) + ".on THEN " + step(*s) + ".enter := FALSE; END_IF", s->name.range);
+            Block activated = m_builder.statements(
+                "IF " + step(*s) + ".on THEN " + step(*s) + ".enter := FALSE; END_IF", s->name.range);
             activated[0]->branches[0].body[0]->range = {s->range.file, s->range.begin, s->name.range.end};
             append(out, std::move(activated));
         }
@@ -310,14 +347,19 @@ private:
             for (const StepDecl* s : m_steps) {
                 Expr* most = pragmaTime(*s, "maxTime");
                 if (!most) continue;
-                std::string text = "IF " + std::string(m_flags.has("SFCEnableLimit") ? "SFCEnableLimit AND " : "") + (error ? "NOT SFCError AND " : "") + step(*s) + ".X AND " + step(*s) + ".T > __hole0 THEN ";
+                std::string text = "IF " + std::string(m_flags.has("SFCEnableLimit") ? "SFCEnableLimit AND " : "") +
+                                   (error ? "NOT SFCError AND " : "") + step(*s) + ".X AND " + step(*s) +
+                                   ".T > __hole0 THEN ";
                 if (error) text += "SFCError := TRUE;";
                 if (name) text += "SFCErrorStep := " + quoted(s->name.text) + ";";
                 if (m_flags.has("SFCErrorPOU")) text += "SFCErrorPOU := " + quoted(m_unit.pou.name.text) + ";";
                 append(out, m_builder.statements(text + " END_IF", s->name.range, {most}));
             }
         if (m_flags.has("SFCCurrentStep"))
-            for (const StepDecl* s : m_steps) append(out, m_builder.statements("IF " + step(*s) + ".X THEN SFCCurrentStep := " + quoted(s->name.text) + "; END_IF", s->name.range));
+            for (const StepDecl* s : m_steps)
+                append(out, m_builder.statements("IF " + step(*s) +
+                                                     ".X THEN SFCCurrentStep := " + quoted(s->name.text) + "; END_IF",
+                                                 s->name.range));
         return out;
     }
 
@@ -334,7 +376,8 @@ private:
                     Control control;
                     control.name = a.action;
                     control.isAction = m_unit.actions.contains(key);
-                    control.variable = "__action_" + identifierFrom(a.action.text) + (m_number == "0" ? "" : "_" + m_number);
+                    control.variable =
+                        "__action_" + identifierFrom(a.action.text) + (m_number == "0" ? "" : "_" + m_number);
                     m_controls.push_back(std::move(control));
                 }
                 associate(m_controls[it->second], *s, a);
@@ -343,7 +386,8 @@ private:
             m_builder.declare(m_unit.section, m_builder.name(control.variable, control.name.range), "SFC_ACTION");
         }
     }
-    /// The inputs of the action control block (2.6.4.5, figures 14 and 15). L, D and DS need no timer: the step has one.
+    /// The inputs of the action control block (2.6.4.5, figures 14 and 15). L, D and DS need no timer: the step has
+    /// one.
     void associate(Control& control, const StepDecl& s, const ActionAssociation& a) {
         const std::string q = foldCase(a.qualifier.text);
         const std::string active = step(s) + ".X";
@@ -353,18 +397,29 @@ private:
         };
         const bool timed = q == "l" || q == "d" || q == "ds" || q == "sd" || q == "sl";
         if (timed && !a.time) return; // told by the chart's checks
-        if (q.empty() || q == "n") control.non.push_back(active);
-        else if (q == "s") control.stored.push_back(active);
-        else if (q == "r") control.reset.push_back(active);
-        else if (q == "p") control.non.push_back(step(s) + ".on");
-        else if (q == "p1") control.entry.push_back(step(s) + ".on");
-        else if (q == "p0") control.exit.push_back(step(s) + ".off");
-        else if (q == "l") control.non.push_back("(" + active + " AND " + step(s) + ".T < " + hole() + ")");
-        else if (q == "d") control.non.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
-        else if (q == "ds") control.stored.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
+        if (q.empty() || q == "n")
+            control.non.push_back(active);
+        else if (q == "s")
+            control.stored.push_back(active);
+        else if (q == "r")
+            control.reset.push_back(active);
+        else if (q == "p")
+            control.non.push_back(step(s) + ".on");
+        else if (q == "p1")
+            control.entry.push_back(step(s) + ".on");
+        else if (q == "p0")
+            control.exit.push_back(step(s) + ".off");
+        else if (q == "l")
+            control.non.push_back("(" + active + " AND " + step(s) + ".T < " + hole() + ")");
+        else if (q == "d")
+            control.non.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
+        else if (q == "ds")
+            control.stored.push_back("(" + active + " AND " + step(s) + ".T >= " + hole() + ")");
         else if (q == "sd" || q == "sl") {
-            const std::string variable = "__timed_" + identifierFrom(a.action.text) + "_" + m_number + "_" + std::to_string(m_timed++);
-            m_builder.declare(m_unit.section, m_builder.name(variable, a.range), q == "sd" ? "SFC_STORED_DELAY" : "SFC_STORED_LIMIT");
+            const std::string variable =
+                "__timed_" + identifierFrom(a.action.text) + "_" + m_number + "_" + std::to_string(m_timed++);
+            m_builder.declare(m_unit.section, m_builder.name(variable, a.range),
+                              q == "sd" ? "SFC_STORED_DELAY" : "SFC_STORED_LIMIT");
             control.holes.push_back(m_builder.clone(a.time));
             control.timed.push_back({variable, active, control.holes.size() - 1});
             control.non.push_back(variable + ".Q");
@@ -376,21 +431,27 @@ private:
         for (Control& control : m_controls) {
             const std::string reset = anyOf(control.reset);
             for (const Control::Timed& t : control.timed)
-                append(out, m_builder.statements(t.variable + "(X := " + t.step + ", R := " + reset + ", PT := __hole" + std::to_string(t.hole) + ");", control.name.range, control.holes));
-            append(out, m_builder.statements(control.variable + "(N := " + anyOf(control.non) + ", S := " + anyOf(control.stored) + ", R := " + reset + ", P1 := " + anyOf(control.entry) + ", P0 := " + anyOf(control.exit) + ");",
+                append(out, m_builder.statements(t.variable + "(X := " + t.step + ", R := " + reset + ", PT := __hole" +
+                                                     std::to_string(t.hole) + ");",
+                                                 control.name.range, control.holes));
+            append(out, m_builder.statements(control.variable + "(N := " + anyOf(control.non) +
+                                                 ", S := " + anyOf(control.stored) + ", R := " + reset + ", P1 := " +
+                                                 anyOf(control.entry) + ", P0 := " + anyOf(control.exit) + ");",
                                              control.name.range, control.holes));
         }
         return out;
     }
 
-    /// What ends runs once more before what begins, so that the last word has who is active. Variables follow their control.
+    /// What ends runs once more before what begins, so that the last word has who is active. Variables follow their
+    /// control.
     static Block associated(Block block) {
         for (Stmt* stmt : block) stmt->isAssociation = true;
         return block;
     }
     /// The name may be an action of a base, which only the analysis knows: then the association runs what it holds.
     Block inherited(const Control& control, Block call) {
-        Block out = associated(m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range));
+        Block out = associated(
+            m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range));
         out[0]->branches.emplace_back();
         out[0]->branches[0].body = std::move(call);
         return out;
@@ -400,12 +461,16 @@ private:
         const auto calls = [&](const char* when) {
             for (const Control& control : m_controls)
                 if (control.isAction || !m_unit.pou.extends.empty()) {
-                    Block call = m_builder.statements("IF " + control.variable + "." + when + " THEN " + spelled(control.name.text) + "(); END_IF", control.name.range);
+                    Block call = m_builder.statements("IF " + control.variable + "." + when + " THEN " +
+                                                          spelled(control.name.text) + "(); END_IF",
+                                                      control.name.range);
                     append(out, control.isAction ? std::move(call) : inherited(control, std::move(call)));
                 }
         };
         for (const Control& control : m_controls)
-            if (!control.isAction) append(out, associated(m_builder.statements(spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range)));
+            if (!control.isAction)
+                append(out, associated(m_builder.statements(
+                                spelled(control.name.text) + " := " + control.variable + ".B;", control.name.range)));
         calls("last");
         calls("entry");
         calls("Q");
@@ -421,7 +486,9 @@ private:
         for (const Control& control : m_controls) {
             text += control.variable + ".reset();";
             for (const Control::Timed& t : control.timed) text += t.variable + ".reset();";
-            if (!control.isAction) append(out, associated(m_builder.statements(spelled(control.name.text) + " := FALSE;", control.name.range)));
+            if (!control.isAction)
+                append(out,
+                       associated(m_builder.statements(spelled(control.name.text) + " := FALSE;", control.name.range)));
         }
         if (m_flags.has("SFCError")) text += "SFCError := FALSE;";
         if (m_flags.has("SFCErrorStep")) text += "SFCErrorStep := '';";
@@ -466,6 +533,9 @@ private:
 
 } // namespace
 
-Block lowerChart(const syntax::SfcBody& chart, SourceRange place, ChartUnit& unit, Builder& builder, diagnostics::Sink& sink) { return ChartLowering(chart, place, unit, builder, sink).run(); }
+Block lowerChart(const syntax::SfcBody& chart, SourceRange place, ChartUnit& unit, Builder& builder,
+                 diagnostics::Sink& sink) {
+    return ChartLowering(chart, place, unit, builder, sink).run();
+}
 
 } // namespace plc::lower

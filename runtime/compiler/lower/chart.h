@@ -1,5 +1,5 @@
-// Charts as statements (IEC 61131-3 ed. 2, 2.6.4 and 2.6.5): one evolution a scan, all transitions judged before any step
-// changes, then the action control blocks, then the actions. The blocks SFC_STEP, SFC_ACTION, SFC_STORED_DELAY and
+// Charts as statements (IEC 61131-3 ed. 2, 2.6.4 and 2.6.5): one evolution a scan, all transitions judged before any
+// step changes, then the action control blocks, then the actions. The blocks SFC_STEP, SFC_ACTION, SFC_STORED_DELAY and
 // SFC_STORED_LIMIT are library text. One chart, one use.
 #pragma once
 #include "runtime/compiler/lower/builder.h"
@@ -20,6 +20,7 @@ struct ChartUnit {
     int instructionVariables = 0;
 };
 
-[[nodiscard]] Block lowerChart(const syntax::SfcBody& chart, SourceRange place, ChartUnit& unit, Builder& builder, diagnostics::Sink& sink);
+[[nodiscard]] Block lowerChart(const syntax::SfcBody& chart, SourceRange place, ChartUnit& unit, Builder& builder,
+                               diagnostics::Sink& sink);
 
 } // namespace plc::lower

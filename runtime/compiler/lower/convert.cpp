@@ -25,8 +25,10 @@ bool isComparison(TokenKind op) {
     case TokenKind::Less:
     case TokenKind::LessEqual:
     case TokenKind::Greater:
-    case TokenKind::GreaterEqual: return true;
-    default: return false;
+    case TokenKind::GreaterEqual:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -46,46 +48,62 @@ public:
             if (e.prefix.isValid()) return std::string(e.prefix.text);
             switch (e.op) {
             case TokenKind::True:
-            case TokenKind::False: return "BOOL";
-            case TokenKind::DurationLiteral: return "TIME";
-            case TokenKind::RealLiteral: return "REAL";
-            default: return {};
+            case TokenKind::False:
+                return "BOOL";
+            case TokenKind::DurationLiteral:
+                return "TIME";
+            case TokenKind::RealLiteral:
+                return "REAL";
+            default:
+                return {};
             }
         case ExprKind::NameRef: {
             const auto it = m_types.find(foldCase(e.name.text));
             if (it == m_types.end() || !it->second) return {};
-            return it->second->kind == syntax::TypeSpecKind::Inferred ? of(*it->second->inferredFrom) : print(*it->second);
+            return it->second->kind == syntax::TypeSpecKind::Inferred ? of(*it->second->inferredFrom)
+                                                                      : print(*it->second);
         }
         case ExprKind::Index: {
             if (e.base->kind != ExprKind::NameRef) return {};
             const auto it = m_types.find(foldCase(e.base->name.text));
-            return it != m_types.end() && it->second && it->second->element ? print(*it->second->element) : std::string();
+            return it != m_types.end() && it->second && it->second->element ? print(*it->second->element)
+                                                                            : std::string();
         }
-        case ExprKind::Bit: return "BOOL";
-        case ExprKind::Member: return isOutputFlag(e.name.text) ? "BOOL" : std::string();
-        case ExprKind::Unary: return of(*e.base);
+        case ExprKind::Bit:
+            return "BOOL";
+        case ExprKind::Member:
+            return isOutputFlag(e.name.text) ? "BOOL" : std::string();
+        case ExprKind::Unary:
+            return of(*e.base);
         case ExprKind::Binary: {
             if (isComparison(e.op)) return "BOOL";
             const std::string left = of(*e.base);
-            return left.empty() || e.base->kind == ExprKind::Literal ? (of(*e.right).empty() ? left : of(*e.right)) : left;
+            return left.empty() || e.base->kind == ExprKind::Literal ? (of(*e.right).empty() ? left : of(*e.right))
+                                                                     : left;
         }
         case ExprKind::Call: {
             if (e.base->kind != ExprKind::NameRef) return {};
             const std::string name = foldCase(e.base->name.text);
             const size_t to = name.rfind("_to_");
             if (to != std::string::npos) return std::string(e.base->name.text.substr(to + 4));
-            for (const char* same : {"limit", "min", "max", "abs", "add", "sub", "mul", "div", "mod", "shl", "shr", "rol", "ror", "and", "or", "xor", "not", "move", "sqrt", "sin", "cos", "tan", "ln", "log", "exp"})
+            for (const char* same :
+                 {"limit", "min", "max", "abs", "add",  "sub",  "mul", "div", "mod", "shl", "shr", "rol", "ror",
+                  "and",   "or",  "xor", "not", "move", "sqrt", "sin", "cos", "tan", "ln",  "log", "exp"})
                 if (name == same)
                     for (const Argument& a : e.arguments)
                         if (a.value && !of(*a.value).empty()) return of(*a.value);
             return {};
         }
-        default: return {};
+        default:
+            return {};
         }
     }
 
 private:
-    static bool isOutputFlag(std::string_view name) { return equalsIgnoringCase(name, "Q") || equalsIgnoringCase(name, "Q1") || equalsIgnoringCase(name, "QU") || equalsIgnoringCase(name, "QD") || equalsIgnoringCase(name, "X"); }
+    static bool isOutputFlag(std::string_view name) {
+        return equalsIgnoringCase(name, "Q") || equalsIgnoringCase(name, "Q1") || equalsIgnoringCase(name, "QU") ||
+               equalsIgnoringCase(name, "QD") || equalsIgnoringCase(name, "X");
+    }
     std::map<std::string, const syntax::TypeSpec*> m_types;
 };
 
@@ -131,7 +149,8 @@ public:
     }
     std::string before(uint32_t at) {
         std::string out;
-        for (; m_next < m_all.size() && m_all[m_next].begin < at; ++m_next) out += std::string(m_text.substr(m_all[m_next].begin, m_all[m_next].end - m_all[m_next].begin)) + "\n";
+        for (; m_next < m_all.size() && m_all[m_next].begin < at; ++m_next)
+            out += std::string(m_text.substr(m_all[m_next].begin, m_all[m_next].end - m_all[m_next].begin)) + "\n";
         return out;
     }
     std::string rest() { return before(UINT32_MAX); }
@@ -144,7 +163,8 @@ private:
 
 } // namespace
 
-Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& pou, const Body& body, const TypeNamer& typeOf, std::string_view text) {
+Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& pou, const Body& body,
+                                          const TypeNamer& typeOf, std::string_view text) {
     if (body.language != syntax::BodyLanguage::Il) return Error{"This body is no instruction list.", {}};
     Builder builder(file);
     syntax::VarSection section;
@@ -153,10 +173,12 @@ Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& p
     const std::vector<std::string> blocks = [&] {
         std::vector<std::string> out;
         for (const syntax::Decl* decl : file.declarations)
-            if (decl->pou && decl->pou->kind == syntax::PouKind::FunctionBlock) out.push_back(foldCase(decl->pou->name.text));
+            if (decl->pou && decl->pou->kind == syntax::PouKind::FunctionBlock)
+                out.push_back(foldCase(decl->pou->name.text));
         return out;
     }();
-    LoweredList list = lowerInstructions(body.statements, {builder, pou.sections, blocks, section, counter, sink, Keep::Needed}, false);
+    LoweredList list = lowerInstructions(body.statements,
+                                         {builder, pou.sections, blocks, section, counter, sink, Keep::Needed}, false);
     if (sink.hasErrors()) return Error{sink.all().front().message(), {}};
     LocalTypes types(pou);
     types.add(section);
@@ -173,7 +195,8 @@ Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& p
         std::string type = typeOf ? typeOf(decl->range, kept[{decl->range.begin, decl->range.end}]++) : std::string();
         if (type.empty()) type = types.of(source);
         if (type.empty()) return Error{"The type of " + print(source) + " is not known here.", {}};
-        while (taken.contains("result" + std::to_string(++number))) {}
+        while (taken.contains("result" + std::to_string(++number))) {
+        }
         const std::string_view name = builder.keep("result" + std::to_string(number));
         names[std::string(decl->names[0].text)] = name;
         out.declarations += std::string(name) + " : " + type + ";\n";
@@ -241,28 +264,46 @@ private:
         case ExprKind::Member:
         case ExprKind::Bit:
         case ExprKind::Index:
-        case ExprKind::Deref: return true;
-        case ExprKind::Unary: return e.op == TokenKind::Minus && e.base->kind == ExprKind::Literal;
-        default: return false;
+        case ExprKind::Deref:
+            return true;
+        case ExprKind::Unary:
+            return e.op == TokenKind::Minus && e.base->kind == ExprKind::Literal;
+        default:
+            return false;
         }
     }
     static std::string operatorOf(TokenKind op) {
         switch (op) {
-        case TokenKind::And: return "AND";
-        case TokenKind::Or: return "OR";
-        case TokenKind::Xor: return "XOR";
-        case TokenKind::Plus: return "ADD";
-        case TokenKind::Minus: return "SUB";
-        case TokenKind::Star: return "MUL";
-        case TokenKind::Slash: return "DIV";
-        case TokenKind::Mod: return "MOD";
-        case TokenKind::Greater: return "GT";
-        case TokenKind::GreaterEqual: return "GE";
-        case TokenKind::Equal: return "EQ";
-        case TokenKind::NotEqual: return "NE";
-        case TokenKind::LessEqual: return "LE";
-        case TokenKind::Less: return "LT";
-        default: return {};
+        case TokenKind::And:
+            return "AND";
+        case TokenKind::Or:
+            return "OR";
+        case TokenKind::Xor:
+            return "XOR";
+        case TokenKind::Plus:
+            return "ADD";
+        case TokenKind::Minus:
+            return "SUB";
+        case TokenKind::Star:
+            return "MUL";
+        case TokenKind::Slash:
+            return "DIV";
+        case TokenKind::Mod:
+            return "MOD";
+        case TokenKind::Greater:
+            return "GT";
+        case TokenKind::GreaterEqual:
+            return "GE";
+        case TokenKind::Equal:
+            return "EQ";
+        case TokenKind::NotEqual:
+            return "NE";
+        case TokenKind::LessEqual:
+            return "LE";
+        case TokenKind::Less:
+            return "LT";
+        default:
+            return {};
         }
     }
 
@@ -279,7 +320,8 @@ private:
             load(*e.base);
             const bool logic = op == "AND" || op == "OR" || op == "XOR";
             if (isOperand(*e.right)) return line(op, print(*e.right));
-            if (logic && e.right->kind == ExprKind::Unary && e.right->op == TokenKind::Not && isOperand(*e.right->base)) return line(op + "N", print(*e.right->base));
+            if (logic && e.right->kind == ExprKind::Unary && e.right->op == TokenKind::Not && isOperand(*e.right->base))
+                return line(op + "N", print(*e.right->base));
             line(op + "(", "");
             load(*e.right);
             return line(")", "");
@@ -294,11 +336,15 @@ private:
     }
     void call(const Expr& e) {
         if (e.base->kind != ExprKind::NameRef) return fail("A call of " + print(*e.base));
-        const bool named = std::any_of(e.arguments.begin(), e.arguments.end(), [](const Argument& a) { return a.kind != ArgumentKind::Positional; });
-        if (named || e.arguments.empty()) return named ? line(spelled(e.base->name.text) + "(" + list(e.arguments) + ")", "") : fail("A call without arguments");
+        const bool named = std::any_of(e.arguments.begin(), e.arguments.end(),
+                                       [](const Argument& a) { return a.kind != ArgumentKind::Positional; });
+        if (named || e.arguments.empty())
+            return named ? line(spelled(e.base->name.text) + "(" + list(e.arguments) + ")", "")
+                         : fail("A call without arguments");
         std::string rest;
         for (size_t i = 1; i < e.arguments.size(); ++i) {
-            if (!e.arguments[i].value || !isOperand(*e.arguments[i].value)) return fail("A computed second argument of " + print(*e.base));
+            if (!e.arguments[i].value || !isOperand(*e.arguments[i].value))
+                return fail("A computed second argument of " + print(*e.base));
             rest += (rest.empty() ? "" : ", ") + print(*e.arguments[i].value);
         }
         load(*e.arguments[0].value);
@@ -309,7 +355,8 @@ private:
         for (const Argument& a : arguments) {
             if (!out.empty()) out += ", ";
             if (a.negated) out += "NOT ";
-            if (a.kind != ArgumentKind::Positional) out += spelled(a.name.text) + (a.kind == ArgumentKind::Input ? " := " : " => ");
+            if (a.kind != ArgumentKind::Positional)
+                out += spelled(a.name.text) + (a.kind == ArgumentKind::Input ? " := " : " => ");
             if (a.value) out += print(*a.value);
         }
         return out;
@@ -317,11 +364,14 @@ private:
 
     void statement(const Stmt& s) {
         switch (s.kind) {
-        case StmtKind::Empty: return;
-        case StmtKind::Assign: return assign(s);
+        case StmtKind::Empty:
+            return;
+        case StmtKind::Assign:
+            return assign(s);
         case StmtKind::Call:
             if (s.value->kind != ExprKind::Call) return fail(print(*s.value));
-            return line("CAL", print(*s.value->base) + (s.value->arguments.empty() ? "" : "(" + list(s.value->arguments) + ")"));
+            return line("CAL", print(*s.value->base) +
+                                   (s.value->arguments.empty() ? "" : "(" + list(s.value->arguments) + ")"));
         case StmtKind::If: {
             const std::string end = freshLabel();
             for (size_t i = 0; i < s.branches.size() && reason.empty(); ++i) {
@@ -358,20 +408,29 @@ private:
             line("JMPCN", again);
             return label(end);
         }
-        case StmtKind::Case: return choose(s);
-        case StmtKind::Exit: return m_ends.empty() ? fail("EXIT outside a loop") : line("JMP", m_ends.back());
-        case StmtKind::Continue: return m_agains.empty() ? fail("CONTINUE outside a loop") : line("JMP", m_agains.back());
-        case StmtKind::Return: return s.value ? fail("RETURN with a value") : line("RET", "");
-        case StmtKind::Label: return label(std::string(s.name.text));
-        case StmtKind::Jump: return line("JMP", std::string(s.name.text));
-        case StmtKind::Block: return block(s.body);
-        case StmtKind::For: return count(s);
+        case StmtKind::Case:
+            return choose(s);
+        case StmtKind::Exit:
+            return m_ends.empty() ? fail("EXIT outside a loop") : line("JMP", m_ends.back());
+        case StmtKind::Continue:
+            return m_agains.empty() ? fail("CONTINUE outside a loop") : line("JMP", m_agains.back());
+        case StmtKind::Return:
+            return s.value ? fail("RETURN with a value") : line("RET", "");
+        case StmtKind::Label:
+            return label(std::string(s.name.text));
+        case StmtKind::Jump:
+            return line("JMP", std::string(s.name.text));
+        case StmtKind::Block:
+            return block(s.body);
+        case StmtKind::For:
+            return count(s);
         case StmtKind::Il:
         case StmtKind::Run:
         case StmtKind::Assert:
         case StmtKind::Force:
         case StmtKind::Release:
-        case StmtKind::Compare: return fail("This statement");
+        case StmtKind::Compare:
+            return fail("This statement");
         }
     }
     /// A constant from -127 to 127: what every integer type that can count holds, or nearly.
@@ -379,7 +438,8 @@ private:
         if (!e) return 1;
         const bool negative = e->kind == ExprKind::Unary && e->op == TokenKind::Minus;
         const Expr* literal = negative ? e->base : e;
-        if (literal->kind != ExprKind::Literal || literal->op != TokenKind::IntegerLiteral || literal->text.size() > 3) return std::nullopt;
+        if (literal->kind != ExprKind::Literal || literal->op != TokenKind::IntegerLiteral || literal->text.size() > 3)
+            return std::nullopt;
         int value = 0;
         for (const char c : literal->text) {
             if (c < '0' || c > '9') return std::nullopt;
@@ -388,7 +448,8 @@ private:
         if (value > 127) return std::nullopt;
         return negative ? -value : value;
     }
-    /// A counted loop whose end and step are constants, so that nothing has to be kept and the count can not run over its type.
+    /// A counted loop whose end and step are constants, so that nothing has to be kept and the count can not run over
+    /// its type.
     void count(const Stmt& s) {
         const auto to = smallConstant(s.to), by = smallConstant(s.by);
         if (!to || !by || *by == 0 || *to + *by < 0 || *to + *by > 127) return fail("FOR with this end or step");
@@ -416,8 +477,10 @@ private:
     }
     void assign(const Stmt& s) {
         if (s.value->kind == ExprKind::AssignChain) return fail("An assignment of several variables");
-        if (s.op != TokenKind::Assign && s.op != TokenKind::SetAssign && s.op != TokenKind::ResetAssign) return fail(std::string(lex::spelling(s.op)));
-        if (s.op == TokenKind::Assign && s.value->kind == ExprKind::Unary && s.value->op == TokenKind::Not && !isOperand(*s.value->base)) {
+        if (s.op != TokenKind::Assign && s.op != TokenKind::SetAssign && s.op != TokenKind::ResetAssign)
+            return fail(std::string(lex::spelling(s.op)));
+        if (s.op == TokenKind::Assign && s.value->kind == ExprKind::Unary && s.value->op == TokenKind::Not &&
+            !isOperand(*s.value->base)) {
             load(*s.value->base);
             return line("STN", print(*s.target));
         }
@@ -432,7 +495,8 @@ private:
             const std::string next = freshLabel(), here = freshLabel();
             for (const syntax::CaseLabel& l : arm.labels) {
                 line("LD", print(*s.value));
-                if (!l.high) line("EQ", print(*l.low));
+                if (!l.high)
+                    line("EQ", print(*l.low));
                 else {
                     line("GE", print(*l.low));
                     line("AND(", print(*s.value));

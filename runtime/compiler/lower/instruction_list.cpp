@@ -22,26 +22,47 @@ struct BinaryOp {
     TokenKind op;
 };
 constexpr std::array<BinaryOp, 15> kBinary = {{
-    {"AND", TokenKind::And}, {"&", TokenKind::And}, {"OR", TokenKind::Or}, {"XOR", TokenKind::Xor}, {"ADD", TokenKind::Plus}, {"SUB", TokenKind::Minus}, {"MUL", TokenKind::Star}, {"DIV", TokenKind::Slash},
-    {"MOD", TokenKind::Mod}, {"GT", TokenKind::Greater}, {"GE", TokenKind::GreaterEqual}, {"EQ", TokenKind::Equal}, {"NE", TokenKind::NotEqual}, {"LE", TokenKind::LessEqual}, {"LT", TokenKind::Less},
+    {"AND", TokenKind::And},
+    {"&", TokenKind::And},
+    {"OR", TokenKind::Or},
+    {"XOR", TokenKind::Xor},
+    {"ADD", TokenKind::Plus},
+    {"SUB", TokenKind::Minus},
+    {"MUL", TokenKind::Star},
+    {"DIV", TokenKind::Slash},
+    {"MOD", TokenKind::Mod},
+    {"GT", TokenKind::Greater},
+    {"GE", TokenKind::GreaterEqual},
+    {"EQ", TokenKind::Equal},
+    {"NE", TokenKind::NotEqual},
+    {"LE", TokenKind::LessEqual},
+    {"LT", TokenKind::Less},
 }};
 
 /// Input operators of the standard blocks (table 53).
 constexpr std::array<std::string_view, 10> kInputs = {"S1", "R1", "S", "R", "CLK", "CU", "CD", "PV", "IN", "PT"};
-constexpr std::array<std::string_view, 12> kBlocks = {"SR", "RS", "R_TRIG", "F_TRIG", "CTU", "CTD", "CTUD", "TP", "TON", "TOF", "SEMA", "RTC"};
+constexpr std::array<std::string_view, 12> kBlocks = {"SR",   "RS", "R_TRIG", "F_TRIG", "CTU",  "CTD",
+                                                      "CTUD", "TP", "TON",    "TOF",    "SEMA", "RTC"};
 
 bool isWord(std::string_view a, std::string_view b) { return a.size() == b.size() && equalsIgnoringCase(a, b); }
 
 class Lowering {
 public:
-    explicit Lowering(const ListContext& context) : m_builder(context.builder), m_section(context.section), m_counter(context.counter), m_sink(context.sink), m_keep(context.keep) {
+    explicit Lowering(const ListContext& context)
+        : m_builder(context.builder), m_section(context.section), m_counter(context.counter), m_sink(context.sink),
+          m_keep(context.keep) {
         const std::vector<std::string>& blockTypes = context.blockTypes;
         for (const syntax::VarSection* s : context.sections)
             for (const syntax::VarDecl* decl : s->declarations)
                 for (const Name& name : decl->names) {
-                    std::string type = decl->type && !decl->type->path.empty() ? foldCase(decl->type->path.back().text) : std::string();
-                    const bool block = std::any_of(kBlocks.begin(), kBlocks.end(), [&](std::string_view b) { return foldCase(b) == type || type.starts_with(foldCase(b) + "_"); }) ||
-                                       std::find(blockTypes.begin(), blockTypes.end(), type) != blockTypes.end();
+                    std::string type = decl->type && !decl->type->path.empty() ? foldCase(decl->type->path.back().text)
+                                                                               : std::string();
+                    const bool block =
+                        std::any_of(kBlocks.begin(), kBlocks.end(),
+                                    [&](std::string_view b) {
+                                        return foldCase(b) == type || type.starts_with(foldCase(b) + "_");
+                                    }) ||
+                        std::find(blockTypes.begin(), blockTypes.end(), type) != blockTypes.end();
                     m_variables[foldCase(name.text)] = block;
                 }
     }
@@ -51,7 +72,8 @@ public:
         findLiveness(instructions, wantsResult);
         declareLabels(instructions);
         Expr* result = lower(instructions, nullptr, true);
-        if (wantsResult && !result && m_reported == 0) report(instructions.empty() ? SourceRange{} : instructions.back()->range, "END_TRANSITION");
+        if (wantsResult && !result && m_reported == 0)
+            report(instructions.empty() ? SourceRange{} : instructions.back()->range, "END_TRANSITION");
         return {std::move(m_out), result};
     }
 
@@ -60,7 +82,8 @@ private:
         const std::string_view op = il.op.text;
         if (op.empty()) return Op::None;
         const bool onBlock = il.operand && il.operand->kind == ExprKind::NameRef && isBlock(il.operand->name.text);
-        if (onBlock && std::any_of(kInputs.begin(), kInputs.end(), [&](std::string_view i) { return isWord(op, i); })) return Op::Input;
+        if (onBlock && std::any_of(kInputs.begin(), kInputs.end(), [&](std::string_view i) { return isWord(op, i); }))
+            return Op::Input;
         if (isWord(op, "LD")) return Op::Load;
         if (isWord(op, "ST")) return Op::Store;
         if (isWord(op, "S")) return Op::Set;
@@ -85,10 +108,12 @@ private:
     }
     /// CAL of what is no variable of the unit: a function, whose value becomes the current result.
     bool isFunctionCall(const IlInstruction& il) const {
-        return kindOf(il) == Op::Call && il.operand && il.operand->kind == ExprKind::NameRef && !m_variables.contains(foldCase(il.operand->name.text));
+        return kindOf(il) == Op::Call && il.operand && il.operand->kind == ExprKind::NameRef &&
+               !m_variables.contains(foldCase(il.operand->name.text));
     }
     static bool hasNames(const std::vector<Argument>& arguments) {
-        return std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.kind != ArgumentKind::Positional; });
+        return std::any_of(arguments.begin(), arguments.end(),
+                           [](const Argument& a) { return a.kind != ArgumentKind::Positional; });
     }
     /// A function with its whole list in parentheses does not take the current result.
     static bool isWholeCall(const IlInstruction& il) { return !il.operand && !il.arguments.empty(); }
@@ -99,29 +124,35 @@ private:
         for (size_t i = 0; i < instructions.size(); ++i) {
             const IlInstruction& il = *instructions[i]->il;
             if (!il.label.isValid()) continue;
-            if (!m_labels.emplace(foldCase(il.label.text), i).second) m_sink.emit(il.label.range, Kind::DuplicateName, {std::string(il.label.text)});
+            if (!m_labels.emplace(foldCase(il.label.text), i).second)
+                m_sink.emit(il.label.range, Kind::DuplicateName, {std::string(il.label.text)});
         }
     }
     bool uses(const IlInstruction& il) const {
         switch (kindOf(il)) {
         case Op::None:
-        case Op::Load: return false;
+        case Op::Load:
+            return false;
         case Op::Jump:
         case Op::Call:
-        case Op::Return: return il.conditional;
-        case Op::Function: return !isWholeCall(il);
+        case Op::Return:
+            return il.conditional;
+        case Op::Function:
+            return !isWholeCall(il);
         case Op::Store:
         case Op::Set:
         case Op::Reset:
         case Op::Not:
         case Op::Binary:
-        case Op::Input: return true;
+        case Op::Input:
+            return true;
         }
         return true;
     }
     bool defines(const IlInstruction& il) const {
         const Op op = kindOf(il);
-        return op == Op::Load || op == Op::Not || op == Op::Binary || op == Op::Function || (isFunctionCall(il) && !il.conditional);
+        return op == Op::Load || op == Op::Not || op == Op::Binary || op == Op::Function ||
+               (isFunctionCall(il) && !il.conditional);
     }
     void findLiveness(const Block& instructions, bool wantsResult) {
         const size_t n = instructions.size();
@@ -148,11 +179,16 @@ private:
         }
     }
     std::map<std::string, size_t>::const_iterator targetOf(const IlInstruction& il) const {
-        return il.operand && il.operand->kind == ExprKind::NameRef ? m_labels.find(foldCase(il.operand->name.text)) : m_labels.end();
+        return il.operand && il.operand->kind == ExprKind::NameRef ? m_labels.find(foldCase(il.operand->name.text))
+                                                                   : m_labels.end();
     }
     void declareLabels(const Block& instructions) {
         for (const auto& [label, at] : m_labels)
-            if (m_liveIn[at]) m_labelVariables[label] = {m_builder.name("__at_" + std::string(instructions[at]->il->label.text) + "_" + std::to_string(m_counter++), instructions[at]->il->label.range), nullptr};
+            if (m_liveIn[at])
+                m_labelVariables[label] = {m_builder.name("__at_" + std::string(instructions[at]->il->label.text) +
+                                                              "_" + std::to_string(m_counter++),
+                                                          instructions[at]->il->label.range),
+                                           nullptr};
     }
 
     // ------------------------------------------------------------ the statements
@@ -163,7 +199,10 @@ private:
     }
     void emit(Stmt* stmt) { m_out.push_back(stmt); }
 
-    static bool isSimple(const Expr* e) { return e->kind == ExprKind::Literal || e->kind == ExprKind::TypedName || (e->kind == ExprKind::NameRef && e->name.text.starts_with("__")); }
+    static bool isSimple(const Expr* e) {
+        return e->kind == ExprKind::Literal || e->kind == ExprKind::TypedName ||
+               (e->kind == ExprKind::NameRef && e->name.text.starts_with("__"));
+    }
     static bool isConstant(const Expr* e) {
         if (e->kind == ExprKind::Literal || e->kind == ExprKind::TypedName) return true;
         if (e->kind == ExprKind::Unary) return isConstant(e->base);
@@ -182,9 +221,11 @@ private:
         const auto it = m_labelVariables.find(label);
         if (it == m_labelVariables.end() || !value) return;
         LabelVariable& variable = it->second;
-        if (!variable.declared) variable.declared = m_builder.declare(m_section, variable.name, {}, m_builder.clone(value));
+        if (!variable.declared)
+            variable.declared = m_builder.declare(m_section, variable.name, {}, m_builder.clone(value));
         // a literal has no type of its own: the first other value gives it
-        else if (isConstant(variable.declared->type->inferredFrom) && !isConstant(value)) variable.declared->type->inferredFrom = m_builder.clone(value);
+        else if (isConstant(variable.declared->type->inferredFrom) && !isConstant(value))
+            variable.declared->type->inferredFrom = m_builder.clone(value);
         emit(m_builder.assign(m_builder.nameRef(variable.name), m_builder.clone(value), origin->range, origin));
     }
 
@@ -203,7 +244,9 @@ private:
                     stmt->name = il.label;
                     emit(stmt);
                     const auto variable = m_labelVariables.find(label);
-                    acc = variable == m_labelVariables.end() ? nullptr : m_builder.nameRef({variable->second.name.text, il.label.range});
+                    acc = variable == m_labelVariables.end()
+                              ? nullptr
+                              : m_builder.nameRef({variable->second.name.text, il.label.range});
                 }
             }
             acc = instruction(il, acc, origin, live, outermost);
@@ -230,9 +273,13 @@ private:
             return e;
         };
         switch (op) {
-        case Op::None: return acc;
-        case Op::Load: return negated(operand());
-        case Op::Not: return il.operand ? m_builder.unary(TokenKind::Not, operand(), range) : m_builder.unary(TokenKind::Not, acc, range);
+        case Op::None:
+            return acc;
+        case Op::Load:
+            return negated(operand());
+        case Op::Not:
+            return il.operand ? m_builder.unary(TokenKind::Not, operand(), range)
+                              : m_builder.unary(TokenKind::Not, acc, range);
         case Op::Store: {
             if (live) acc = capture(acc, origin);
             emit(m_builder.assign(operand(), negated(live ? m_builder.clone(acc) : acc), range, origin));
@@ -241,10 +288,13 @@ private:
         case Op::Set:
         case Op::Reset:
             if (live) acc = capture(acc, origin);
-            emit(m_builder.assign(operand(), live ? m_builder.clone(acc) : acc, range, origin, op == Op::Set ? TokenKind::SetAssign : TokenKind::ResetAssign));
+            emit(m_builder.assign(operand(), live ? m_builder.clone(acc) : acc, range, origin,
+                                  op == Op::Set ? TokenKind::SetAssign : TokenKind::ResetAssign));
             return acc;
-        case Op::Binary: return binary(il, acc, origin);
-        case Op::Jump: return jump(il, acc, origin, live, outermost);
+        case Op::Binary:
+            return binary(il, acc, origin);
+        case Op::Jump:
+            return jump(il, acc, origin, live, outermost);
         case Op::Return: {
             Stmt* stmt = m_builder.statement(StmtKind::Return, range, origin);
             if (!il.conditional) {
@@ -255,8 +305,10 @@ private:
             emit(m_builder.ifThen(negated(m_builder.clone(acc)), {stmt}, range, origin));
             return acc;
         }
-        case Op::Call: return callBlock(il, acc, origin, live);
-        case Op::Function: return function(il, acc, origin);
+        case Op::Call:
+            return callBlock(il, acc, origin, live);
+        case Op::Function:
+            return function(il, acc, origin);
         case Op::Input: {
             if (live) acc = capture(acc, origin);
             Argument argument;
@@ -277,7 +329,11 @@ private:
         Expr* right = il.operand ? m_builder.clone(il.operand) : nullptr;
         if (il.opensParenthesis) {
             // what happens inside may change the operands of what stands before
-            if (std::any_of(il.body.begin(), il.body.end(), [&](const Stmt* s) { const Op o = kindOf(*s->il); return o == Op::Store || o == Op::Set || o == Op::Reset || o == Op::Call || o == Op::Input; })) acc = capture(acc, origin);
+            if (std::any_of(il.body.begin(), il.body.end(), [&](const Stmt* s) {
+                    const Op o = kindOf(*s->il);
+                    return o == Op::Store || o == Op::Set || o == Op::Reset || o == Op::Call || o == Op::Input;
+                }))
+                acc = capture(acc, origin);
             right = lower(il.body, right, false);
             if (!right) {
                 report(il.op.range, il.op.text);
@@ -301,7 +357,9 @@ private:
         }
         const auto target = targetOf(il);
         if (target == m_labels.end()) {
-            m_sink.emit(il.operand ? il.operand->range : il.op.range, Kind::UnknownLabel, {il.operand && il.operand->kind == ExprKind::NameRef ? std::string(il.operand->name.text) : std::string()});
+            m_sink.emit(il.operand ? il.operand->range : il.op.range, Kind::UnknownLabel,
+                        {il.operand && il.operand->kind == ExprKind::NameRef ? std::string(il.operand->name.text)
+                                                                             : std::string()});
             return il.conditional ? acc : nullptr;
         }
         if (il.conditional && live) acc = capture(acc, origin);
@@ -319,7 +377,8 @@ private:
     std::vector<Argument> cloned(const std::vector<Argument>& arguments) {
         std::vector<Argument> out = arguments;
         for (Argument& argument : out) {
-            argument.value = argument.instructions ? lower(*argument.instructions, nullptr, false) : m_builder.clone(argument.value);
+            argument.value =
+                argument.instructions ? lower(*argument.instructions, nullptr, false) : m_builder.clone(argument.value);
             argument.instructions = nullptr;
         }
         return out;
@@ -328,7 +387,9 @@ private:
     Expr* callBlock(const IlInstruction& il, Expr* acc, Stmt* origin, bool live) {
         if (!il.operand) return acc;
         // instructions among the arguments come before the call
-        if (acc && live && std::any_of(il.arguments.begin(), il.arguments.end(), [](const Argument& a) { return a.instructions; })) acc = capture(acc, origin);
+        if (acc && live &&
+            std::any_of(il.arguments.begin(), il.arguments.end(), [](const Argument& a) { return a.instructions; }))
+            acc = capture(acc, origin);
         Expr* call = m_builder.call(m_builder.clone(il.operand), cloned(il.arguments), origin->range);
         if (isFunctionCall(il) && !il.conditional && live) return call;
         Stmt* stmt = m_builder.statement(StmtKind::Call, origin->range, origin);
@@ -376,6 +437,8 @@ private:
 
 } // namespace
 
-LoweredList lowerInstructions(const Block& instructions, const ListContext& context, bool wantsResult) { return Lowering(context).run(instructions, wantsResult); }
+LoweredList lowerInstructions(const Block& instructions, const ListContext& context, bool wantsResult) {
+    return Lowering(context).run(instructions, wantsResult);
+}
 
 } // namespace plc::lower

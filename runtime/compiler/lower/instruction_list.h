@@ -1,5 +1,5 @@
-// Instruction lists (IEC 61131-3 ed. 2, 3.2) as statements: the current result is followed as an expression and kept in a
-// compiler variable only where it is needed twice or meets another way at a label. One body, one use.
+// Instruction lists (IEC 61131-3 ed. 2, 3.2) as statements: the current result is followed as an expression and kept in
+// a compiler variable only where it is needed twice or meets another way at a label. One body, one use.
 #pragma once
 #include "runtime/compiler/lower/builder.h"
 #include "runtime/compiler/lower/lower.h"

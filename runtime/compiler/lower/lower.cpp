@@ -18,7 +18,8 @@ namespace {
 
 class FileLowering {
 public:
-    FileLowering(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results) : m_file(file), m_builder(file), m_sink(sink), m_results(results) {}
+    FileLowering(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results)
+        : m_file(file), m_builder(file), m_sink(sink), m_results(results) {}
 
     void run() {
         collectBlocks(m_file.declarations);
@@ -29,7 +30,8 @@ private:
     void collectBlocks(const std::vector<Decl*>& list) {
         for (const Decl* decl : list) {
             if (decl->space) collectBlocks(decl->space->declarations);
-            if (decl->pou && decl->pou->kind == PouKind::FunctionBlock) m_blocks.push_back(foldCase(decl->pou->name.text));
+            if (decl->pou && decl->pou->kind == PouKind::FunctionBlock)
+                m_blocks.push_back(foldCase(decl->pou->name.text));
         }
     }
     void declarations(const std::vector<Decl*>& list) {
@@ -39,7 +41,9 @@ private:
         }
     }
 
-    static bool isGraphic(const Body& body) { return body.language == BodyLanguage::Il || body.language == BodyLanguage::Sfc; }
+    static bool isGraphic(const Body& body) {
+        return body.language == BodyLanguage::Il || body.language == BodyLanguage::Sfc;
+    }
     static bool needsLowering(const Pou& pou) {
         if (isGraphic(pou.body)) return true;
         for (const ActionDecl* action : pou.actions)
@@ -74,12 +78,19 @@ private:
     void body(Body& body, Pou& pou, ChartUnit& charts) {
         if (body.language == BodyLanguage::Il) {
             const bool isStatic = pou.kind == PouKind::Program || pou.kind == PouKind::FunctionBlock;
-            const ListContext context{m_builder, pou.sections, m_blocks, charts.section, charts.instructionVariables, m_sink, isStatic ? m_results : Keep::Needed};
+            const ListContext context{m_builder,
+                                      pou.sections,
+                                      m_blocks,
+                                      charts.section,
+                                      charts.instructionVariables,
+                                      m_sink,
+                                      isStatic ? m_results : Keep::Needed};
             body.instructions = std::move(body.statements);
             body.statements = lowerInstructions(body.instructions, context, false).statements;
         } else if (body.language == BodyLanguage::Sfc && body.chart) {
             if (pou.kind != PouKind::Program && pou.kind != PouKind::FunctionBlock) {
-                m_sink.emit(pou.name.range, diagnostics::Kind::NotAllowedHere, {"A chart", pou.kind == PouKind::Function ? "a FUNCTION" : "a METHOD"});
+                m_sink.emit(pou.name.range, diagnostics::Kind::NotAllowedHere,
+                            {"A chart", pou.kind == PouKind::Function ? "a FUNCTION" : "a METHOD"});
                 return;
             }
             chart::check(chart::build(*body.chart), m_sink);
@@ -97,6 +108,8 @@ private:
 
 } // namespace
 
-void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results) { FileLowering(file, sink, results).run(); }
+void lowerFile(syntax::SyntaxFile& file, diagnostics::Sink& sink, Keep results) {
+    FileLowering(file, sink, results).run();
+}
 
 } // namespace plc::lower

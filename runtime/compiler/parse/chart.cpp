@@ -34,12 +34,17 @@ SfcBody* Parser::parseChart() {
             chart->actions.push_back(parseAction());
         } else if (atPouMember() || atDeclaration() || atVarSection()) {
             break;
-        } else if (atStatementEnd() && (endIsOpen(kind()) || !atAny({TokenKind::EndStep, TokenKind::EndTransition, TokenKind::EndIf, TokenKind::EndCase, TokenKind::EndFor, TokenKind::EndWhile, TokenKind::EndRepeat, TokenKind::Else, TokenKind::Elsif, TokenKind::Until, TokenKind::EndVar}))) {
+        } else if (atStatementEnd() &&
+                   (endIsOpen(kind()) ||
+                    !atAny({TokenKind::EndStep, TokenKind::EndTransition, TokenKind::EndIf, TokenKind::EndCase,
+                            TokenKind::EndFor, TokenKind::EndWhile, TokenKind::EndRepeat, TokenKind::Else,
+                            TokenKind::Elsif, TokenKind::Until, TokenKind::EndVar}))) {
             break;
         } else {
             report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
             do advance();
-            while (!atEnd() && !atChart() && !atPouMember() && !atStatementEnd() && !atDeclaration() && !atVarSection());
+            while (!atEnd() && !atChart() && !atPouMember() && !atStatementEnd() && !atDeclaration() &&
+                   !atVarSection());
             if (atAny({TokenKind::EndStep, TokenKind::EndTransition}) && !endIsOpen(kind())) advance();
             m_lastErrorAt = SIZE_MAX;
         }
@@ -59,7 +64,8 @@ StepDecl* Parser::parseStep() {
     step->name = takeName();
     step->pragmas = pragmasHere();
     if (!take(TokenKind::Colon)) {
-        if (auto* d = report(rangeOf(previous()), Kind::Expected, {":", shown(peek())})) d->fixes.push_back({"Insert :", {{afterPrevious(), ":"}}});
+        if (auto* d = report(rangeOf(previous()), Kind::Expected, {":", shown(peek())}))
+            d->fixes.push_back({"Insert :", {{afterPrevious(), ":"}}});
         m_lastErrorAt = SIZE_MAX;
     }
     {
@@ -80,7 +86,8 @@ void Parser::parseAssociations(StepDecl& step) {
         ActionAssociation association;
         association.action = takeName("an action");
         if (!association.action.isValid()) {
-            while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !atChart() && !atDeclaration()) advance();
+            while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !atChart() && !atDeclaration())
+                advance();
             m_lastErrorAt = SIZE_MAX;
             if (mark() == first) return;
             continue;
@@ -94,10 +101,14 @@ void Parser::parseAssociations(StepDecl& step) {
             bool firstOperand = true;
             while (!at(TokenKind::RightParen) && !atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd()) {
                 const std::string_view q = association.qualifier.text;
-                const bool timed = q.size() <= 2 && !q.empty() && (std::string_view("LlDd").find(q[0]) != std::string_view::npos || (q.size() == 2 && std::string_view("LlDd").find(q[1]) != std::string_view::npos));
+                const bool timed = q.size() <= 2 && !q.empty() &&
+                                   (std::string_view("LlDd").find(q[0]) != std::string_view::npos ||
+                                    (q.size() == 2 && std::string_view("LlDd").find(q[1]) != std::string_view::npos));
                 const bool isTime = firstOperand && (timed || !at(TokenKind::Identifier));
-                if (isTime) association.time = parseExpression();
-                else if (atName()) association.indicators.push_back(takeName());
+                if (isTime)
+                    association.time = parseExpression();
+                else if (atName())
+                    association.indicators.push_back(takeName());
                 else {
                     expected("a variable's name");
                     break;
@@ -107,7 +118,9 @@ void Parser::parseAssociations(StepDecl& step) {
             }
             if (!take(TokenKind::RightParen)) {
                 expected(")");
-                while (!atEnd() && !atAny({TokenKind::RightParen, TokenKind::Semicolon}) && !atStatementEnd() && !onNewLine()) advance();
+                while (!atEnd() && !atAny({TokenKind::RightParen, TokenKind::Semicolon}) && !atStatementEnd() &&
+                       !onNewLine())
+                    advance();
                 take(TokenKind::RightParen);
             }
         }
@@ -117,8 +130,10 @@ void Parser::parseAssociations(StepDecl& step) {
             m_lastErrorAt = SIZE_MAX;
             continue;
         }
-        if (at(TokenKind::EndStep)) missingSemicolon(true);
-        else if (m_lastErrorAt != m_at && (onNewLine() || atStatementEnd())) missingSemicolon(false);
+        if (at(TokenKind::EndStep))
+            missingSemicolon(true);
+        else if (m_lastErrorAt != m_at && (onNewLine() || atStatementEnd()))
+            missingSemicolon(false);
         else if (m_lastErrorAt != m_at) {
             report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
             while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !onNewLine()) advance();
@@ -141,7 +156,8 @@ TransitionDecl* Parser::parseTransition() {
     const size_t first = mark();
     const Token opening = peek();
     advance();
-    if (at(TokenKind::Identifier) && !(at(SoftWord::From) && !(kind(1) == TokenKind::Identifier && peek(1).soft == SoftWord::From))) {
+    if (at(TokenKind::Identifier) &&
+        !(at(SoftWord::From) && !(kind(1) == TokenKind::Identifier && peek(1).soft == SoftWord::From))) {
         transition->name = nameOf(peek());
         advance();
     }
@@ -152,30 +168,38 @@ TransitionDecl* Parser::parseTransition() {
         transition->priority = parseExpression();
         expect(TokenKind::RightParen);
     }
-    if (take(SoftWord::From)) parseStepNames(transition->from);
-    else expected("FROM");
-    if (take(TokenKind::To)) parseStepNames(transition->to);
-    else expected("TO");
+    if (take(SoftWord::From))
+        parseStepNames(transition->from);
+    else
+        expected("FROM");
+    if (take(TokenKind::To))
+        parseStepNames(transition->to);
+    else
+        expected("TO");
     {
         const OpenBlock open(*this, TokenKind::EndTransition);
         if (take(TokenKind::Assign)) {
             transition->condition = parseCondition();
             if (!take(TokenKind::Semicolon)) {
-                if (at(TokenKind::EndTransition)) missingSemicolon(true);
-                else if (m_lastErrorAt != m_at && (atStatementEnd() || atChart())) missingSemicolon(false);
+                if (at(TokenKind::EndTransition))
+                    missingSemicolon(true);
+                else if (m_lastErrorAt != m_at && (atStatementEnd() || atChart()))
+                    missingSemicolon(false);
                 else if (m_lastErrorAt != m_at) {
                     report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
                 }
             }
         } else if (take(TokenKind::Colon)) {
-            if (atInstructionList()) transition->ilCondition = parseInstructions(BodyContext::Unit);
+            if (atInstructionList())
+                transition->ilCondition = parseInstructions(BodyContext::Unit);
             else {
                 expected(":= or instructions");
             }
         } else {
             expected(":=");
         }
-        while (!atEnd() && !atStatementEnd() && !atChart() && !atPouMember() && !atDeclaration()) advance(); // the rest of a condition that can not be read
+        while (!atEnd() && !atStatementEnd() && !atChart() && !atPouMember() && !atDeclaration())
+            advance(); // the rest of a condition that can not be read
     }
     expectEnd(TokenKind::EndTransition, opening);
     transition->range = rangeFrom(first);

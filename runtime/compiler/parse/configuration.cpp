@@ -16,7 +16,8 @@ ConfigurationDecl* Parser::parseConfiguration() {
     const OpenBlock open(*this, TokenKind::EndConfiguration);
     ResourceDecl* direct = make<ResourceDecl>();
     parseResourceParts(*direct, configuration, TokenKind::EndConfiguration);
-    if (!direct->tasks.empty() || !direct->programs.empty()) configuration->resources.insert(configuration->resources.begin(), direct);
+    if (!direct->tasks.empty() || !direct->programs.empty())
+        configuration->resources.insert(configuration->resources.begin(), direct);
     expectEnd(TokenKind::EndConfiguration, opening);
     take(TokenKind::Semicolon);
     configuration->range = rangeFrom(first);
@@ -46,12 +47,15 @@ void Parser::parseResourceParts(ResourceDecl& resource, ConfigurationDecl* confi
             expectEnd(TokenKind::EndResource, opening);
             inner->range = rangeFrom(first);
             configuration->resources.push_back(inner);
-        } else if (atStatementEnd() || atAny({TokenKind::Function, TokenKind::FunctionBlock, TokenKind::TypeWord}) || atDeclaration()) {
+        } else if (atStatementEnd() || atAny({TokenKind::Function, TokenKind::FunctionBlock, TokenKind::TypeWord}) ||
+                   atDeclaration()) {
             return;
         } else {
             expected(configuration ? "RESOURCE, TASK or PROGRAM" : "TASK or PROGRAM");
             do advance();
-            while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !atVarSection() && !at(TokenKind::Program) && !(at(SoftWord::Task) && kind(1) == TokenKind::Identifier) && !at(SoftWord::Resource));
+            while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !atVarSection() &&
+                   !at(TokenKind::Program) && !(at(SoftWord::Task) && kind(1) == TokenKind::Identifier) &&
+                   !at(SoftWord::Resource));
             m_lastErrorAt = SIZE_MAX;
         }
     }
@@ -68,17 +72,23 @@ TaskDecl* Parser::parseTask() {
         std::vector<Argument> arguments;
         parseArguments(arguments, TokenKind::RightParen);
         for (Argument& argument : arguments) {
-            if (equalsIgnoringCase(argument.name.text, "INTERVAL")) task->interval = argument.value;
-            else if (equalsIgnoringCase(argument.name.text, "SINGLE")) task->single = argument.value;
-            else if (equalsIgnoringCase(argument.name.text, "PRIORITY")) task->priority = argument.value;
-            else task->others.push_back(std::move(argument));
+            if (equalsIgnoringCase(argument.name.text, "INTERVAL"))
+                task->interval = argument.value;
+            else if (equalsIgnoringCase(argument.name.text, "SINGLE"))
+                task->single = argument.value;
+            else if (equalsIgnoringCase(argument.name.text, "PRIORITY"))
+                task->priority = argument.value;
+            else
+                task->others.push_back(std::move(argument));
         }
     } else if (task->name.isValid()) {
         expected("(");
     }
     if (!take(TokenKind::Semicolon)) {
-        if (m_lastErrorAt != m_at) missingSemicolon(false);
-        else skipTo({TokenKind::Semicolon, TokenKind::EndResource, TokenKind::EndConfiguration, TokenKind::Program});
+        if (m_lastErrorAt != m_at)
+            missingSemicolon(false);
+        else
+            skipTo({TokenKind::Semicolon, TokenKind::EndResource, TokenKind::EndConfiguration, TokenKind::Program});
     }
     task->range = rangeFrom(first);
     return task;
@@ -91,8 +101,10 @@ ProgramInstance* Parser::parseProgramInstance() {
     const size_t first = mark();
     advance();
     if (at(TokenKind::Identifier) && kind(1) == TokenKind::Identifier && peek(1).soft != SoftWord::With) {
-        if (take(SoftWord::Retain)) instance->retain = true;
-        else if (take(SoftWord::NonRetain)) instance->nonRetain = true;
+        if (take(SoftWord::Retain))
+            instance->retain = true;
+        else if (take(SoftWord::NonRetain))
+            instance->nonRetain = true;
     }
     instance->name = takeName("a program instance's name");
     if (take(SoftWord::With)) instance->task = takeName("a task's name");
@@ -116,9 +128,12 @@ ProgramInstance* Parser::parseProgramInstance() {
                 Path rest;
                 while (take(TokenKind::Dot)) argument.name = takeName();
                 if (!argument.name.isValid()) break;
-                if (take(TokenKind::Output)) argument.kind = ArgumentKind::Output;
-                else if (take(TokenKind::Assign)) argument.kind = ArgumentKind::Input;
-                else expected(":= or =>");
+                if (take(TokenKind::Output))
+                    argument.kind = ArgumentKind::Output;
+                else if (take(TokenKind::Assign))
+                    argument.kind = ArgumentKind::Input;
+                else
+                    expected(":= or =>");
                 if (!atAny({TokenKind::Comma, TokenKind::RightParen})) argument.value = parseExpression();
                 argument.range = rangeFrom(at);
                 instance->connections.push_back(std::move(argument));
@@ -131,7 +146,8 @@ ProgramInstance* Parser::parseProgramInstance() {
         }
     }
     if (!take(TokenKind::Semicolon)) {
-        if (m_lastErrorAt != m_at) missingSemicolon(false);
+        if (m_lastErrorAt != m_at)
+            missingSemicolon(false);
         else {
             skipTo({TokenKind::Semicolon, TokenKind::EndResource, TokenKind::EndConfiguration, TokenKind::Program});
             m_lastErrorAt = SIZE_MAX;

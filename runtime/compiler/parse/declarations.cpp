@@ -16,8 +16,10 @@ bool isModifier(SoftWord word) {
     case SoftWord::Public:
     case SoftWord::Private:
     case SoftWord::Protected:
-    case SoftWord::Internal: return true;
-    default: return false;
+    case SoftWord::Internal:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -29,21 +31,29 @@ bool Parser::atDeclaration() const {
     case TokenKind::Program:
     case TokenKind::Function:
     case TokenKind::FunctionBlock:
-    case TokenKind::TypeWord: return true;
+    case TokenKind::TypeWord:
+        return true;
     case TokenKind::VarGlobal:
     case TokenKind::VarConfig:
-    case TokenKind::VarAccess: return !endIsOpen(TokenKind::EndConfiguration);
-    case TokenKind::Identifier: break;
-    default: return false;
+    case TokenKind::VarAccess:
+        return !endIsOpen(TokenKind::EndConfiguration);
+    case TokenKind::Identifier:
+        break;
+    default:
+        return false;
     }
     const bool nameFollows = kind(1) == TokenKind::Identifier && !peek(1).afterNewline;
     switch (peek().soft) {
     case SoftWord::Configuration:
-    case SoftWord::Interface: return nameFollows;
+    case SoftWord::Interface:
+        return nameFollows;
     case SoftWord::Namespace:
-    case SoftWord::Using: return nameFollows;
-    case SoftWord::Test: return kind(1) == TokenKind::StringLiteral;
-    default: return false;
+    case SoftWord::Using:
+        return nameFollows;
+    case SoftWord::Test:
+        return kind(1) == TokenKind::StringLiteral;
+    default:
+        return false;
     }
 }
 
@@ -53,9 +63,12 @@ bool Parser::atPouMember() const {
     const bool nameFollows = kind(1) == TokenKind::Identifier && !peek(1).afterNewline;
     switch (peek().soft) {
     case SoftWord::Method:
-    case SoftWord::Property: return nameFollows;
-    case SoftWord::Action: return nameFollows;
-    default: return false;
+    case SoftWord::Property:
+        return nameFollows;
+    case SoftWord::Action:
+        return nameFollows;
+    default:
+        return false;
     }
 }
 
@@ -71,9 +84,12 @@ void Parser::parseDeclarationsUntil(std::vector<Decl*>& out, bool inNamespace) {
             parseTypeBlock(out);
             m_lastPou = nullptr;
         } else if (atPouMember() && m_lastPou) {
-            if (at(SoftWord::Action)) m_lastPou->actions.push_back(parseAction());
-            else if (at(SoftWord::Method)) m_lastPou->methods.push_back(parseMethod(false));
-            else m_lastPou->properties.push_back(parseProperty(false));
+            if (at(SoftWord::Action))
+                m_lastPou->actions.push_back(parseAction());
+            else if (at(SoftWord::Method))
+                m_lastPou->methods.push_back(parseMethod(false));
+            else
+                m_lastPou->properties.push_back(parseProperty(false));
         } else if (Decl* decl = parseDeclaration()) {
             out.push_back(decl);
             m_lastPou = decl->kind == DeclKind::Pou ? decl->pou : nullptr;
@@ -86,9 +102,15 @@ Decl* Parser::parseDeclaration() {
     const size_t first = mark();
     Decl* decl = make<Decl>();
     switch (kind()) {
-    case TokenKind::Program: decl->pou = parsePou(PouKind::Program, TokenKind::EndProgram); break;
-    case TokenKind::Function: decl->pou = parsePou(PouKind::Function, TokenKind::EndFunction); break;
-    case TokenKind::FunctionBlock: decl->pou = parsePou(PouKind::FunctionBlock, TokenKind::EndFunctionBlock); break;
+    case TokenKind::Program:
+        decl->pou = parsePou(PouKind::Program, TokenKind::EndProgram);
+        break;
+    case TokenKind::Function:
+        decl->pou = parsePou(PouKind::Function, TokenKind::EndFunction);
+        break;
+    case TokenKind::FunctionBlock:
+        decl->pou = parsePou(PouKind::FunctionBlock, TokenKind::EndFunctionBlock);
+        break;
     case TokenKind::VarGlobal:
     case TokenKind::VarConfig:
     case TokenKind::VarAccess: {
@@ -110,14 +132,19 @@ Decl* Parser::parseDeclaration() {
                 decl->kind = DeclKind::Configuration;
                 decl->configuration = parseConfiguration();
                 break;
-            case SoftWord::Interface: decl->pou = parseInterface(); break;
-            case SoftWord::Namespace: return parseNamespace();
-            case SoftWord::Using: return parseUsing();
+            case SoftWord::Interface:
+                decl->pou = parseInterface();
+                break;
+            case SoftWord::Namespace:
+                return parseNamespace();
+            case SoftWord::Using:
+                return parseUsing();
             case SoftWord::Test:
                 decl->kind = DeclKind::Test;
                 decl->test = parseTest();
                 break;
-            default: break;
+            default:
+                break;
             }
             break;
         }
@@ -129,7 +156,9 @@ Decl* Parser::parseDeclaration() {
             (void)parseVarSection();
         } else {
             advance();
-            while (!atEnd() && !atDeclaration() && !(atPouMember() && m_lastPou) && !at(TokenKind::EndNamespace) && !(atVarSection() && peek().afterNewline)) advance();
+            while (!atEnd() && !atDeclaration() && !(atPouMember() && m_lastPou) && !at(TokenKind::EndNamespace) &&
+                   !(atVarSection() && peek().afterNewline))
+                advance();
         }
         m_lastErrorAt = SIZE_MAX;
         return nullptr;
@@ -143,13 +172,27 @@ Decl* Parser::parseDeclaration() {
 void Parser::parseModifiers(Access& access, bool* isAbstract, bool* isFinal, bool* isOverride) {
     while (at(TokenKind::Identifier) && isModifier(peek().soft) && kind(1) == TokenKind::Identifier) {
         switch (peek().soft) {
-        case SoftWord::Abstract: if (isAbstract) *isAbstract = true; break;
-        case SoftWord::Final: if (isFinal) *isFinal = true; break;
-        case SoftWord::Override: if (isOverride) *isOverride = true; break;
-        case SoftWord::Public: access = Access::Public; break;
-        case SoftWord::Private: access = Access::Private; break;
-        case SoftWord::Protected: access = Access::Protected; break;
-        default: access = Access::Internal; break;
+        case SoftWord::Abstract:
+            if (isAbstract) *isAbstract = true;
+            break;
+        case SoftWord::Final:
+            if (isFinal) *isFinal = true;
+            break;
+        case SoftWord::Override:
+            if (isOverride) *isOverride = true;
+            break;
+        case SoftWord::Public:
+            access = Access::Public;
+            break;
+        case SoftWord::Private:
+            access = Access::Private;
+            break;
+        case SoftWord::Protected:
+            access = Access::Protected;
+            break;
+        default:
+            access = Access::Internal;
+            break;
         }
         advance();
     }
@@ -163,8 +206,10 @@ void Parser::parsePouHeader(Pou& pou) {
     if (pou.comment.empty() && !pou.pragmas.empty()) pou.comment = docCommentAbove(sourceIndex(first));
     advance();
     parseModifiers(pou.access, &pou.isAbstract, &pou.isFinal, &pou.isOverride);
-    if (at(TokenKind::TypedPrefix)) expected("a name");
-    else pou.name = takeName();
+    if (at(TokenKind::TypedPrefix))
+        expected("a name");
+    else
+        pou.name = takeName();
     while (at(TokenKind::Dot)) advance(), (void)takeName(); // Block.Method
     if (take(TokenKind::Colon)) pou.result = parseTypeSpec(false);
     const auto paths = [&](std::vector<Path>& out) {
@@ -195,7 +240,8 @@ Pou* Parser::parsePou(PouKind pouKind, TokenKind end) {
 
 /// Sections, members and the body, in any order; then the end, which may be missing (two panes in one file).
 void Parser::parsePouParts(Pou& pou, TokenKind end) {
-    const bool isBlock = pou.kind == PouKind::FunctionBlock || pou.kind == PouKind::Program || pou.kind == PouKind::Function;
+    const bool isBlock =
+        pou.kind == PouKind::FunctionBlock || pou.kind == PouKind::Program || pou.kind == PouKind::Function;
     bool hasBody = false;
     const auto setBody = [&](Body body) {
         if (!hasBody) {
@@ -203,13 +249,17 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
         } else if (body.chart && pou.body.chart) { // a chart goes on behind an action
             SfcBody& chart = *pou.body.chart;
             chart.steps.insert(chart.steps.end(), body.chart->steps.begin(), body.chart->steps.end());
-            chart.transitions.insert(chart.transitions.end(), body.chart->transitions.begin(), body.chart->transitions.end());
+            chart.transitions.insert(chart.transitions.end(), body.chart->transitions.begin(),
+                                     body.chart->transitions.end());
             chart.actions.insert(chart.actions.end(), body.chart->actions.begin(), body.chart->actions.end());
             chart.range = joined(chart.range, body.chart->range);
             pou.body.range = joined(pou.body.range, body.range);
-        } else if (pou.body.language != BodyLanguage::None && body.language != BodyLanguage::None && pou.body.language != body.language) {
+        } else if (pou.body.language != BodyLanguage::None && body.language != BodyLanguage::None &&
+                   pou.body.language != body.language) {
             m_lastErrorAt = SIZE_MAX; // one body, one language
-            report({m_file.file, body.range.begin, body.range.begin + 1}, Kind::UnexpectedToken, {std::string(m_text.substr(body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) - body.range.begin))});
+            report({m_file.file, body.range.begin, body.range.begin + 1}, Kind::UnexpectedToken,
+                   {std::string(m_text.substr(body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) -
+                                                                    body.range.begin))});
         } else {
             if (pou.body.language == BodyLanguage::None) pou.body.language = body.language;
             pou.body.statements.insert(pou.body.statements.end(), body.statements.begin(), body.statements.end());
@@ -233,13 +283,15 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
         } else if (!isBlock && atPouMember()) {
             break; // a method without its END_METHOD
         } else if (atStatementEnd()) {
-            const bool unitEnd = atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndInterface,
+            const bool unitEnd = atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock,
+                                        TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndInterface,
                                         TokenKind::EndProperty, TokenKind::EndGet, TokenKind::EndSet});
             if (endIsOpen(kind()) || at(TokenKind::EndNamespace)) break; // of the unit around this one
-            if (unitEnd) { // closed by the wrong word
+            if (unitEnd) {                                               // closed by the wrong word
                 const std::string word(lex::spelling(end));
                 const SourceRange range = rangeOf(peek());
-                if (auto* d = report(range, Kind::Expected, {word, shown(peek())})) d->fixes.push_back({"Write " + word, {{range, word}}});
+                if (auto* d = report(range, Kind::Expected, {word, shown(peek())}))
+                    d->fixes.push_back({"Write " + word, {{range, word}}});
                 advance();
                 take(TokenKind::Semicolon);
                 return;
@@ -260,7 +312,8 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
     pou.hasEnd = false;
     const std::string word(lex::spelling(end));
     SourceRange range = rangeOf(previous());
-    if (m_badOffsets.empty() || !atEnd()) insertFix(report(range, Kind::MissingEndAccepted, {word}), "\n" + word + "\n");
+    if (m_badOffsets.empty() || !atEnd())
+        insertFix(report(range, Kind::MissingEndAccepted, {word}), "\n" + word + "\n");
     m_lastErrorAt = SIZE_MAX;
 }
 
@@ -302,10 +355,13 @@ Pou* Parser::parseMethod(bool inInterface) {
         while (atVarSection()) pou->sections.push_back(parseVarSection());
         if (!take(TokenKind::EndMethod)) {
             pou->hasEnd = false;
-            if (at(SoftWord::Method) || at(SoftWord::Property) || at(TokenKind::EndInterface)) insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_METHOD"}), "\nEND_METHOD");
+            if (at(SoftWord::Method) || at(SoftWord::Property) || at(TokenKind::EndInterface))
+                insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_METHOD"}), "\nEND_METHOD");
             else {
                 expected("END_METHOD");
-                while (!atEnd() && !atAny({TokenKind::EndMethod, TokenKind::EndInterface}) && !atPouMember() && !atDeclaration()) advance();
+                while (!atEnd() && !atAny({TokenKind::EndMethod, TokenKind::EndInterface}) && !atPouMember() &&
+                       !atDeclaration())
+                    advance();
                 take(TokenKind::EndMethod);
             }
         }
@@ -325,15 +381,21 @@ Pou* Parser::parseAccessor(PouKind pouKind, TokenKind end, bool inInterface) {
     pou->name = nameOf(peek());
     advance();
     parseModifiers(pou->access, &pou->isAbstract, &pou->isFinal, &pou->isOverride);
-    if (at(TokenKind::Identifier) && isModifier(peek().soft) && (kind(1) == end || kind(1) == TokenKind::Var)) { // GET PRIVATE END_GET
-        pou->access = at(SoftWord::Private) ? Access::Private : at(SoftWord::Protected) ? Access::Protected : at(SoftWord::Internal) ? Access::Internal : Access::Public;
+    if (at(TokenKind::Identifier) && isModifier(peek().soft) &&
+        (kind(1) == end || kind(1) == TokenKind::Var)) { // GET PRIVATE END_GET
+        pou->access = at(SoftWord::Private)     ? Access::Private
+                      : at(SoftWord::Protected) ? Access::Protected
+                      : at(SoftWord::Internal)  ? Access::Internal
+                                                : Access::Public;
         advance();
     }
     pou->header = rangeFrom(first);
     const OpenBlock open(*this, end);
     // an interface may list GET and SET bare
-    if (inInterface && (at(SoftWord::Get) || at(SoftWord::Set) || at(TokenKind::EndProperty))) pou->hasEnd = false;
-    else parsePouParts(*pou, end);
+    if (inInterface && (at(SoftWord::Get) || at(SoftWord::Set) || at(TokenKind::EndProperty)))
+        pou->hasEnd = false;
+    else
+        parsePouParts(*pou, end);
     pou->range = rangeFrom(first);
     return pou;
 }
@@ -350,17 +412,23 @@ Property* Parser::parseProperty(bool inInterface) {
     take(TokenKind::Semicolon);
     const OpenBlock open(*this, TokenKind::EndProperty);
     while (!atEnd()) {
-        if (atVarSection()) (void)parseVarSection(); // an empty VAR END_VAR of exports
-        else if (at(SoftWord::Get) && !property->get) property->get = parseAccessor(PouKind::PropertyGet, TokenKind::EndGet, inInterface);
-        else if (at(SoftWord::Set) && !property->set) property->set = parseAccessor(PouKind::PropertySet, TokenKind::EndSet, inInterface);
-        else break;
+        if (atVarSection())
+            (void)parseVarSection(); // an empty VAR END_VAR of exports
+        else if (at(SoftWord::Get) && !property->get)
+            property->get = parseAccessor(PouKind::PropertyGet, TokenKind::EndGet, inInterface);
+        else if (at(SoftWord::Set) && !property->set)
+            property->set = parseAccessor(PouKind::PropertySet, TokenKind::EndSet, inInterface);
+        else
+            break;
     }
     if (!take(TokenKind::EndProperty)) {
         if (inInterface || atPouMember() || atAny({TokenKind::EndFunctionBlock, TokenKind::EndProgram})) {
             insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_PROPERTY"}), "\nEND_PROPERTY");
         } else {
             expected("GET, SET or END_PROPERTY");
-            while (!atEnd() && !atAny({TokenKind::EndProperty, TokenKind::EndFunctionBlock, TokenKind::EndProgram}) && !atPouMember() && !atDeclaration()) advance();
+            while (!atEnd() && !atAny({TokenKind::EndProperty, TokenKind::EndFunctionBlock, TokenKind::EndProgram}) &&
+                   !atPouMember() && !atDeclaration())
+                advance();
             take(TokenKind::EndProperty);
         }
     }
@@ -377,9 +445,12 @@ Pou* Parser::parseInterface() {
     parsePouHeader(*pou);
     const OpenBlock open(*this, TokenKind::EndInterface);
     while (!atEnd() && !at(TokenKind::EndInterface)) {
-        if (at(SoftWord::Method)) pou->methods.push_back(parseMethod(true));
-        else if (at(SoftWord::Property)) pou->properties.push_back(parseProperty(true));
-        else if (atDeclaration() || atStatementEnd()) break;
+        if (at(SoftWord::Method))
+            pou->methods.push_back(parseMethod(true));
+        else if (at(SoftWord::Property))
+            pou->properties.push_back(parseProperty(true));
+        else if (atDeclaration() || atStatementEnd())
+            break;
         else {
             expected("METHOD, PROPERTY or END_INTERFACE");
             do advance(); // an ACTION is a member too, but not of an interface
@@ -410,7 +481,8 @@ ActionDecl* Parser::parseAction() {
         m_inCaseArm = arm;
     }
     if (!take(TokenKind::EndAction)) {
-        if (atPouMember() || atEnd() || atAny({TokenKind::EndProgram, TokenKind::EndFunctionBlock}) || atDeclaration() || atStep() || atTransition()) {
+        if (atPouMember() || atEnd() || atAny({TokenKind::EndProgram, TokenKind::EndFunctionBlock}) ||
+            atDeclaration() || atStep() || atTransition()) {
             insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_ACTION"}), "\nEND_ACTION");
         } else {
             expectEnd(TokenKind::EndAction, opening);
@@ -436,8 +508,10 @@ Decl* Parser::parseNamespace() {
     decl->space->path = takePath();
     const Nesting nesting(*this);
     const OpenBlock open(*this, TokenKind::EndNamespace);
-    if (nesting.tooDeep) skipTo({TokenKind::EndNamespace});
-    else parseDeclarationsUntil(decl->space->declarations, true);
+    if (nesting.tooDeep)
+        skipTo({TokenKind::EndNamespace});
+    else
+        parseDeclarationsUntil(decl->space->declarations, true);
     expectEnd(TokenKind::EndNamespace, opening);
     take(TokenKind::Semicolon);
     decl->range = rangeFrom(first);

@@ -12,24 +12,33 @@ namespace {
 int levelOf(TokenKind kind) {
     switch (kind) {
     case TokenKind::Or:
-    case TokenKind::OrElse: return 1;
-    case TokenKind::Xor: return 2;
+    case TokenKind::OrElse:
+        return 1;
+    case TokenKind::Xor:
+        return 2;
     case TokenKind::And:
     case TokenKind::AndThen:
-    case TokenKind::Ampersand: return 3;
+    case TokenKind::Ampersand:
+        return 3;
     case TokenKind::Equal:
-    case TokenKind::NotEqual: return 4;
+    case TokenKind::NotEqual:
+        return 4;
     case TokenKind::Less:
     case TokenKind::LessEqual:
     case TokenKind::Greater:
-    case TokenKind::GreaterEqual: return 5;
+    case TokenKind::GreaterEqual:
+        return 5;
     case TokenKind::Plus:
-    case TokenKind::Minus: return 6;
+    case TokenKind::Minus:
+        return 6;
     case TokenKind::Star:
     case TokenKind::Slash:
-    case TokenKind::Mod: return 7;
-    case TokenKind::Power: return 8;
-    default: return 0;
+    case TokenKind::Mod:
+        return 7;
+    case TokenKind::Power:
+        return 8;
+    default:
+        return 0;
     }
 }
 
@@ -44,14 +53,18 @@ bool isLiteral(TokenKind kind) {
     case TokenKind::StringLiteral:
     case TokenKind::WstringLiteral:
     case TokenKind::True:
-    case TokenKind::False: return true;
-    default: return false;
+    case TokenKind::False:
+        return true;
+    default:
+        return false;
     }
 }
 
 /// The first `$` sequence that means nothing (IEC 61131-3, table 6), as offset and length.
 std::string_view badEscape(std::string_view literal, bool wide) {
-    const auto isHex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f'); };
+    const auto isHex = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f');
+    };
     for (size_t i = 1; i + 1 < literal.size(); ++i) {
         if (literal[i] != '$') continue;
         const char c = literal[i + 1];
@@ -171,9 +184,7 @@ Expr* Parser::parseUnary() {
 Expr* Parser::parsePlace() { return parsePostfix(parsePrimary()); }
 
 /// The first operand of an IL instruction: no operators, but a sign.
-Expr* Parser::parsePrimaryIl() {
-    return atAny({TokenKind::Minus, TokenKind::Plus}) ? parseUnary() : parsePlace();
-}
+Expr* Parser::parsePrimaryIl() { return atAny({TokenKind::Minus, TokenKind::Plus}) ? parseUnary() : parsePlace(); }
 
 Expr* Parser::parsePrimary() {
     const Token token = peek();
@@ -194,7 +205,8 @@ Expr* Parser::parsePrimary() {
             return e;
         }
         break;
-    case TokenKind::TypedPrefix: return parseTyped();
+    case TokenKind::TypedPrefix:
+        return parseTyped();
     case TokenKind::DirectAddress: {
         advance();
         Expr* e = make<Expr>();
@@ -203,8 +215,10 @@ Expr* Parser::parsePrimary() {
         e->range = rangeOf(token);
         return e;
     }
-    case TokenKind::LeftParen: return parseParenthesised();
-    case TokenKind::LeftBracket: return parseArrayInit();
+    case TokenKind::LeftParen:
+        return parseParenthesised();
+    case TokenKind::LeftBracket:
+        return parseArrayInit();
     case TokenKind::And:
     case TokenKind::Or:
     case TokenKind::Xor:
@@ -217,15 +231,16 @@ Expr* Parser::parsePrimary() {
         break;
     case TokenKind::WstringLiteral:
         // "Motor".run and "Motor" := …: a quoted name
-        if (token.end - token.begin > 2)
-            switch (kind(1)) {
+        if (token.end - token.begin > 2) switch (kind(1)) {
             case TokenKind::Dot:
             case TokenKind::LeftBracket:
             case TokenKind::LeftParen:
             case TokenKind::Caret:
             case TokenKind::Assign:
             case TokenKind::SetAssign:
-            case TokenKind::ResetAssign: advance(); return makeName(nameOf(token));
+            case TokenKind::ResetAssign:
+                advance();
+                return makeName(nameOf(token));
             default:
                 for (std::string_view quoted : m_quotedNames)
                     if (equalsIgnoringCase(quoted, nameOf(token).text)) {
@@ -235,7 +250,8 @@ Expr* Parser::parsePrimary() {
                 break;
             }
         break;
-    default: break;
+    default:
+        break;
     }
     if (isLiteral(token.kind)) return parseLiteral();
     expected("an expression");
@@ -254,7 +270,8 @@ Expr* Parser::parseLiteral() {
         const std::string_view bad = badEscape(e->text, token.kind == TokenKind::WstringLiteral);
         if (!bad.empty()) {
             const auto begin = static_cast<uint32_t>(bad.data() - m_text.data());
-            m_sink.emit({m_file.file, begin, begin + static_cast<uint32_t>(bad.size())}, Kind::InvalidLiteral, {std::string(bad), "string"});
+            m_sink.emit({m_file.file, begin, begin + static_cast<uint32_t>(bad.size())}, Kind::InvalidLiteral,
+                        {std::string(bad), "string"});
         }
     }
     return e;
@@ -268,7 +285,8 @@ Expr* Parser::parseTyped() {
     prefix.text.remove_suffix(1);
     --prefix.range.end;
     const Token token = peek();
-    const bool sign = atAny({TokenKind::Minus, TokenKind::Plus}) && (kind(1) == TokenKind::IntegerLiteral || kind(1) == TokenKind::RealLiteral);
+    const bool sign = atAny({TokenKind::Minus, TokenKind::Plus}) &&
+                      (kind(1) == TokenKind::IntegerLiteral || kind(1) == TokenKind::RealLiteral);
     if (sign) advance();
     if (isLiteral(kind())) {
         Expr* e = parseLiteral();
@@ -311,7 +329,9 @@ Expr* Parser::parseParenthesised() {
     e->parenthesised = true;
     if (!take(TokenKind::RightParen)) {
         expected(")");
-        if (at(TokenKind::Comma) && !m_inInitialiser) skipTo({TokenKind::Semicolon, TokenKind::RightParen, TokenKind::Then, TokenKind::Do, TokenKind::Of}), take(TokenKind::RightParen);
+        if (at(TokenKind::Comma) && !m_inInitialiser)
+            skipTo({TokenKind::Semicolon, TokenKind::RightParen, TokenKind::Then, TokenKind::Do, TokenKind::Of}),
+                take(TokenKind::RightParen);
     }
     e->range = {m_file.file, open.begin, std::max(previous().end, e->range.end)};
     return e;
@@ -342,11 +362,13 @@ Expr* Parser::parsePostfix(Expr* base) {
             e->base = base;
             const Token member = peek();
             const bool adjacent = member.begin == dot.end && !member.afterNewline;
-            if (!member.afterNewline && (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress)) {
+            if (!member.afterNewline &&
+                (member.kind == TokenKind::IntegerLiteral || member.kind == TokenKind::DirectAddress)) {
                 e->kind = ExprKind::Bit;
                 e->text = textOf(member);
                 advance();
-            } else if ((member.kind == TokenKind::Identifier && !member.afterNewline) || (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
+            } else if ((member.kind == TokenKind::Identifier && !member.afterNewline) ||
+                       (adjacent && (lex::isKeyword(member.kind) || member.kind == TokenKind::WstringLiteral))) {
                 e->kind = ExprKind::Member;
                 e->name = nameOf(member);
                 advance();
@@ -398,7 +420,9 @@ Expr* Parser::parsePostfix(Expr* base) {
                 parseArguments(e->arguments, TokenKind::RightParen);
                 break;
             }
-            if (base->kind == ExprKind::Error || base->kind == ExprKind::ArrayInit || base->kind == ExprKind::StructInit || base->kind == ExprKind::TypedName) return base;
+            if (base->kind == ExprKind::Error || base->kind == ExprKind::ArrayInit ||
+                base->kind == ExprKind::StructInit || base->kind == ExprKind::TypedName)
+                return base;
             advance();
             e = make<Expr>();
             e->kind = ExprKind::Call;
@@ -408,7 +432,8 @@ Expr* Parser::parsePostfix(Expr* base) {
             m_inCondition = condition;
             break;
         }
-        default: return base;
+        default:
+            return base;
         }
         e->range = {m_file.file, base->range.begin, previous().end};
         setHeight(*e);
@@ -462,7 +487,9 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
     if (take(close)) return;
     expected(std::string(lex::spelling(close)));
     // junk before the closing bracket of the same line
-    for (size_t ahead = 0; ahead < 30 && kind(ahead) != TokenKind::EndOfFile && kind(ahead) != TokenKind::Semicolon && (ahead == 0 || !peek(ahead).afterNewline); ++ahead)
+    for (size_t ahead = 0; ahead < 30 && kind(ahead) != TokenKind::EndOfFile && kind(ahead) != TokenKind::Semicolon &&
+                           (ahead == 0 || !peek(ahead).afterNewline);
+         ++ahead)
         if (kind(ahead) == close) {
             m_at += ahead + 1;
             return;

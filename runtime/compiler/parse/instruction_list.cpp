@@ -16,13 +16,19 @@ struct Operator {
     bool n, c, parenthesis;
 };
 constexpr std::array<Operator, 24> kOperators = {{
-    {"LD", true, false, false}, {"ST", true, false, false},  {"S", false, false, false},  {"R", false, false, false},  {"AND", true, false, true}, {"&", true, false, true},
-    {"OR", true, false, true},  {"XOR", true, false, true},  {"NOT", false, false, false}, {"ADD", false, false, true}, {"SUB", false, false, true}, {"MUL", false, false, true},
-    {"DIV", false, false, true}, {"MOD", false, false, true}, {"GT", false, false, true},  {"GE", false, false, true},  {"EQ", false, false, true},  {"NE", false, false, true},
-    {"LE", false, false, true}, {"LT", false, false, true},  {"JMP", false, true, false}, {"CAL", false, true, false}, {"RET", false, true, false}, {"STQ", false, false, false},
+    {"LD", true, false, false},  {"ST", true, false, false},  {"S", false, false, false},
+    {"R", false, false, false},  {"AND", true, false, true},  {"&", true, false, true},
+    {"OR", true, false, true},   {"XOR", true, false, true},  {"NOT", false, false, false},
+    {"ADD", false, false, true}, {"SUB", false, false, true}, {"MUL", false, false, true},
+    {"DIV", false, false, true}, {"MOD", false, false, true}, {"GT", false, false, true},
+    {"GE", false, false, true},  {"EQ", false, false, true},  {"NE", false, false, true},
+    {"LE", false, false, true},  {"LT", false, false, true},  {"JMP", false, true, false},
+    {"CAL", false, true, false}, {"RET", false, true, false}, {"STQ", false, false, false},
 }};
 
-bool isWord(std::string_view text, std::string_view word) { return text.size() == word.size() && equalsIgnoringCase(text, word); }
+bool isWord(std::string_view text, std::string_view word) {
+    return text.size() == word.size() && equalsIgnoringCase(text, word);
+}
 
 struct Reading {
     const Operator* op = nullptr;
@@ -31,7 +37,9 @@ struct Reading {
 /// LDN, ANDN, JMPCN: the operator and its modifiers.
 Reading readOperator(std::string_view text) {
     for (const Operator& op : kOperators) {
-        if (text.size() < op.name.size() || text.size() > op.name.size() + 2 || !isWord(text.substr(0, op.name.size()), op.name)) continue;
+        if (text.size() < op.name.size() || text.size() > op.name.size() + 2 ||
+            !isWord(text.substr(0, op.name.size()), op.name))
+            continue;
         const std::string_view rest = text.substr(op.name.size());
         if (rest.empty()) return {&op};
         if (op.n && isWord(rest, "N")) return {&op, true, false};
@@ -69,8 +77,10 @@ bool Parser::atInstructionList(size_t ahead) const {
     case TokenKind::Hash:
     case TokenKind::Minus:
     case TokenKind::True:
-    case TokenKind::False: break;
-    default: return false;
+    case TokenKind::False:
+        break;
+    default:
+        return false;
     }
     // `JMP there;` is ST
     if (name == "JMP") return kind(ahead + 2) != TokenKind::Semicolon;
@@ -85,7 +95,8 @@ Block Parser::parseInstructions(BodyContext context) {
         return out;
     }
     while (!atEnd() && !atStatementEnd() && !at(TokenKind::RightParen)) {
-        if (context != BodyContext::Fragment && (atDeclaration() || atPouMember() || atVarSection() || atChart())) break;
+        if (context != BodyContext::Fragment && (atDeclaration() || atPouMember() || atVarSection() || atChart()))
+            break;
         if (take(TokenKind::Semicolon)) continue;
         const size_t before = mark();
         if (Stmt* stmt = parseInstruction()) out.push_back(stmt);
@@ -113,7 +124,8 @@ Stmt* Parser::parseInstruction() {
         m_lastErrorAt = SIZE_MAX;
     };
     const Token opToken = peek();
-    const bool word = atAny({TokenKind::Identifier, TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Not, TokenKind::Mod, TokenKind::Ampersand});
+    const bool word = atAny({TokenKind::Identifier, TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Not,
+                             TokenKind::Mod, TokenKind::Ampersand});
     if (!word) {
         report(rangeOf(opToken), Kind::IlUnknownOperator, {shown(opToken)});
         skipLine();
@@ -123,7 +135,8 @@ Stmt* Parser::parseInstruction() {
     il->op = nameOf(opToken);
     advance();
     Reading reading = readOperator(il->op.text);
-    if (opToken.kind == TokenKind::Ampersand && at(TokenKind::Identifier) && peek().begin == opToken.end && isWord(textOf(peek()), "N")) {
+    if (opToken.kind == TokenKind::Ampersand && at(TokenKind::Identifier) && peek().begin == opToken.end &&
+        isWord(textOf(peek()), "N")) {
         advance();
         reading.negate = true;
     }

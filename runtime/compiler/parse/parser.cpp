@@ -21,7 +21,8 @@ syntax::Expr* parseExpression(syntax::SyntaxFile& file, std::string_view text, d
     }
     syntax::Expr* e = parser.parseExpression();
     parser.take(TokenKind::Semicolon);
-    if (!parser.atEnd()) parser.report(parser.rangeOf(parser.peek()), diagnostics::Kind::UnexpectedToken, {parser.shown(parser.peek())});
+    if (!parser.atEnd())
+        parser.report(parser.rangeOf(parser.peek()), diagnostics::Kind::UnexpectedToken, {parser.shown(parser.peek())});
     return e->kind == syntax::ExprKind::Error ? nullptr : e;
 }
 
@@ -29,7 +30,8 @@ syntax::Block parseStatements(syntax::SyntaxFile& file, std::string_view text, d
     const size_t before = sink.all().size();
     const lex::TokenList tokens = lex::tokenize(file.file, text, sink);
     Parser parser(file, tokens, text, sink, before);
-    return parser.atInstructionList() ? parser.parseInstructions(BodyContext::Fragment) : parser.parseStatements(BodyContext::Fragment);
+    return parser.atInstructionList() ? parser.parseInstructions(BodyContext::Fragment)
+                                      : parser.parseStatements(BodyContext::Fragment);
 }
 
 } // namespace plc::parse

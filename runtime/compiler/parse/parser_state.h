@@ -1,5 +1,6 @@
 // The recursive-descent parser behind parser.h: a cursor over the tokens that are not pragmas, error recovery, and one
-// method per construct, defined in the file of that construct (expressions.cpp, statements.cpp, …). One use, one thread.
+// method per construct, defined in the file of that construct (expressions.cpp, statements.cpp, …). One use, one
+// thread.
 #pragma once
 #include "runtime/compiler/parse/parser.h"
 
@@ -60,7 +61,8 @@ enum class BodyContext : uint8_t { Unit, Fragment };
 
 class Parser {
 public:
-    Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink, size_t lexicalErrors);
+    Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
+           size_t lexicalErrors);
 
     // declarations.cpp
     void parseFile();
@@ -136,9 +138,19 @@ public:
     bool at(SoftWord w) const { return peek().soft == w; }
     bool atAny(std::initializer_list<TokenKind> kinds) const;
     bool atEnd() const { return at(TokenKind::EndOfFile); }
-    void advance() { if (m_at + 1 < m_tokens.size()) ++m_at; }
-    bool take(TokenKind k) { if (!at(k)) return false; advance(); return true; }
-    bool take(SoftWord w) { if (!at(w)) return false; advance(); return true; }
+    void advance() {
+        if (m_at + 1 < m_tokens.size()) ++m_at;
+    }
+    bool take(TokenKind k) {
+        if (!at(k)) return false;
+        advance();
+        return true;
+    }
+    bool take(SoftWord w) {
+        if (!at(w)) return false;
+        advance();
+        return true;
+    }
     std::string_view textOf(const Token& token) const { return m_text.substr(token.begin, token.end - token.begin); }
     SourceRange rangeOf(const Token& token) const { return {m_file.file, token.begin, token.end}; }
     /// From the token at `first` (an index as from `mark()`) to the last one taken.
@@ -214,9 +226,10 @@ public:
     bool m_inInitialiser = false;
     bool m_inCondition = false;
     bool m_inInstruction = false; // formal lists may hold instructions
-    int m_caseDepth = 0;    // statements directly in a CASE arm: a label ends them
+    int m_caseDepth = 0;          // statements directly in a CASE arm: a label ends them
     bool m_inCaseArm = false;
-    std::vector<std::string_view> m_quotedNames; // declared in this text: "…" in an expression is such a name, else a literal
+    std::vector<std::string_view>
+        m_quotedNames; // declared in this text: "…" in an expression is such a name, else a literal
     std::string_view m_gvlName;
     Pou* m_lastPou = nullptr; // members written behind END_xxx belong to it
 

@@ -7,7 +7,8 @@ namespace plc::parse {
 using diagnostics::Diagnostic;
 using diagnostics::Kind;
 
-Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink, size_t lexicalErrors)
+Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
+               size_t lexicalErrors)
     : m_file(file), m_list(tokens), m_text(text), m_sink(sink) {
     m_tokens.reserve(tokens.tokens.size());
     m_sourceIndex.reserve(tokens.tokens.size());
@@ -25,7 +26,9 @@ Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view 
     std::sort(m_badOffsets.begin(), m_badOffsets.end());
 }
 
-bool Parser::atAny(std::initializer_list<TokenKind> kinds) const { return std::find(kinds.begin(), kinds.end(), kind()) != kinds.end(); }
+bool Parser::atAny(std::initializer_list<TokenKind> kinds) const {
+    return std::find(kinds.begin(), kinds.end(), kind()) != kinds.end();
+}
 
 SourceRange Parser::rangeFrom(size_t first) const {
     const Token& begin = m_tokens[std::min(first, m_tokens.size() - 1)];
@@ -47,18 +50,21 @@ bool Parser::atName(size_t ahead) const {
     const TokenKind k = kind(ahead);
     if (k == TokenKind::Identifier) return true;
     if (k == TokenKind::WstringLiteral) return peek(ahead).end - peek(ahead).begin > 2;
-    return k == TokenKind::Hash && (kind(ahead + 1) == TokenKind::Identifier || kind(ahead + 1) == TokenKind::WstringLiteral);
+    return k == TokenKind::Hash &&
+           (kind(ahead + 1) == TokenKind::Identifier || kind(ahead + 1) == TokenKind::WstringLiteral);
 }
 
 /// A word of the language where only a name can be meant: before `:`, `,` or AT.
 bool Parser::atKeywordAsName() const {
-    return lex::isKeyword(kind()) && (kind(1) == TokenKind::Colon || kind(1) == TokenKind::Comma || kind(1) == TokenKind::At || kind(1) == TokenKind::Assign);
+    return lex::isKeyword(kind()) && (kind(1) == TokenKind::Colon || kind(1) == TokenKind::Comma ||
+                                      kind(1) == TokenKind::At || kind(1) == TokenKind::Assign);
 }
 
 Name Parser::takeName(const char* what) {
     if (!atName() && atKeywordAsName()) {
         const Name name = nameOf(peek());
-        if (auto* d = report(name.range, Kind::KeywordAsName, {std::string(name.text)})) d->fixes.push_back({"Write " + std::string(name.text) + "_", {{name.range, std::string(name.text) + "_"}}});
+        if (auto* d = report(name.range, Kind::KeywordAsName, {std::string(name.text)}))
+            d->fixes.push_back({"Write " + std::string(name.text) + "_", {{name.range, std::string(name.text) + "_"}}});
         m_lastErrorAt = SIZE_MAX;
         advance();
         return name;
@@ -149,12 +155,15 @@ bool Parser::startsStatement(size_t ahead) const {
     case TokenKind::Repeat:
     case TokenKind::Exit:
     case TokenKind::Continue:
-    case TokenKind::Return: return true;
+    case TokenKind::Return:
+        return true;
     case TokenKind::Identifier:
     case TokenKind::Hash:
     case TokenKind::WstringLiteral:
-    case TokenKind::DirectAddress: return true;
-    default: return false;
+    case TokenKind::DirectAddress:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -178,8 +187,10 @@ bool Parser::startsExpression() const {
     case TokenKind::True:
     case TokenKind::False:
     case TokenKind::LeftParen:
-    case TokenKind::LeftBracket: return true;
-    default: return false;
+    case TokenKind::LeftBracket:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -193,7 +204,8 @@ void Parser::endStatement() {
     if (peek().afterNewline && startsStatement()) return missingSemicolon(false);
     const bool wordStarts = startsStatement() && !atName();
     const bool assignment = atName() && (kind(1) == TokenKind::Assign || kind(1) == TokenKind::LeftParen);
-    const bool alone = previous().kind == TokenKind::Identifier || previous().kind == TokenKind::RightParen || previous().kind == TokenKind::IntegerLiteral;
+    const bool alone = previous().kind == TokenKind::Identifier || previous().kind == TokenKind::RightParen ||
+                       previous().kind == TokenKind::IntegerLiteral;
     if (wordStarts || (assignment && alone)) return missingSemicolon(false);
     report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
     skipStatement();
@@ -210,7 +222,10 @@ void Parser::skipStatement() {
         if (atStatementEnd() || atDeclaration()) break;
         if (peek().afterNewline && m_at != m_lastErrorAt) {
             if (startsStatement() && !atName()) break;
-            if (parentheses <= 0 && atName() && (kind(1) == TokenKind::Assign || kind(1) == TokenKind::LeftParen || kind(1) == TokenKind::Dot || kind(1) == TokenKind::LeftBracket)) break;
+            if (parentheses <= 0 && atName() &&
+                (kind(1) == TokenKind::Assign || kind(1) == TokenKind::LeftParen || kind(1) == TokenKind::Dot ||
+                 kind(1) == TokenKind::LeftBracket))
+                break;
         }
         if (at(TokenKind::LeftParen)) ++parentheses;
         if (at(TokenKind::RightParen)) --parentheses;

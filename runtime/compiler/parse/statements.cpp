@@ -14,8 +14,10 @@ bool isAssignment(TokenKind kind) {
     case TokenKind::SetAssign:
     case TokenKind::ResetAssign:
     case TokenKind::RefAssign:
-    case TokenKind::TryAssign: return true;
-    default: return false;
+    case TokenKind::TryAssign:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -25,11 +27,18 @@ TokenKind misspelled(std::string_view word) {
         std::string_view spelling;
         TokenKind kind;
     };
-    static constexpr Row rows[] = {{"IF", TokenKind::If}, {"CASE", TokenKind::Case}, {"FOR", TokenKind::For}, {"WHILE", TokenKind::While}, {"REPEAT", TokenKind::Repeat}};
+    static constexpr Row rows[] = {{"IF", TokenKind::If},
+                                   {"CASE", TokenKind::Case},
+                                   {"FOR", TokenKind::For},
+                                   {"WHILE", TokenKind::While},
+                                   {"REPEAT", TokenKind::Repeat}};
     for (const Row& row : rows) {
-        const size_t difference = word.size() > row.spelling.size() ? word.size() - row.spelling.size() : row.spelling.size() - word.size();
+        const size_t difference =
+            word.size() > row.spelling.size() ? word.size() - row.spelling.size() : row.spelling.size() - word.size();
         if (difference > 1 || word.empty() || (word[0] | 0x20) != (row.spelling[0] | 0x20)) continue;
-        if (editDistance(word, row.spelling) == 1 || (word.size() == row.spelling.size() && word.size() >= 4 && editDistance(word, row.spelling) == 2)) return row.kind;
+        if (editDistance(word, row.spelling) == 1 ||
+            (word.size() == row.spelling.size() && word.size() >= 4 && editDistance(word, row.spelling) == 2))
+            return row.kind;
     }
     return TokenKind::Error;
 }
@@ -66,8 +75,10 @@ bool Parser::atStatementEnd() const {
     case TokenKind::EndTransition:
     case TokenKind::EndConfiguration:
     case TokenKind::EndResource:
-    case TokenKind::EndTest: return true;
-    default: return false;
+    case TokenKind::EndTest:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -83,7 +94,9 @@ Block Parser::parseStatements(BodyContext context) {
     for (;;) {
         if (atEnd()) return out;
         if (m_inCaseArm && (at(TokenKind::EndCase) || at(TokenKind::Else) || atCaseLabel())) return out;
-        if (!m_inCaseArm && at(TokenKind::IntegerLiteral) && endIsOpen(TokenKind::EndCase) && m_open.back() != TokenKind::EndCase && atCaseLabel()) return out;
+        if (!m_inCaseArm && at(TokenKind::IntegerLiteral) && endIsOpen(TokenKind::EndCase) &&
+            m_open.back() != TokenKind::EndCase && atCaseLabel())
+            return out;
         if (atStatementEnd()) {
             if (at(TokenKind::Else) || at(TokenKind::Elsif)) {
                 if (endIsOpen(TokenKind::EndIf) || (at(TokenKind::Else) && endIsOpen(TokenKind::EndCase))) return out;
@@ -91,7 +104,9 @@ Block Parser::parseStatements(BodyContext context) {
                 if (endIsOpen(TokenKind::EndRepeat)) return out;
             } else if (endIsOpen(kind())) {
                 return out;
-            } else if (context != BodyContext::Fragment && !atAny({TokenKind::EndCase, TokenKind::EndFor, TokenKind::EndIf, TokenKind::EndRepeat, TokenKind::EndWhile, TokenKind::EndVar, TokenKind::EndStruct})) {
+            } else if (context != BodyContext::Fragment &&
+                       !atAny({TokenKind::EndCase, TokenKind::EndFor, TokenKind::EndIf, TokenKind::EndRepeat,
+                               TokenKind::EndWhile, TokenKind::EndVar, TokenKind::EndStruct})) {
                 return out; // the end of another unit: the caller says what is missing
             }
             report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
@@ -99,7 +114,8 @@ Block Parser::parseStatements(BodyContext context) {
             take(TokenKind::Semicolon);
             continue;
         }
-        if (context != BodyContext::Fragment && (atDeclaration() || atPouMember() || atVarSection() || atChart())) return out;
+        if (context != BodyContext::Fragment && (atDeclaration() || atPouMember() || atVarSection() || atChart()))
+            return out;
         const size_t before = mark();
         out.push_back(parseStatement());
         if (mark() == before) advance(); // never stand still
@@ -122,7 +138,10 @@ Stmt* Parser::parseStatement() {
     if (!nesting.tooDeep && m_depth > kMaxDepth - 8) report(rangeOf(peek()), Kind::NestedTooDeep);
     if (m_depth > kMaxDepth - 8) {
         // jump over the whole depth: every level above would stumble over the same place
-        while (!atEnd() && !atDeclaration() && !atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndTest})) advance();
+        while (!atEnd() && !atDeclaration() &&
+               !atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndMethod,
+                       TokenKind::EndAction, TokenKind::EndTest}))
+            advance();
         m_lastErrorAt = m_at;
         stmt = makeStmt(StmtKind::Empty);
         stmt->range = rangeFrom(first);
@@ -133,11 +152,21 @@ Stmt* Parser::parseStatement() {
         stmt = makeStmt(StmtKind::Empty);
         advance();
         break;
-    case TokenKind::If: stmt = parseIf(); break;
-    case TokenKind::Case: stmt = parseCase(); break;
-    case TokenKind::For: stmt = parseFor(); break;
-    case TokenKind::While: stmt = parseWhile(); break;
-    case TokenKind::Repeat: stmt = parseRepeat(); break;
+    case TokenKind::If:
+        stmt = parseIf();
+        break;
+    case TokenKind::Case:
+        stmt = parseCase();
+        break;
+    case TokenKind::For:
+        stmt = parseFor();
+        break;
+    case TokenKind::While:
+        stmt = parseWhile();
+        break;
+    case TokenKind::Repeat:
+        stmt = parseRepeat();
+        break;
     case TokenKind::Exit:
     case TokenKind::Continue:
         stmt = makeStmt(at(TokenKind::Exit) ? StmtKind::Exit : StmtKind::Continue);
@@ -150,7 +179,9 @@ Stmt* Parser::parseStatement() {
         if (startsExpression() && !peek().afterNewline) stmt->value = parseExpression();
         endStatement();
         break;
-    default: stmt = parseSimple(); break;
+    default:
+        stmt = parseSimple();
+        break;
     }
     stmt->range = rangeFrom(first);
     return stmt;
@@ -164,7 +195,8 @@ Stmt* Parser::parseSimple() {
         advance();
         return stmt;
     }
-    if (at(TokenKind::Identifier) && kind(1) == TokenKind::Identifier && !peek(1).afterNewline && (at(SoftWord::Jmp) || equalsIgnoringCase(textOf(peek()), "GOTO"))) {
+    if (at(TokenKind::Identifier) && kind(1) == TokenKind::Identifier && !peek(1).afterNewline &&
+        (at(SoftWord::Jmp) || equalsIgnoringCase(textOf(peek()), "GOTO"))) {
         Stmt* stmt = makeStmt(StmtKind::Jump);
         advance();
         stmt->name = takeName("a label");
@@ -172,18 +204,23 @@ Stmt* Parser::parseSimple() {
         return stmt;
     }
     if (Stmt* test = parseTestStatement()) return test;
-    if (at(TokenKind::Identifier) && (kind(1) == TokenKind::Identifier || kind(1) == TokenKind::Not || kind(1) == TokenKind::LeftParen)) {
+    if (at(TokenKind::Identifier) &&
+        (kind(1) == TokenKind::Identifier || kind(1) == TokenKind::Not || kind(1) == TokenKind::LeftParen)) {
         const TokenKind meant = kind(1) == TokenKind::LeftParen ? TokenKind::Error : misspelled(textOf(peek()));
         if (meant != TokenKind::Error) {
             const std::string word(lex::spelling(meant));
-            if (auto* d = report(rangeOf(peek()), Kind::Expected, {word, shown(peek())})) d->fixes.push_back({"Write " + word, {{rangeOf(peek()), word}}});
+            if (auto* d = report(rangeOf(peek()), Kind::Expected, {word, shown(peek())}))
+                d->fixes.push_back({"Write " + word, {{rangeOf(peek()), word}}});
             m_tokens[m_at].kind = meant;
             return parseStatement();
         }
     }
-    if (!startsExpression() || atAny({TokenKind::Plus, TokenKind::Minus, TokenKind::Not, TokenKind::LeftBracket, TokenKind::IntegerLiteral, TokenKind::RealLiteral, TokenKind::DurationLiteral,
-                                      TokenKind::DateLiteral, TokenKind::TimeOfDayLiteral, TokenKind::DateTimeLiteral, TokenKind::StringLiteral, TokenKind::True, TokenKind::False})) {
-        const bool operatorFunction = kind(1) == TokenKind::LeftParen && atAny({TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Mod});
+    if (!startsExpression() ||
+        atAny({TokenKind::Plus, TokenKind::Minus, TokenKind::Not, TokenKind::LeftBracket, TokenKind::IntegerLiteral,
+               TokenKind::RealLiteral, TokenKind::DurationLiteral, TokenKind::DateLiteral, TokenKind::TimeOfDayLiteral,
+               TokenKind::DateTimeLiteral, TokenKind::StringLiteral, TokenKind::True, TokenKind::False})) {
+        const bool operatorFunction =
+            kind(1) == TokenKind::LeftParen && atAny({TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Mod});
         if (!operatorFunction) {
             report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
             if (!atStatementEnd()) advance();
@@ -215,11 +252,13 @@ Stmt* Parser::parseSimple() {
     }
     Stmt* stmt = makeStmt(StmtKind::Call);
     stmt->value = place;
-    if (place->kind != ExprKind::Call && place->kind != ExprKind::Error && !at(TokenKind::Semicolon) && at(TokenKind::Colon)) {
+    if (place->kind != ExprKind::Call && place->kind != ExprKind::Error && !at(TokenKind::Semicolon) &&
+        at(TokenKind::Colon)) {
         // `name : = value`
         if (kind(1) == TokenKind::Equal) {
             const SourceRange range{m_file.file, peek().begin, peek(1).end};
-            if (auto* d = report(range, Kind::Expected, {":=", ": ="})) d->fixes.push_back({"Write :=", {{range, ":="}}});
+            if (auto* d = report(range, Kind::Expected, {":=", ": ="}))
+                d->fixes.push_back({"Write :=", {{range, ":="}}});
             advance();
             advance();
             stmt->kind = StmtKind::Assign;
@@ -254,10 +293,13 @@ Expr* Parser::parseAssigned() {
 
 /// x := 3,14;
 void Parser::decimalComma(Expr* value) {
-    if (!at(TokenKind::Comma) || !value || kind(1) != TokenKind::IntegerLiteral || previous().kind != TokenKind::IntegerLiteral || previous().end != peek().begin || peek().end != peek(1).begin) return;
+    if (!at(TokenKind::Comma) || !value || kind(1) != TokenKind::IntegerLiteral ||
+        previous().kind != TokenKind::IntegerLiteral || previous().end != peek().begin || peek().end != peek(1).begin)
+        return;
     const std::string meant = std::string(textOf(previous())) + "." + std::string(textOf(peek(1)));
     const SourceRange comma = rangeOf(peek());
-    if (auto* d = report({m_file.file, previous().begin, peek(1).end}, Kind::DecimalComma, {meant})) d->fixes.push_back({"Write " + meant, {{comma, "."}}});
+    if (auto* d = report({m_file.file, previous().begin, peek(1).end}, Kind::DecimalComma, {meant}))
+        d->fixes.push_back({"Write " + meant, {{comma, "."}}});
     advance();
     advance();
 }
@@ -298,7 +340,8 @@ Stmt* Parser::parseIf() {
         branch.body = parseBlock(TokenKind::EndIf);
         branch.range = rangeFrom(first);
         stmt->branches.push_back(std::move(branch));
-        if (hasElse && (at(TokenKind::Else) || at(TokenKind::Elsif)) && !(m_inCaseArm && at(TokenKind::Else))) report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+        if (hasElse && (at(TokenKind::Else) || at(TokenKind::Elsif)) && !(m_inCaseArm && at(TokenKind::Else)))
+            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
     } while ((at(TokenKind::Elsif) || at(TokenKind::Else)) && !(hasElse && m_inCaseArm));
     if (expectEnd(TokenKind::EndIf, opening)) take(TokenKind::Semicolon);
     return stmt;
@@ -309,7 +352,8 @@ bool Parser::atCaseLabel() const {
     if (at(TokenKind::Identifier) && (kind(1) == TokenKind::Assign || kind(1) == TokenKind::LeftParen)) return false;
     for (size_t ahead = 0; ahead < 4000; ++ahead) {
         switch (kind(ahead)) {
-        case TokenKind::Colon: return ahead > 0;
+        case TokenKind::Colon:
+            return ahead > 0;
         case TokenKind::Identifier:
         case TokenKind::IntegerLiteral:
         case TokenKind::RealLiteral:
@@ -331,12 +375,18 @@ bool Parser::atCaseLabel() const {
         case TokenKind::Star:
         case TokenKind::Slash:
         case TokenKind::LeftParen:
-        case TokenKind::RightParen: break;
-        default: return false;
+        case TokenKind::RightParen:
+            break;
+        default:
+            return false;
         }
         // two operands side by side: a statement without its semicolon
-        if (ahead > 0 && kind(ahead) == TokenKind::Identifier && kind(ahead - 1) != TokenKind::Dot && kind(ahead - 1) != TokenKind::DotDot && kind(ahead - 1) != TokenKind::Comma && kind(ahead - 1) != TokenKind::TypedPrefix &&
-            kind(ahead - 1) != TokenKind::Plus && kind(ahead - 1) != TokenKind::Minus && kind(ahead - 1) != TokenKind::LeftParen && kind(ahead - 1) != TokenKind::Hash && kind(ahead - 1) != TokenKind::Star && kind(ahead - 1) != TokenKind::Slash)
+        if (ahead > 0 && kind(ahead) == TokenKind::Identifier && kind(ahead - 1) != TokenKind::Dot &&
+            kind(ahead - 1) != TokenKind::DotDot && kind(ahead - 1) != TokenKind::Comma &&
+            kind(ahead - 1) != TokenKind::TypedPrefix && kind(ahead - 1) != TokenKind::Plus &&
+            kind(ahead - 1) != TokenKind::Minus && kind(ahead - 1) != TokenKind::LeftParen &&
+            kind(ahead - 1) != TokenKind::Hash && kind(ahead - 1) != TokenKind::Star &&
+            kind(ahead - 1) != TokenKind::Slash)
             return false;
     }
     return false;
@@ -405,7 +455,8 @@ Stmt* Parser::parseFor() {
         expect(TokenKind::Assign);
     }
     stmt->from = parseExpression();
-    if (take(TokenKind::To)) stmt->to = parseExpression();
+    if (take(TokenKind::To))
+        stmt->to = parseExpression();
     else {
         expected("TO");
         stmt->to = errorExpr();

@@ -1,6 +1,7 @@
 // The syntax tree: what the user wrote, with every range, before any name is resolved. Nodes live in the arena of their
-// SyntaxFile and are plain; strings view the source text (or the arena's interned spellings). IL and SFC bodies stand here as
-// written; compiler/lower turns them into statements. Immutable after parsing, except for lowering, which adds nodes.
+// SyntaxFile and are plain; strings view the source text (or the arena's interned spellings). IL and SFC bodies stand
+// here as written; compiler/lower turns them into statements. Immutable after parsing, except for lowering, which adds
+// nodes.
 #pragma once
 #include "runtime/base/arena.h"
 #include "runtime/base/source.h"
@@ -25,23 +26,23 @@ using Path = std::vector<Name>;
 // ---------------------------------------------------------------- expressions
 
 enum class ExprKind : uint8_t {
-    Error,        // after a syntax error
-    Literal,      // token = literal kind, True, False; prefix = INT of INT#5 when typed; text = as written without prefix
-    TypedName,    // Color#Red: prefix, name
-    NameRef,      // name
-    Address,      // %IX0.0: text
-    Member,       // base.name
-    Bit,          // base.5  base.%X3  base.%B1: text after the dot
-    Index,        // base[arguments…]
-    Deref,        // base^
-    Call,         // base(arguments…)
-    Unary,        // op: Minus, Plus, Not
-    Binary,       // op: arithmetic, comparison, And, Or, Xor, AndThen, OrElse, Mod, Power
-    AssignChain,  // b := c as the value in a := b := c
-    ArrayInit,    // [a, 3(0), b]: arguments; a repetition is a Repeat
-    StructInit,   // (a := 1, b := 2): arguments with names
-    Repeat,       // 3(0) / 3(1, 2): base = count, arguments
-    This,         // THIS or THIS^ (Deref around it)
+    Error,     // after a syntax error
+    Literal,   // token = literal kind, True, False; prefix = INT of INT#5 when typed; text = as written without prefix
+    TypedName, // Color#Red: prefix, name
+    NameRef,   // name
+    Address,   // %IX0.0: text
+    Member,    // base.name
+    Bit,       // base.5  base.%X3  base.%B1: text after the dot
+    Index,     // base[arguments…]
+    Deref,     // base^
+    Call,      // base(arguments…)
+    Unary,     // op: Minus, Plus, Not
+    Binary,    // op: arithmetic, comparison, And, Or, Xor, AndThen, OrElse, Mod, Power
+    AssignChain, // b := c as the value in a := b := c
+    ArrayInit,   // [a, 3(0), b]: arguments; a repetition is a Repeat
+    StructInit,  // (a := 1, b := 2): arguments with names
+    Repeat,      // 3(0) / 3(1, 2): base = count, arguments
+    This,        // THIS or THIS^ (Deref around it)
     Super,
 };
 
@@ -52,8 +53,8 @@ enum class ArgumentKind : uint8_t { Positional, Input /* := */, Output /* => */ 
 struct Argument {
     ArgumentKind kind = ArgumentKind::Positional;
     Name name;
-    bool negated = false;  // NOT out => x, and LD/IL negated pins
-    Expr* value = nullptr; // null: left empty, "out =>"
+    bool negated = false;                // NOT out => x, and LD/IL negated pins
+    Expr* value = nullptr;               // null: left empty, "out =>"
     const Block* instructions = nullptr; // IL: IN := ( LD a AND b ), instead of a value
     SourceRange range;
 };
@@ -62,7 +63,7 @@ struct Expr {
     ExprKind kind = ExprKind::Error;
     lex::TokenKind op = lex::TokenKind::Error; // Unary, Binary; Literal: the literal's token kind
     bool parenthesised = false;
-    uint32_t height = 1;   // of the tree below, limited by the parser: whoever walks it may recurse
+    uint32_t height = 1; // of the tree below, limited by the parser: whoever walks it may recurse
     SourceRange range;
     SourceRange operatorRange;
     Name name;             // NameRef, Member, TypedName
@@ -75,7 +76,21 @@ struct Expr {
 
 // ---------------------------------------------------------------- types
 
-enum class TypeSpecKind : uint8_t { Error, Named, String, Array, OpenArray, Pointer, RefTo, Reference, Enum, Struct, Union, Subrange, Inferred };
+enum class TypeSpecKind : uint8_t {
+    Error,
+    Named,
+    String,
+    Array,
+    OpenArray,
+    Pointer,
+    RefTo,
+    Reference,
+    Enum,
+    Struct,
+    Union,
+    Subrange,
+    Inferred
+};
 
 struct VarDecl;
 struct EnumeratorDecl {
@@ -91,22 +106,22 @@ struct Bounds {
 struct TypeSpec {
     TypeSpecKind kind = TypeSpecKind::Error;
     SourceRange range;
-    Path path;                 // Named (INT, Motor, Lib.Motor), String ("STRING"/"WSTRING"), Subrange and Enum base
-    Expr* length = nullptr;    // STRING(n), STRING[n]
-    std::vector<Bounds> bounds; // Array; Subrange: one; OpenArray: only the count
+    Path path;                   // Named (INT, Motor, Lib.Motor), String ("STRING"/"WSTRING"), Subrange and Enum base
+    Expr* length = nullptr;      // STRING(n), STRING[n]
+    std::vector<Bounds> bounds;  // Array; Subrange: one; OpenArray: only the count
     TypeSpec* element = nullptr; // Array, Pointer, RefTo, Reference; Enum: base type
     std::vector<EnumeratorDecl> enumerators;
-    std::vector<VarDecl*> fields; // Struct, Union
-    TypeSpec* extends = nullptr;  // Struct
+    std::vector<VarDecl*> fields;      // Struct, Union
+    TypeSpec* extends = nullptr;       // Struct
     std::vector<Argument> constructor; // fb : Motor(speed := 5): FB_Init arguments or struct/FB initial values
     std::vector<std::vector<Argument>> constructors; // of an array's elements one by one: Motor[(1), (2)]
-    Expr* inferredFrom = nullptr; // Inferred (compiler temporaries): the type of this expression
+    Expr* inferredFrom = nullptr;                    // Inferred (compiler temporaries): the type of this expression
 };
 
 struct Pragma {
     SourceRange range;
-    std::string_view text;  // without braces
-    std::string_view key;   // "attribute" → the attribute's name: 'alias'; else the first word: gvl, language, minTime…
+    std::string_view text; // without braces
+    std::string_view key; // "attribute" → the attribute's name: 'alias'; else the first word: gvl, language, minTime…
     std::string_view value; // behind := , without quotes
     bool isAttribute = false;
 };
@@ -114,15 +129,15 @@ struct Pragma {
 enum class VarEdge : uint8_t { None, Rising, Falling };
 struct VarDecl {
     std::vector<Name> names;
-    std::string_view address;   // AT %IX0.0, also written after the colon; first name only
+    std::string_view address; // AT %IX0.0, also written after the colon; first name only
     SourceRange addressRange;
-    Path configPath;            // VAR_CONFIG and VAR_ACCESS: the path; names is empty or the access name
-    bool isReadOnly = false;    // VAR_ACCESS … READ_ONLY
+    Path configPath;         // VAR_CONFIG and VAR_ACCESS: the path; names is empty or the access name
+    bool isReadOnly = false; // VAR_ACCESS … READ_ONLY
     TypeSpec* type = nullptr;
     Expr* initial = nullptr;
     VarEdge edge = VarEdge::None;
     std::vector<Pragma> pragmas;
-    std::string_view comment;   // behind the declaration on its line, else directly above
+    std::string_view comment; // behind the declaration on its line, else directly above
     SourceRange range;
 };
 
@@ -140,25 +155,25 @@ struct VarSection {
 
 enum class StmtKind : uint8_t {
     Empty,
-    Assign,   // target op value; op: Assign, SetAssign, ResetAssign, RefAssign, TryAssign
-    Call,     // value (a Call expression, or a bare name: ACTION or PROGRAM call without parentheses is an error)
-    If,       // branches; an ELSE has no condition
+    Assign, // target op value; op: Assign, SetAssign, ResetAssign, RefAssign, TryAssign
+    Call,   // value (a Call expression, or a bare name: ACTION or PROGRAM call without parentheses is an error)
+    If,     // branches; an ELSE has no condition
     Case,
     For,
     While,
     Repeat,
     Exit,
     Continue,
-    Return,   // value: RETURN expr (CODESYS conditional RETURN(cond) of FBD is not ST)
-    Label,    // name:
-    Jump,     // JMP name; condition in `value` after lowering from IL
-    Block,    // body only: made by lowering
-    Il,       // one IL instruction, see il
-    Run,      // tests: RUN T#5s | RUN 3 SCANS | RUN UNTIL expr FOR T#10s
-    Assert,   // tests: ASSERT value, message
-    Force,    // tests: FORCE target := value
-    Release,  // tests: RELEASE target
-    Compare,  // tests: COMPARE 'recording', TOLERANCE := 0.01
+    Return,  // value: RETURN expr (CODESYS conditional RETURN(cond) of FBD is not ST)
+    Label,   // name:
+    Jump,    // JMP name; condition in `value` after lowering from IL
+    Block,   // body only: made by lowering
+    Il,      // one IL instruction, see il
+    Run,     // tests: RUN T#5s | RUN 3 SCANS | RUN UNTIL expr FOR T#10s
+    Assert,  // tests: ASSERT value, message
+    Force,   // tests: FORCE target := value
+    Release, // tests: RELEASE target
+    Compare, // tests: COMPARE 'recording', TOLERANCE := 0.01
 };
 
 struct IfBranch {
@@ -178,43 +193,45 @@ struct CaseArm {
 
 /// One instruction of IL (edition 2, clause 3.2).
 struct IlInstruction {
-    Name label;            // "next:" before it
-    Name op;               // LD, AND, CAL, an input operator (S1), a function's or instance's name
-    bool negate = false;   // N
-    bool conditional = false; // C of JMPC, CALC, RETC (CN: both)
-    bool opensParenthesis = false; // AND( ; the instructions up to `)` are in body
-    Expr* operand = nullptr;       // first operand, may be null
+    Name label;                      // "next:" before it
+    Name op;                         // LD, AND, CAL, an input operator (S1), a function's or instance's name
+    bool negate = false;             // N
+    bool conditional = false;        // C of JMPC, CALC, RETC (CN: both)
+    bool opensParenthesis = false;   // AND( ; the instructions up to `)` are in body
+    Expr* operand = nullptr;         // first operand, may be null
     std::vector<Argument> arguments; // further operands and formal lists: CAL fb(IN := a, Q => b)
-    Block body;                    // deferred operations
-    Expr* result = nullptr;        // lowering: the current result behind this line, a compiler variable or a constant; null: unknown
+    Block body;                      // deferred operations
+    Expr* result =
+        nullptr; // lowering: the current result behind this line, a compiler variable or a constant; null: unknown
 };
 
 struct Stmt {
     StmtKind kind = StmtKind::Empty;
     lex::TokenKind op = lex::TokenKind::Assign;
     SourceRange range;
-    Name name;               // Label, Jump
-    Expr* target = nullptr;  // Assign, For (variable), Force, Release
-    Expr* value = nullptr;   // Assign, Call, Return, While/Repeat (condition), Case (selector), Assert, Run UNTIL, Compare (recording)
-    Expr* from = nullptr;    // For
-    Expr* to = nullptr;      // For; Run: the duration or count; Assert: message; Compare: tolerance
-    Expr* by = nullptr;      // For
+    Name name;                // Label, Jump
+    Expr* target = nullptr;   // Assign, For (variable), Force, Release
+    Expr* value = nullptr;    // Assign, Call, Return, While/Repeat (condition), Case (selector), Assert, Run UNTIL,
+                              // Compare (recording)
+    Expr* from = nullptr;     // For
+    Expr* to = nullptr;       // For; Run: the duration or count; Assert: message; Compare: tolerance
+    Expr* by = nullptr;       // For
     bool countsScans = false; // Run n SCANS
-    Block body;              // loops; Block
+    Block body;               // loops; Block
     std::vector<IfBranch> branches;
     std::vector<CaseArm> arms;
-    bool hasElse = false;    // Case
-    Block elseBody;          // Case
+    bool hasElse = false; // Case
+    Block elseBody;       // Case
     IlInstruction* il = nullptr;
     bool isAssociation = false; // lowering: a BOOL variable follows the control block of a chart's action
-    Stmt* origin = nullptr;  // lowering: the statement of the source it stands for
+    Stmt* origin = nullptr;     // lowering: the statement of the source it stands for
 };
 
 // ---------------------------------------------------------------- sequential function charts
 
 struct ActionAssociation { // N, D, … of a STEP
     Name action;
-    Name qualifier;          // "" = N
+    Name qualifier; // "" = N
     Expr* time = nullptr;
     std::vector<Name> indicators;
     SourceRange range;
@@ -228,11 +245,11 @@ struct StepDecl {
     SourceRange extent;          // with the comment lines directly above and the rest of its last line
 };
 struct TransitionDecl {
-    Name name;                   // may be empty
+    Name name; // may be empty
     Expr* priority = nullptr;
     std::vector<Name> from, to;
-    Expr* condition = nullptr;   // := expr ;
-    Block ilCondition;           // : IL instructions
+    Expr* condition = nullptr; // := expr ;
+    Block ilCondition;         // : IL instructions
     SourceRange range, extent;
 };
 
@@ -241,10 +258,10 @@ enum class BodyLanguage : uint8_t { None, St, Il, Sfc };
 struct SfcBody;
 struct Body {
     BodyLanguage language = BodyLanguage::None;
-    Block statements;            // St; Il: one Il statement each
-    Block instructions;          // lowering: the Il statements as they were written
-    SfcBody* chart = nullptr;    // Sfc
-    SourceRange range;           // from the first to the last statement (empty: where it would stand)
+    Block statements;         // St; Il: one Il statement each
+    Block instructions;       // lowering: the Il statements as they were written
+    SfcBody* chart = nullptr; // Sfc
+    SourceRange range;        // from the first to the last statement (empty: where it would stand)
 };
 struct ActionDecl {
     Name name;
@@ -253,9 +270,9 @@ struct ActionDecl {
     SourceRange range, extent;
 };
 struct SfcBody {
-    std::vector<StepDecl*> steps;              // in order of the text; all networks of the body
+    std::vector<StepDecl*> steps; // in order of the text; all networks of the body
     std::vector<TransitionDecl*> transitions;
-    std::vector<ActionDecl*> actions;          // ACTION blocks inside the chart
+    std::vector<ActionDecl*> actions; // ACTION blocks inside the chart
     SourceRange range;
 };
 
@@ -271,18 +288,18 @@ struct Pou {
     Access access = Access::Default;
     bool isAbstract = false, isFinal = false, isOverride = false;
     TypeSpec* result = nullptr;
-    std::vector<Path> extends;   // blocks: one; interfaces: any number
+    std::vector<Path> extends; // blocks: one; interfaces: any number
     std::vector<Path> implements;
     std::vector<VarSection*> sections;
     Body body;
     std::vector<Pou*> methods;
     std::vector<Property*> properties;
     std::vector<ActionDecl*> actions;
-    std::vector<Path> usings;         // USING directly behind the header
-    std::vector<Pragma> pragmas;      // above the POU: attribute 'simulation', language 'IL'
-    std::string_view comment;         // doc comment above: without its markers
-    SourceRange range;                // PROGRAM … END_PROGRAM
-    SourceRange header;               // PROGRAM name … up to the first section or statement
+    std::vector<Path> usings;    // USING directly behind the header
+    std::vector<Pragma> pragmas; // above the POU: attribute 'simulation', language 'IL'
+    std::string_view comment;    // doc comment above: without its markers
+    SourceRange range;           // PROGRAM … END_PROGRAM
+    SourceRange header;          // PROGRAM name … up to the first section or statement
     bool hasEnd = true;
 };
 struct Property {

@@ -41,8 +41,10 @@ Stmt* Parser::parseTestStatement() {
     case SoftWord::Assert:
     case SoftWord::Force:
     case SoftWord::Release:
-    case SoftWord::Compare: break;
-    default: return nullptr;
+    case SoftWord::Compare:
+        break;
+    default:
+        return nullptr;
     }
     // a variable or block of that name
     switch (kind(1)) {
@@ -54,15 +56,20 @@ Stmt* Parser::parseTestStatement() {
     case TokenKind::SetAssign:
     case TokenKind::ResetAssign:
     case TokenKind::Equal:
-    case TokenKind::Colon: return nullptr;
+    case TokenKind::Colon:
+        return nullptr;
     case TokenKind::LeftParen:
         if (!m_inTest) return nullptr;
         break;
-    default: break;
+    default:
+        break;
     }
     const Token opening = peek();
     if (!m_inTest) {
-        if (!(kind(1) == TokenKind::Identifier || kind(1) == TokenKind::IntegerLiteral || kind(1) == TokenKind::DurationLiteral || kind(1) == TokenKind::StringLiteral || kind(1) == TokenKind::Until || kind(1) == TokenKind::Not)) return nullptr;
+        if (!(kind(1) == TokenKind::Identifier || kind(1) == TokenKind::IntegerLiteral ||
+              kind(1) == TokenKind::DurationLiteral || kind(1) == TokenKind::StringLiteral ||
+              kind(1) == TokenKind::Until || kind(1) == TokenKind::Not))
+            return nullptr;
         report(rangeOf(opening), Kind::TestUnknownStatement, {shown(opening)});
     }
     advance();
@@ -71,8 +78,10 @@ Stmt* Parser::parseTestStatement() {
     case SoftWord::Run:
         if (take(TokenKind::Until)) {
             stmt->value = parseCondition();
-            if (take(TokenKind::For)) stmt->to = parseExpression();
-            else expected("FOR and a time");
+            if (take(TokenKind::For))
+                stmt->to = parseExpression();
+            else
+                expected("FOR and a time");
         } else {
             stmt->to = parseExpression();
             stmt->countsScans = take(SoftWord::Scans);

@@ -19,20 +19,26 @@ std::string_view trimmed(std::string_view text) {
 
 std::string_view unquoted(std::string_view text) {
     text = trimmed(text);
-    if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front()) return text.substr(1, text.size() - 2);
+    if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front())
+        return text.substr(1, text.size() - 2);
     return text;
 }
 
 /// The pragmas that mean something to us or to the editors whose files we read.
 bool isKnownPragma(std::string_view key) {
-    static constexpr std::string_view known[] = {"attribute", "gvl", "library", "language", "minTime", "maxTime", "region", "endregion", "text", "info", "warning", "error",
-                                                 "IF", "ELSE", "ELSIF", "END_IF", "define", "undefine", "analysis", "flag", "external", "comment", "namespace"};
-    return std::any_of(std::begin(known), std::end(known), [&](std::string_view k) { return equalsIgnoringCase(k, key); });
+    static constexpr std::string_view known[] = {
+        "attribute", "gvl",      "library",  "language", "minTime",  "maxTime", "region",   "endregion",
+        "text",      "info",     "warning",  "error",    "IF",       "ELSE",    "ELSIF",    "END_IF",
+        "define",    "undefine", "analysis", "flag",     "external", "comment", "namespace"};
+    return std::any_of(std::begin(known), std::end(known),
+                       [&](std::string_view k) { return equalsIgnoringCase(k, key); });
 }
 
 } // namespace
 
-bool Parser::hasNewline(uint32_t begin, uint32_t end) const { return end > begin && std::memchr(m_text.data() + begin, '\n', end - begin) != nullptr; }
+bool Parser::hasNewline(uint32_t begin, uint32_t end) const {
+    return end > begin && std::memchr(m_text.data() + begin, '\n', end - begin) != nullptr;
+}
 
 std::vector<Pragma> Parser::pragmasHere() {
     std::vector<Pragma> out;
@@ -94,16 +100,21 @@ std::string_view Parser::cleanComment(uint32_t first, uint32_t last) const {
 /// The comments that stand on their own lines directly above a token (an index of the file's list).
 std::string_view Parser::docCommentAbove(uint32_t tokenIndex) const {
     const auto& comments = m_list.comments;
-    auto after = std::upper_bound(comments.begin(), comments.end(), tokenIndex, [](uint32_t index, const lex::Comment& c) { return index < c.beforeToken; });
+    auto after = std::upper_bound(comments.begin(), comments.end(), tokenIndex,
+                                  [](uint32_t index, const lex::Comment& c) { return index < c.beforeToken; });
     if (after == comments.begin() || (after - 1)->beforeToken != tokenIndex) return {};
     const uint32_t last = static_cast<uint32_t>(after - comments.begin()) - 1;
     uint32_t below = m_list.tokens[tokenIndex].begin;
-    const auto newlines = [&](uint32_t begin, uint32_t end) { return std::count(m_text.begin() + begin, m_text.begin() + end, '\n'); };
+    const auto newlines = [&](uint32_t begin, uint32_t end) {
+        return std::count(m_text.begin() + begin, m_text.begin() + end, '\n');
+    };
     const uint32_t floor = tokenIndex == 0 ? 0 : m_list.tokens[tokenIndex - 1].end;
     uint32_t first = last + 1;
-    while (first > 0 && comments[first - 1].beforeToken == tokenIndex && newlines(comments[first - 1].end, below) == 1) {
+    while (first > 0 && comments[first - 1].beforeToken == tokenIndex &&
+           newlines(comments[first - 1].end, below) == 1) {
         const lex::Comment& comment = comments[first - 1];
-        const uint32_t before = first >= 2 && comments[first - 2].beforeToken == tokenIndex ? comments[first - 2].end : floor;
+        const uint32_t before =
+            first >= 2 && comments[first - 2].beforeToken == tokenIndex ? comments[first - 2].end : floor;
         if (tokenIndex != 0 && before == floor && !hasNewline(floor, comment.begin)) break; // it stands behind code
         const bool isLine = comment.kind == lex::TriviaKind::LineComment;
         if (!isLine && first != last + 1) break;
@@ -116,8 +127,11 @@ std::string_view Parser::docCommentAbove(uint32_t tokenIndex) const {
 
 std::string_view Parser::commentBehind(uint32_t tokenIndex) const {
     const auto& comments = m_list.comments;
-    const auto it = std::lower_bound(comments.begin(), comments.end(), tokenIndex + 1, [](const lex::Comment& c, uint32_t index) { return c.beforeToken < index; });
-    if (it == comments.end() || it->beforeToken != tokenIndex + 1 || hasNewline(m_list.tokens[tokenIndex].end, it->begin)) return {};
+    const auto it = std::lower_bound(comments.begin(), comments.end(), tokenIndex + 1,
+                                     [](const lex::Comment& c, uint32_t index) { return c.beforeToken < index; });
+    if (it == comments.end() || it->beforeToken != tokenIndex + 1 ||
+        hasNewline(m_list.tokens[tokenIndex].end, it->begin))
+        return {};
     const uint32_t at = static_cast<uint32_t>(it - comments.begin());
     return cleanComment(at, at);
 }
@@ -130,12 +144,15 @@ SourceRange Parser::extentOf(SourceRange range, size_t firstToken) const {
         while (at > 0 && m_text[at - 1] != '\n') --at;
         return at;
     };
-    const auto onlyBlanks = [&](uint32_t begin, uint32_t end) { return std::all_of(m_text.begin() + begin, m_text.begin() + end, isBlank); };
+    const auto onlyBlanks = [&](uint32_t begin, uint32_t end) {
+        return std::all_of(m_text.begin() + begin, m_text.begin() + end, isBlank);
+    };
     uint32_t begin = range.begin;
     const uint32_t floor = index == 0 ? 0 : m_list.tokens[index - 1].end;
     const uint32_t line = std::max(lineBegin(begin), floor);
     if (onlyBlanks(line, begin)) begin = line;
-    auto after = std::upper_bound(comments.begin(), comments.end(), index, [](uint32_t i, const lex::Comment& c) { return i < c.beforeToken; });
+    auto after = std::upper_bound(comments.begin(), comments.end(), index,
+                                  [](uint32_t i, const lex::Comment& c) { return i < c.beforeToken; });
     while (begin > 0 && begin == lineBegin(begin) && after != comments.begin() && (after - 1)->beforeToken == index) {
         const lex::Comment& comment = *(after - 1);
         const uint32_t commentLine = lineBegin(comment.begin);
@@ -148,7 +165,8 @@ SourceRange Parser::extentOf(SourceRange range, size_t firstToken) const {
     const uint32_t lineEnd = static_cast<uint32_t>(std::min(m_text.find('\n', end), m_text.size() - 1) + 1);
     // the rest of the line: blanks and comments that end on it
     uint32_t at = end;
-    auto behind = std::lower_bound(comments.begin(), comments.end(), end, [](const lex::Comment& c, uint32_t offset) { return c.begin < offset; });
+    auto behind = std::lower_bound(comments.begin(), comments.end(), end,
+                                   [](const lex::Comment& c, uint32_t offset) { return c.begin < offset; });
     while (behind != comments.end() && behind->begin < lineEnd && onlyBlanks(at, behind->begin)) {
         at = behind->end;
         ++behind;

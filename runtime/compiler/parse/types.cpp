@@ -11,13 +11,17 @@ using diagnostics::Kind;
 namespace {
 
 bool isIntegerType(std::string_view name) {
-    static constexpr std::array<std::string_view, 14> types = {"SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "BYTE", "WORD", "DWORD", "LWORD", "BOOL", "BIT"};
+    static constexpr std::array<std::string_view, 14> types = {"SINT",  "INT",   "DINT",  "LINT", "USINT",
+                                                               "UINT",  "UDINT", "ULINT", "BYTE", "WORD",
+                                                               "DWORD", "LWORD", "BOOL",  "BIT"};
     for (std::string_view type : types)
         if (name.size() == type.size() && equalsIgnoringCase(name, type)) return true;
     return false;
 }
 
-bool isWord(std::string_view text, std::string_view word) { return text.size() == word.size() && equalsIgnoringCase(text, word); }
+bool isWord(std::string_view text, std::string_view word) {
+    return text.size() == word.size() && equalsIgnoringCase(text, word);
+}
 
 } // namespace
 
@@ -33,8 +37,10 @@ bool Parser::atVarSection() const {
     case TokenKind::VarGlobal:
     case TokenKind::VarExternal:
     case TokenKind::VarAccess:
-    case TokenKind::VarConfig: return true;
-    default: return false;
+    case TokenKind::VarConfig:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -44,31 +50,70 @@ VarSection* Parser::parseVarSection() {
     const size_t first = mark();
     const Token opening = peek();
     switch (kind()) {
-    case TokenKind::VarInput: section->kind = SectionKind::Input; break;
-    case TokenKind::VarOutput: section->kind = SectionKind::Output; break;
-    case TokenKind::VarInOut: section->kind = SectionKind::InOut; break;
-    case TokenKind::VarTemp: section->kind = SectionKind::Temp; break;
-    case TokenKind::VarStat: section->kind = SectionKind::Stat; break;
-    case TokenKind::VarInst: section->kind = SectionKind::Inst; break;
-    case TokenKind::VarGlobal: section->kind = SectionKind::Global; break;
-    case TokenKind::VarExternal: section->kind = SectionKind::External; break;
-    case TokenKind::VarAccess: section->kind = SectionKind::Access; break;
-    case TokenKind::VarConfig: section->kind = SectionKind::Config; break;
-    default: break;
+    case TokenKind::VarInput:
+        section->kind = SectionKind::Input;
+        break;
+    case TokenKind::VarOutput:
+        section->kind = SectionKind::Output;
+        break;
+    case TokenKind::VarInOut:
+        section->kind = SectionKind::InOut;
+        break;
+    case TokenKind::VarTemp:
+        section->kind = SectionKind::Temp;
+        break;
+    case TokenKind::VarStat:
+        section->kind = SectionKind::Stat;
+        break;
+    case TokenKind::VarInst:
+        section->kind = SectionKind::Inst;
+        break;
+    case TokenKind::VarGlobal:
+        section->kind = SectionKind::Global;
+        break;
+    case TokenKind::VarExternal:
+        section->kind = SectionKind::External;
+        break;
+    case TokenKind::VarAccess:
+        section->kind = SectionKind::Access;
+        break;
+    case TokenKind::VarConfig:
+        section->kind = SectionKind::Config;
+        break;
+    default:
+        break;
     }
     advance();
     // qualifiers; a variable may have such a name
-    while (at(TokenKind::Identifier) && kind(1) != TokenKind::Colon && kind(1) != TokenKind::Comma && kind(1) != TokenKind::At) {
+    while (at(TokenKind::Identifier) && kind(1) != TokenKind::Colon && kind(1) != TokenKind::Comma &&
+           kind(1) != TokenKind::At) {
         switch (peek().soft) {
-        case SoftWord::Constant: section->constant = true; break;
-        case SoftWord::Retain: section->retain = true; break;
-        case SoftWord::NonRetain: section->nonRetain = true; break;
-        case SoftWord::Persistent: section->persistent = true; break;
-        case SoftWord::Public: section->isPublic = true; break;
-        case SoftWord::Private: section->isPrivate = true; break;
-        case SoftWord::Protected: section->isProtected = true; break;
-        case SoftWord::Internal: section->isInternal = true; break;
-        default: goto declarations;
+        case SoftWord::Constant:
+            section->constant = true;
+            break;
+        case SoftWord::Retain:
+            section->retain = true;
+            break;
+        case SoftWord::NonRetain:
+            section->nonRetain = true;
+            break;
+        case SoftWord::Persistent:
+            section->persistent = true;
+            break;
+        case SoftWord::Public:
+            section->isPublic = true;
+            break;
+        case SoftWord::Private:
+            section->isPrivate = true;
+            break;
+        case SoftWord::Protected:
+            section->isProtected = true;
+            break;
+        case SoftWord::Internal:
+            section->isInternal = true;
+            break;
+        default:
+            goto declarations;
         }
         advance();
     }
@@ -77,14 +122,19 @@ declarations:
         if (take(TokenKind::Semicolon)) continue;
         const bool code = startsStatement() && !atName();
         const bool assigned = atName() && kind(1) == TokenKind::Assign;
-        if (atEnd() || atStatementEnd() || atVarSection() || code || atDeclaration() || (assigned && m_lastErrorAt != m_at)) {
+        if (atEnd() || atStatementEnd() || atVarSection() || code || atDeclaration() ||
+            (assigned && m_lastErrorAt != m_at)) {
             bool closed = false; // is there an END_VAR for us further on?
             if (assigned || code)
                 for (size_t i = m_at; i < m_tokens.size() && !closed; ++i) {
                     const TokenKind k = m_tokens[i].kind;
-                    if (k == TokenKind::EndVar) closed = true;
-                    else if (k >= TokenKind::Var && k <= TokenKind::VarConfig) break;
-                    else if (k == TokenKind::EndProgram || k == TokenKind::EndFunction || k == TokenKind::EndFunctionBlock || k == TokenKind::EndMethod || k == TokenKind::EndTest) break;
+                    if (k == TokenKind::EndVar)
+                        closed = true;
+                    else if (k >= TokenKind::Var && k <= TokenKind::VarConfig)
+                        break;
+                    else if (k == TokenKind::EndProgram || k == TokenKind::EndFunction ||
+                             k == TokenKind::EndFunctionBlock || k == TokenKind::EndMethod || k == TokenKind::EndTest)
+                        break;
                 }
             if (!closed) {
                 section->range = rangeFrom(first);
@@ -93,7 +143,9 @@ declarations:
             }
         }
         const size_t before = mark();
-        VarDecl* declaration = section->kind == SectionKind::Access || section->kind == SectionKind::Config ? parseConfigDecl(section->kind) : parseVarDecl(section->kind);
+        VarDecl* declaration = section->kind == SectionKind::Access || section->kind == SectionKind::Config
+                                   ? parseConfigDecl(section->kind)
+                                   : parseVarDecl(section->kind);
         if (declaration) section->declarations.push_back(declaration);
         if (mark() == before) advance();
     }
@@ -116,8 +168,12 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
         advance();
     };
     const auto fail = [&] {
-        while (!atEnd() && !atAny({TokenKind::Semicolon, TokenKind::EndVar, TokenKind::EndStruct, TokenKind::EndUnion}) && !atVarSection()) {
-            if (peek().afterNewline && m_at != first && (atStatementEnd() || (atName() && (kind(1) == TokenKind::Colon || kind(1) == TokenKind::Comma)))) break;
+        while (!atEnd() &&
+               !atAny({TokenKind::Semicolon, TokenKind::EndVar, TokenKind::EndStruct, TokenKind::EndUnion}) &&
+               !atVarSection()) {
+            if (peek().afterNewline && m_at != first &&
+                (atStatementEnd() || (atName() && (kind(1) == TokenKind::Colon || kind(1) == TokenKind::Comma))))
+                break;
             advance();
         }
         take(TokenKind::Semicolon);
@@ -135,11 +191,16 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
     takeAddress();
     if (!take(TokenKind::Colon)) {
         const bool assign = at(TokenKind::Assign);
-        const bool typeFollows = at(TokenKind::Array) || at(TokenKind::Struct) || (at(TokenKind::Identifier) && (kind(1) == TokenKind::Semicolon || kind(1) == TokenKind::Assign || kind(1) == TokenKind::LeftParen || kind(1) == TokenKind::To));
+        const bool typeFollows =
+            at(TokenKind::Array) || at(TokenKind::Struct) ||
+            (at(TokenKind::Identifier) && (kind(1) == TokenKind::Semicolon || kind(1) == TokenKind::Assign ||
+                                           kind(1) == TokenKind::LeftParen || kind(1) == TokenKind::To));
         if (typeFollows) {
-            if (auto* d = report(afterPrevious().begin > 0 ? rangeOf(previous()) : rangeOf(peek()), Kind::MissingColon)) d->fixes.push_back({"Insert :", {{afterPrevious(), " :"}}});
+            if (auto* d = report(afterPrevious().begin > 0 ? rangeOf(previous()) : rangeOf(peek()), Kind::MissingColon))
+                d->fixes.push_back({"Insert :", {{afterPrevious(), " :"}}});
             m_lastErrorAt = SIZE_MAX;
-        } else if (assign && kind(1) == TokenKind::Identifier && (kind(2) == TokenKind::Semicolon || kind(2) == TokenKind::Assign)) { // x := INT;
+        } else if (assign && kind(1) == TokenKind::Identifier &&
+                   (kind(2) == TokenKind::Semicolon || kind(2) == TokenKind::Assign)) { // x := INT;
             const SourceRange range = rangeOf(peek());
             if (auto* d = report(range, Kind::Expected, {":", ":="})) d->fixes.push_back({"Write :", {{range, ":"}}});
             advance();
@@ -157,7 +218,8 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
         if (isWord(textOf(peek()), "F_EDGE")) decl->edge = VarEdge::Falling;
         if (decl->edge != VarEdge::None) advance();
     }
-    if (take(TokenKind::Assign) || take(TokenKind::RefAssign)) decl->initial = parseInitialiser(decl->type);
+    if (take(TokenKind::Assign) || take(TokenKind::RefAssign))
+        decl->initial = parseInitialiser(decl->type);
     else if (at(TokenKind::Equal)) {
         const SourceRange range = rangeOf(peek());
         if (auto* d = report(range, Kind::Expected, {":=", "="})) d->fixes.push_back({"Write :=", {{range, ":="}}});
@@ -166,11 +228,14 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
     }
     (void)section;
     if (!take(TokenKind::Semicolon)) {
-        if (m_lastErrorAt == m_at) fail();
-        else if (onNewLine() || atStatementEnd() || atVarSection()) missingSemicolon(false);
+        if (m_lastErrorAt == m_at)
+            fail();
+        else if (onNewLine() || atStatementEnd() || atVarSection())
+            missingSemicolon(false);
         else {
             const bool another = atName() && (kind(1) == TokenKind::Colon || kind(1) == TokenKind::Comma);
-            if (another) missingSemicolon(false);
+            if (another)
+                missingSemicolon(false);
             else {
                 report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
                 fail();
@@ -196,9 +261,12 @@ VarDecl* Parser::parseConfigDecl(SectionKind section) {
     const auto takeTarget = [&] {
         while (atName()) {
             const Name name = takeName();
-            while (at(TokenKind::LeftBracket)) skipTo({TokenKind::RightBracket, TokenKind::Semicolon, TokenKind::EndVar}), take(TokenKind::RightBracket);
+            while (at(TokenKind::LeftBracket))
+                skipTo({TokenKind::RightBracket, TokenKind::Semicolon, TokenKind::EndVar}),
+                    take(TokenKind::RightBracket);
             const SourceRange whole = joined(name.range, rangeOf(previous())); // an element: values[3]
-            decl->configPath.push_back(whole.end == name.range.end ? name : Name{m_text.substr(whole.begin, whole.end - whole.begin), whole});
+            decl->configPath.push_back(
+                whole.end == name.range.end ? name : Name{m_text.substr(whole.begin, whole.end - whole.begin), whole});
             if (!take(TokenKind::Dot)) return;
         }
         if (!at(TokenKind::DirectAddress)) return expected("a variable's path");
@@ -222,11 +290,14 @@ VarDecl* Parser::parseConfigDecl(SectionKind section) {
         }
     }
     if (expect(TokenKind::Colon)) decl->type = parseTypeSpec(false);
-    if (take(SoftWord::ReadOnly)) decl->isReadOnly = true;
-    else take(SoftWord::ReadWrite);
+    if (take(SoftWord::ReadOnly))
+        decl->isReadOnly = true;
+    else
+        take(SoftWord::ReadWrite);
     if (take(TokenKind::Assign)) decl->initial = parseInitialiser(decl->type);
     if (!take(TokenKind::Semicolon)) {
-        if (m_lastErrorAt != m_at && (onNewLine() || at(TokenKind::EndVar))) missingSemicolon(false);
+        if (m_lastErrorAt != m_at && (onNewLine() || at(TokenKind::EndVar)))
+            missingSemicolon(false);
         else {
             if (m_lastErrorAt != m_at) report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
             skipTo({TokenKind::Semicolon, TokenKind::EndVar});
@@ -276,8 +347,12 @@ TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {
             spec->element = parseTypeSpec(false);
         };
         switch (kind()) {
-        case TokenKind::Array: spec = parseArraySpec(); break;
-        case TokenKind::Struct: spec = parseStructSpec(TypeSpecKind::Struct); break;
+        case TokenKind::Array:
+            spec = parseArraySpec();
+            break;
+        case TokenKind::Struct:
+            spec = parseStructSpec(TypeSpecKind::Struct);
+            break;
         case TokenKind::LeftParen:
             spec = make<TypeSpec>();
             parseEnumerators(*spec);
@@ -290,14 +365,22 @@ TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {
             }
             break;
         case TokenKind::Identifier:
-            if (at(SoftWord::Pointer) && kind(1) == TokenKind::To) pointing(TypeSpecKind::Pointer, true);
-            else if (at(SoftWord::Reference) && kind(1) == TokenKind::To) pointing(TypeSpecKind::Reference, true);
-            else if (at(SoftWord::RefTo)) pointing(TypeSpecKind::RefTo, false);
-            else if (at(SoftWord::Union) && kind(1) == TokenKind::Identifier) spec = parseStructSpec(TypeSpecKind::Union);
-            else if (isWord(textOf(peek()), "STRING") || isWord(textOf(peek()), "WSTRING")) spec = parseStringSpec();
-            else spec = parseNamedSpec(inTypeBlock);
+            if (at(SoftWord::Pointer) && kind(1) == TokenKind::To)
+                pointing(TypeSpecKind::Pointer, true);
+            else if (at(SoftWord::Reference) && kind(1) == TokenKind::To)
+                pointing(TypeSpecKind::Reference, true);
+            else if (at(SoftWord::RefTo))
+                pointing(TypeSpecKind::RefTo, false);
+            else if (at(SoftWord::Union) && kind(1) == TokenKind::Identifier)
+                spec = parseStructSpec(TypeSpecKind::Union);
+            else if (isWord(textOf(peek()), "STRING") || isWord(textOf(peek()), "WSTRING"))
+                spec = parseStringSpec();
+            else
+                spec = parseNamedSpec(inTypeBlock);
             break;
-        case TokenKind::WstringLiteral: spec = parseNamedSpec(inTypeBlock); break;
+        case TokenKind::WstringLiteral:
+            spec = parseNamedSpec(inTypeBlock);
+            break;
         default:
             expected("a type");
             spec = make<TypeSpec>();
@@ -335,18 +418,22 @@ TypeSpec* Parser::parseArraySpec() {
             }
             spec->bounds.push_back(bounds);
         } while (take(TokenKind::Comma));
-        if (!take(TokenKind::RightBracket)) expected("]");
+        if (!take(TokenKind::RightBracket))
+            expected("]");
         else if (draft) {
             std::string stars = "*";
             for (size_t i = 1; i < spec->bounds.size(); ++i) stars += ", *";
             const SourceRange inside{m_file.file, open.end, previous().begin};
-            m_sink.emit(inside, Kind::OpenArrayBound).fixes.push_back({"Write ARRAY[" + stars + "]", {{inside, stars}}});
+            m_sink.emit(inside, Kind::OpenArrayBound)
+                .fixes.push_back({"Write ARRAY[" + stars + "]", {{inside, stars}}});
         }
     }
     if (!take(TokenKind::Of)) {
         if (m_lastErrorAt != m_at) expected("OF");
         // go on behind the OF of this line
-        for (size_t ahead = 0; ahead < 20 && !(ahead > 0 && peek(ahead).afterNewline) && kind(ahead) != TokenKind::Semicolon && kind(ahead) != TokenKind::EndOfFile; ++ahead)
+        for (size_t ahead = 0; ahead < 20 && !(ahead > 0 && peek(ahead).afterNewline) &&
+                               kind(ahead) != TokenKind::Semicolon && kind(ahead) != TokenKind::EndOfFile;
+             ++ahead)
             if (kind(ahead) == TokenKind::Of) {
                 m_at += ahead + 1;
                 break;
@@ -375,7 +462,8 @@ TypeSpec* Parser::parseNamedSpec(bool inTypeBlock) {
     spec->kind = TypeSpecKind::Named;
     const size_t first = mark();
     spec->path = takePath();
-    if (at(TokenKind::LeftBracket) && kind(1) == TokenKind::LeftParen) { // ARRAY … OF Motor[(number := 1), (number := 2)]
+    if (at(TokenKind::LeftBracket) &&
+        kind(1) == TokenKind::LeftParen) { // ARRAY … OF Motor[(number := 1), (number := 2)]
         advance();
         while (at(TokenKind::LeftParen)) {
             advance();
@@ -391,12 +479,17 @@ TypeSpec* Parser::parseNamedSpec(bool inTypeBlock) {
     int depth = 0;
     for (size_t ahead = 0; ahead < 200; ++ahead) {
         const TokenKind k = kind(ahead);
-        if (k == TokenKind::LeftParen || k == TokenKind::LeftBracket) ++depth;
-        else if (k == TokenKind::RightParen || k == TokenKind::RightBracket) --depth;
-        else if (k == TokenKind::DotDot && depth == 1) range = true;
+        if (k == TokenKind::LeftParen || k == TokenKind::LeftBracket)
+            ++depth;
+        else if (k == TokenKind::RightParen || k == TokenKind::RightBracket)
+            --depth;
+        else if (k == TokenKind::DotDot && depth == 1)
+            range = true;
         if (depth == 0 || k == TokenKind::Semicolon || k == TokenKind::EndOfFile) break;
     }
-    const bool enumeration = !range && spec->path.size() == 1 && (isIntegerType(spec->path[0].text) || (inTypeBlock && kind(1) == TokenKind::Identifier && kind(2) == TokenKind::Comma));
+    const bool enumeration = !range && spec->path.size() == 1 &&
+                             (isIntegerType(spec->path[0].text) ||
+                              (inTypeBlock && kind(1) == TokenKind::Identifier && kind(2) == TokenKind::Comma));
     if (range) {
         advance();
         spec->kind = TypeSpecKind::Subrange;
@@ -428,7 +521,8 @@ void Parser::parseEnumerators(TypeSpec& spec) {
         EnumeratorDecl enumerator;
         enumerator.name = takeName("an enumeration value");
         if (!enumerator.name.isValid()) break;
-        if (take(TokenKind::Assign)) enumerator.value = parseExpression();
+        if (take(TokenKind::Assign))
+            enumerator.value = parseExpression();
         else if (at(TokenKind::Equal)) {
             const SourceRange range = rangeOf(peek());
             if (auto* d = report(range, Kind::Expected, {":=", "="})) d->fixes.push_back({"Write :=", {{range, ":="}}});
@@ -449,7 +543,8 @@ void Parser::parseEnumerators(TypeSpec& spec) {
     }
     if (take(TokenKind::RightParen)) return;
     expected(")");
-    while (!atEnd() && !atAny({TokenKind::RightParen, TokenKind::Semicolon}) && !atStatementEnd() && !atDeclaration()) advance();
+    while (!atEnd() && !atAny({TokenKind::RightParen, TokenKind::Semicolon}) && !atStatementEnd() && !atDeclaration())
+        advance();
     take(TokenKind::RightParen);
 }
 
@@ -487,7 +582,8 @@ TypeSpec* Parser::parseStructSpec(TypeSpecKind kind) {
 void Parser::parseTypeBlock(std::vector<Decl*>& out) {
     const Token opening = peek();
     std::vector<Pragma> outer = pragmasHere();
-    std::string_view comment = docCommentAbove(outer.empty() ? sourceIndex(m_at) : sourceIndex(m_at) - static_cast<uint32_t>(outer.size()));
+    std::string_view comment =
+        docCommentAbove(outer.empty() ? sourceIndex(m_at) : sourceIndex(m_at) - static_cast<uint32_t>(outer.size()));
     Access access = Access::Default;
     advance();
     const OpenBlock open(*this, TokenKind::EndType);
@@ -520,13 +616,18 @@ void Parser::parseTypeBlock(std::vector<Decl*>& out) {
             base->range = rangeFrom(baseAt);
         }
         if (!take(TokenKind::Colon)) {
-            const bool typeFollows = at(TokenKind::Struct) || at(TokenKind::Array) || at(TokenKind::LeftParen) || at(SoftWord::Union) || (at(TokenKind::Identifier) && kind(1) == TokenKind::Semicolon);
+            const bool typeFollows = at(TokenKind::Struct) || at(TokenKind::Array) || at(TokenKind::LeftParen) ||
+                                     at(SoftWord::Union) ||
+                                     (at(TokenKind::Identifier) && kind(1) == TokenKind::Semicolon);
             if (typeFollows) {
-                if (auto* d = report(rangeOf(previous()), Kind::MissingColon)) d->fixes.push_back({"Insert :", {{afterPrevious(), " :"}}});
+                if (auto* d = report(rangeOf(previous()), Kind::MissingColon))
+                    d->fixes.push_back({"Insert :", {{afterPrevious(), " :"}}});
                 m_lastErrorAt = SIZE_MAX;
             } else {
                 expected(":");
-                while (!atEnd() && !atAny({TokenKind::Semicolon, TokenKind::EndType}) && !atVarSection() && !atDeclaration()) advance();
+                while (!atEnd() && !atAny({TokenKind::Semicolon, TokenKind::EndType}) && !atVarSection() &&
+                       !atDeclaration())
+                    advance();
                 m_lastErrorAt = m_at;
                 continue;
             }
@@ -536,9 +637,12 @@ void Parser::parseTypeBlock(std::vector<Decl*>& out) {
         if (take(TokenKind::Assign)) type->initial = parseInitialiser(type->spec);
         const bool block = type->spec->kind == TypeSpecKind::Struct || type->spec->kind == TypeSpecKind::Union;
         if (!take(TokenKind::Semicolon)) {
-            if (m_lastErrorAt == m_at) skipTo({TokenKind::Semicolon, TokenKind::EndType});
-            else if (!block && at(TokenKind::EndType)) missingSemicolon(true);
-            else if (!block && onNewLine()) missingSemicolon(false);
+            if (m_lastErrorAt == m_at)
+                skipTo({TokenKind::Semicolon, TokenKind::EndType});
+            else if (!block && at(TokenKind::EndType))
+                missingSemicolon(true);
+            else if (!block && onNewLine())
+                missingSemicolon(false);
             else if (!block) {
                 report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
                 skipTo({TokenKind::Semicolon, TokenKind::EndType});

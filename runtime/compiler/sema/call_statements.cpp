@@ -21,11 +21,16 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     const syntax::Expr& e = *stmt.value;
     if (e.kind != syntax::ExprKind::Call) {
         if (e.kind == syntax::ExprKind::Error) return;
-        if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member || e.kind == syntax::ExprKind::Index || e.kind == syntax::ExprKind::Deref) {
+        if (e.kind == syntax::ExprKind::NameRef || e.kind == syntax::ExprKind::Member ||
+            e.kind == syntax::ExprKind::Index || e.kind == syntax::ExprKind::Deref) {
             const Denoted denoted = denote(e, Access::Call);
             if (denoted.kind == Denoted::Kind::Nothing || world.hasSyntaxErrorAt(stmt.range)) return;
-            const bool callable = denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard || (denoted.kind == Denoted::Kind::Place && isKind(denoted.place->type, TypeKind::Block));
-            auto& diagnostic = emit(e.range, callable ? Kind::Expected : Kind::NotCallable, callable ? std::vector<std::string>{"()", ";"} : std::vector<std::string>{textOf(e.range)});
+            const bool callable =
+                denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard ||
+                (denoted.kind == Denoted::Kind::Place && isKind(denoted.place->type, TypeKind::Block));
+            auto& diagnostic =
+                emit(e.range, callable ? Kind::Expected : Kind::NotCallable,
+                     callable ? std::vector<std::string>{"()", ";"} : std::vector<std::string>{textOf(e.range)});
             if (callable) diagnostic.fixes.push_back({"Call it", {{{e.range.file, e.range.end, e.range.end}, "()"}}});
             return;
         }
@@ -48,7 +53,8 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         }
         Denoted exact = callee;
         exact.isExact = true;
-        instanceCall(absolutePlace(unit.instance->offset, unit.type, -1, e.base->range), unit, e, exact, out, stmt.range);
+        instanceCall(absolutePlace(unit.instance->offset, unit.type, -1, e.base->range), unit, e, exact, out,
+                     stmt.range);
         return;
     }
     Operand value;
@@ -61,22 +67,29 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         prepareCall(*made->call, callee, e.range);
         if (!e.arguments.empty()) emit(e.arguments.front().range, Kind::TooManyArguments, {callee.unit->name, "0"});
         value = {made, &types};
-    } else if (callee.kind == Denoted::Kind::Unit && (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
+    } else if (callee.kind == Denoted::Kind::Unit &&
+               (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
         value = callUnit(callee, e);
-        if (value.expr && !value.isUnknown() && !isKind(value.type(), TypeKind::Void) && callee.unit->kind == UnitKind::Function) emit(e.base->range, Kind::FunctionResultIgnored, {callee.unit->name});
+        if (value.expr && !value.isUnknown() && !isKind(value.type(), TypeKind::Void) &&
+            callee.unit->kind == UnitKind::Function)
+            emit(e.base->range, Kind::FunctionResultIgnored, {callee.unit->name});
     } else if (callee.kind == Denoted::Kind::Standard) {
         value = settled(standardCall(callee.name, e, {}));
-        if (!value.isUnknown() && value.expr->kind != tree::ExprKind::Sequence && !value.expr->ok) emit(e.base->range, Kind::FunctionResultIgnored, {std::string(callee.name)});
+        if (!value.isUnknown() && value.expr->kind != tree::ExprKind::Sequence && !value.expr->ok)
+            emit(e.base->range, Kind::FunctionResultIgnored, {std::string(callee.name)});
     } else if (callee.kind == Denoted::Kind::Nothing) {
         for (const syntax::Argument& argument : e.arguments)
             if (argument.value) {
-                if (argument.kind == ArgumentKind::Output) denote(*argument.value, Access::Write);
-                else expression(*argument.value);
+                if (argument.kind == ArgumentKind::Output)
+                    denote(*argument.value, Access::Write);
+                else
+                    expression(*argument.value);
             }
         return;
     } else {
         const bool isType = callee.kind == Denoted::Kind::Unit || callee.kind == Denoted::Kind::Type;
-        emit(e.base->range, Kind::NotCallable, {textOf(e.base->range) + (isType ? " (a type; declare an instance of it)" : "")});
+        emit(e.base->range, Kind::NotCallable,
+             {textOf(e.base->range) + (isType ? " (a type; declare an instance of it)" : "")});
         return;
     }
     if (value.isUnknown() && value.expr->kind != tree::ExprKind::Call) return;
@@ -85,16 +98,20 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     out.push_back(evaluate);
 }
 
-/// inst(in := a, io := b, out => c): a Block of assignments, bindings, the call of the body, and assignments from the outputs.
-void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee, std::vector<tree::Stmt*>& out, SourceRange range) {
+/// inst(in := a, io := b, out => c): a Block of assignments, bindings, the call of the body, and assignments from the
+/// outputs.
+void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
+                           std::vector<tree::Stmt*>& out, SourceRange range) {
     world.completeUnit(unit, e.range);
     if (unit.isAbstract && callee.isExact) emit(e.base->range, Kind::AbstractInstance, {unit.name});
     const Matched matched = match(e, unit.name, unit.parameters);
     if (!matched.isGood) {
         for (const Match& each : matched.matches)
             if (each.argument && each.argument->value) {
-                if (each.argument->kind == ArgumentKind::Output) denote(*each.argument->value, Access::Write);
-                else expression(*each.argument->value, world.typeOf(*each.parameter));
+                if (each.argument->kind == ArgumentKind::Output)
+                    denote(*each.argument->value, Access::Write);
+                else
+                    expression(*each.argument->value, world.typeOf(*each.parameter));
             }
         return;
     }
@@ -105,7 +122,8 @@ void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr
         const TypeId type = world.typeOf(parameter);
         const syntax::Argument* argument = each.argument;
         tree::Place* field = nullptr;
-        if (parameter.storage == Storage::Absolute) field = absolutePlace(parameter.offset, type, parameter.bit, {});
+        if (parameter.storage == Storage::Absolute)
+            field = absolutePlace(parameter.offset, type, parameter.bit, {});
         else if (parameter.isInOut()) {
             field = arena.make<tree::Place>();
             field->kind = tree::PlaceKind::InOutSlot;
@@ -114,7 +132,8 @@ void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr
             field->offset = parameter.offset;
             field->range = e.range;
         } else {
-            field = fieldPlace(instance, parameter.offset, type, -1, argument && argument->value ? argument->value->range : e.range);
+            field = fieldPlace(instance, parameter.offset, type, -1,
+                               argument && argument->value ? argument->value->range : e.range);
         }
         if (parameter.isInOut()) {
             if (!argument || !argument->value) {
@@ -147,7 +166,8 @@ void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr
             bindReference(field, *argument->value, {}, before);
             continue;
         }
-        if (types.isAggregate(type) && (argument->value->kind == syntax::ExprKind::ArrayInit || argument->value->kind == syntax::ExprKind::StructInit)) {
+        if (types.isAggregate(type) && (argument->value->kind == syntax::ExprKind::ArrayInit ||
+                                        argument->value->kind == syntax::ExprKind::StructInit)) {
             assignAggregate(field, *argument->value, {}, before);
             continue;
         }
@@ -180,9 +200,11 @@ void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr
     tree::Place* eno = nullptr;
     if (matched.eno && matched.eno->value) {
         const Denoted denoted = target(*matched.eno->value);
-        if (denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool) eno = denoted.place;
+        if (denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool)
+            eno = denoted.place;
     }
-    tree::Expr* en = matched.en && matched.en->value ? condition(*matched.en->value) : constant({boolean, int64_t(1)}, e.range).expr;
+    tree::Expr* en =
+        matched.en && matched.en->value ? condition(*matched.en->value) : constant({boolean, int64_t(1)}, e.range).expr;
     tree::Stmt* choice = newStmt(tree::StmtKind::If, range);
     choice->a = en;
     choice->body.push_back(block);

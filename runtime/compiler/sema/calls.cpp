@@ -1,4 +1,5 @@
-// Calls of functions, methods and accessors: arguments are matched with parameters, defaults made explicit, dispatch chosen.
+// Calls of functions, methods and accessors: arguments are matched with parameters, defaults made explicit, dispatch
+// chosen.
 #include "runtime/compiler/sema/checker.h"
 
 #include "runtime/base/text.h"
@@ -12,7 +13,8 @@ bool fitsPartOfDate(const Unit& unit, const Variable& part, TypeKind to) {
     if (!unit.isLibrary() || !unit.name.starts_with("SPLIT_")) return false;
     if (to == TypeKind::Uint) return true;
     if (to != TypeKind::Usint && to != TypeKind::Sint) return false;
-    return part.name == "MONTH" || part.name == "DAY" || part.name == "HOUR" || part.name == "MINUTE" || part.name == "SECOND";
+    return part.name == "MONTH" || part.name == "DAY" || part.name == "HOUR" || part.name == "MINUTE" ||
+           part.name == "SECOND";
 }
 } // namespace
 
@@ -20,7 +22,8 @@ using diagnostics::Kind;
 using syntax::ArgumentKind;
 using syntax::SectionKind;
 
-Checker::Matched Checker::match(const syntax::Expr& call, const std::string& name, const std::vector<Variable*>& parameters) {
+Checker::Matched Checker::match(const syntax::Expr& call, const std::string& name,
+                                const std::vector<Variable*>& parameters) {
     Matched out;
     for (Variable* parameter : parameters) out.matches.push_back({nullptr, parameter});
     const auto find = [&](NameId id) -> Match* {
@@ -74,7 +77,8 @@ Checker::Matched Checker::match(const syntax::Expr& call, const std::string& nam
         if (!match) {
             std::vector<std::string> candidates;
             for (const Variable* parameter : parameters) candidates.push_back(parameter->name);
-            world.suggest(emit(argument.name.range, Kind::UnknownParameter, {name, std::string(argument.name.text)}), argument.name.range, argument.name.text, candidates);
+            world.suggest(emit(argument.name.range, Kind::UnknownParameter, {name, std::string(argument.name.text)}),
+                          argument.name.range, argument.name.text, candidates);
             out.isGood = false;
             continue;
         }
@@ -82,12 +86,14 @@ Checker::Matched Checker::match(const syntax::Expr& call, const std::string& nam
         const bool isOutput = kind == SectionKind::Output;
         if (isOutput != (argument.kind == ArgumentKind::Output)) {
             const char* what = isOutput ? "output" : kind == SectionKind::InOut ? "IN_OUT parameter" : "input";
-            auto& diagnostic = emit(argument.name.range, Kind::MixedOutputArgument, {match->parameter->name, what, isOutput ? "=>" : ":="});
+            auto& diagnostic = emit(argument.name.range, Kind::MixedOutputArgument,
+                                    {match->parameter->name, what, isOutput ? "=>" : ":="});
             const std::string_view text = world.textOf(argument.range);
             const size_t at = text.find(isOutput ? ":=" : "=>");
             if (at != std::string_view::npos) {
                 const auto begin = argument.range.begin + static_cast<uint32_t>(at);
-                diagnostic.fixes.push_back({std::string("Write ") + (isOutput ? "=>" : ":="), {{{argument.range.file, begin, begin + 2}, isOutput ? "=>" : ":="}}});
+                diagnostic.fixes.push_back({std::string("Write ") + (isOutput ? "=>" : ":="),
+                                            {{{argument.range.file, begin, begin + 2}, isOutput ? "=>" : ":="}}});
             }
             out.isGood = false;
             continue;
@@ -108,7 +114,9 @@ tree::Expr* Checker::defaultOf(Variable& parameter) {
     if (parameter.declaration && parameter.declaration->initial) {
         Checker inner(world, parameter.scope, sink, arena);
         inner.isMuted = true;
-        const Operand value = types.isAggregate(type) ? inner.aggregate(*parameter.declaration->initial, type) : inner.converted(inner.expression(*parameter.declaration->initial, type), type);
+        const Operand value = types.isAggregate(type)
+                                  ? inner.aggregate(*parameter.declaration->initial, type)
+                                  : inner.converted(inner.expression(*parameter.declaration->initial, type), type);
         if (!value.isUnknown() && value.isConstant()) return value.expr;
     }
     types::Value value = types::initialValue(types, type);
@@ -116,8 +124,8 @@ tree::Expr* Checker::defaultOf(Variable& parameter) {
     return constant(std::move(value), {}).expr;
 }
 
-
-tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& argument, std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after) {
+tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& argument,
+                                  std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after) {
     const TypeId type = world.typeOf(parameter);
     const SourceRange range = argument.value->range;
     const bool isConstant = parameter.section && parameter.section->constant;
@@ -147,7 +155,9 @@ tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& a
     const types::Type &wanted = types[type], &given = types[place->type];
     if (given.kind == TypeKind::Unknown) return nullptr;
     if (wanted.kind == TypeKind::OpenArray) {
-        const bool good = (given.kind == TypeKind::Array || given.kind == TypeKind::OpenArray) && given.dimensions.size() == wanted.dimensions.size() && world.sameType(given.element, wanted.element);
+        const bool good = (given.kind == TypeKind::Array || given.kind == TypeKind::OpenArray) &&
+                          given.dimensions.size() == wanted.dimensions.size() &&
+                          world.sameType(given.element, wanted.element);
         if (!good) return refuse();
         takeAddress(place);
         return place;
@@ -161,8 +171,10 @@ tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& a
         if (!isConstant) after.push_back(assignStmt(place, load(copy, range).expr, {}));
         return copy;
     }
-    const bool same = world.sameType(place->type, type) || (wanted.kind == TypeKind::Block && types.isDerivedFrom(place->type, type)) ||
-                      (wanted.kind == TypeKind::Subrange && types.storage(place->type) == types.storage(type)) || (given.kind == TypeKind::Subrange && types.storage(place->type) == type);
+    const bool same = world.sameType(place->type, type) ||
+                      (wanted.kind == TypeKind::Block && types.isDerivedFrom(place->type, type)) ||
+                      (wanted.kind == TypeKind::Subrange && types.storage(place->type) == types.storage(type)) ||
+                      (given.kind == TypeKind::Subrange && types.storage(place->type) == type);
     if (wanted.kind == TypeKind::Interface && given.kind == TypeKind::Block && types.implements(place->type, type)) {
         const Operand value = converted(load(place, range), type);
         return value.isUnknown() ? nullptr : held(value);
@@ -190,9 +202,12 @@ void Checker::prepareCall(tree::Call& call, const Denoted& callee, SourceRange r
     } else if (unit.owner || unit.isInstanced()) {
         call.instance = callee.instance ? callee.instance : thisPlace(range);
         takeAddress(call.instance);
-        const bool dispatches = unit.isOverridden && !callee.isSuper && !callee.isExact && !unit.isFinal && unit.slot != Id<int>::kNone;
-        if (dispatches) call.dispatch = tree::Call::Dispatch::Virtual;
-        else if (unit.isAbstract && unit.kind != UnitKind::Action && !callee.isSuper) call.dispatch = tree::Call::Dispatch::Virtual;
+        const bool dispatches =
+            unit.isOverridden && !callee.isSuper && !callee.isExact && !unit.isFinal && unit.slot != Id<int>::kNone;
+        if (dispatches)
+            call.dispatch = tree::Call::Dispatch::Virtual;
+        else if (unit.isAbstract && unit.kind != UnitKind::Action && !callee.isSuper)
+            call.dispatch = tree::Call::Dispatch::Virtual;
     }
     recordCall(unit.function, call.dispatch != tree::Call::Dispatch::Direct, range);
 }
@@ -235,8 +250,11 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
                 continue;
             }
             Operand probe = load(localPlace(0, type, argument->value->range), argument->value->range);
-            if (target.kind == Denoted::Kind::Place && !argument->negated && target.place->kind != tree::PlaceKind::TextIndex) {
-                if (!fitsPartOfDate(unit, parameter, types.storageKind(target.place->type)) && converted(probe, target.place->type).isUnknown()) good = false;
+            if (target.kind == Denoted::Kind::Place && !argument->negated &&
+                target.place->kind != tree::PlaceKind::TextIndex) {
+                if (!fitsPartOfDate(unit, parameter, types.storageKind(target.place->type)) &&
+                    converted(probe, target.place->type).isUnknown())
+                    good = false;
                 made.place = target.place;
             } else { // a property, a negated pin: through a local
                 tree::Place* held = localPlace(newLocal(parameter.name, type), type, argument->value->range);
@@ -309,7 +327,8 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
     if ((!arguments.en && !arguments.eno) || value.isUnknown()) return value;
     const TypeId boolean = elementary(TypeKind::Bool);
     if (!function) {
-        emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant, isExpression ? std::vector<std::string>{"ENO"} : std::vector<std::string>{});
+        emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant,
+             isExpression ? std::vector<std::string>{"ENO"} : std::vector<std::string>{});
         return unknown(range);
     }
     value = settled(value);
@@ -317,8 +336,10 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
     tree::Place* eno = nullptr;
     if (arguments.eno && arguments.eno->value) {
         const Denoted denoted = target(*arguments.eno->value);
-        if (denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool) eno = denoted.place;
-        else if (denoted.kind != Denoted::Kind::Nothing) mismatch(arguments.eno->value->range, boolean, denoted.place ? denoted.place->type : boolean);
+        if (denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool)
+            eno = denoted.place;
+        else if (denoted.kind != Denoted::Kind::Nothing)
+            mismatch(arguments.eno->value->range, boolean, denoted.place ? denoted.place->type : boolean);
     }
     const bool setsOk = value.expr->kind == tree::ExprKind::Intrinsic || value.expr->kind == tree::ExprKind::Convert;
     if (eno && setsOk) value.expr->ok = eno;
@@ -391,28 +412,41 @@ Operand Checker::call(const syntax::Expr& e, TypeId hint) {
     const auto checkArguments = [&] { // for the names inside, although the call itself is wrong
         for (const syntax::Argument& argument : e.arguments)
             if (argument.value) {
-                if (argument.kind == ArgumentKind::Output) denote(*argument.value, Access::Write);
-                else expression(*argument.value);
+                if (argument.kind == ArgumentKind::Output)
+                    denote(*argument.value, Access::Write);
+                else
+                    expression(*argument.value);
             }
     };
     switch (callee.kind) {
-    case Denoted::Kind::Nothing: checkArguments(); return unknown(e.range);
+    case Denoted::Kind::Nothing:
+        checkArguments();
+        return unknown(e.range);
     case Denoted::Kind::Unit: {
         Unit& unit = *callee.unit;
         if (unit.kind == UnitKind::Function || unit.kind == UnitKind::Method) return callUnit(callee, e);
-        if (unit.kind == UnitKind::Action || unit.kind == UnitKind::Program) emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {unit.name});
-        else emit(e.base->range, Kind::NotCallable, {unit.name + " (a type; declare an instance of it)"});
+        if (unit.kind == UnitKind::Action || unit.kind == UnitKind::Program)
+            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {unit.name});
+        else
+            emit(e.base->range, Kind::NotCallable, {unit.name + " (a type; declare an instance of it)"});
         checkArguments();
         return unknown(e.range);
     }
-    case Denoted::Kind::Standard: return standardCall(callee.name, e, hint);
+    case Denoted::Kind::Standard:
+        return standardCall(callee.name, e, hint);
     case Denoted::Kind::Place:
-        if (isKind(callee.place->type, TypeKind::Block)) emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {textOf(e.base->range)});
-        else if (!isKind(callee.place->type, TypeKind::Unknown)) emit(e.base->range, Kind::NotCallable, {textOf(e.base->range) + (library::findSignature(world.textOf(e.base->range)) ? " (a variable, which hides the function of this name)" : "")});
+        if (isKind(callee.place->type, TypeKind::Block))
+            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {textOf(e.base->range)});
+        else if (!isKind(callee.place->type, TypeKind::Unknown))
+            emit(e.base->range, Kind::NotCallable,
+                 {textOf(e.base->range) + (library::findSignature(world.textOf(e.base->range))
+                                               ? " (a variable, which hides the function of this name)"
+                                               : "")});
         checkArguments();
         return unknown(e.range);
     case Denoted::Kind::Type:
-        if (library::findSignature(world.textOf(e.base->range))) return standardCall(world.textOf(e.base->range), e, hint); // TIME()
+        if (library::findSignature(world.textOf(e.base->range)))
+            return standardCall(world.textOf(e.base->range), e, hint); // TIME()
         [[fallthrough]];
     default:
         emit(e.base->range, Kind::NotCallable, {textOf(e.base->range)});

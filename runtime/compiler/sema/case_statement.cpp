@@ -22,7 +22,9 @@ void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
         for (const syntax::CaseLabel& label : arm.labels) {
             if (!label.low || !label.low->range.file.isValid()) return;
             const std::string low = textOf(label.low->range);
-            condition += (condition.empty() ? "" : " OR ") + (label.high ? selector + " >= " + low + " AND " + selector + " <= " + textOf(label.high->range) : selector + " = " + low);
+            condition += (condition.empty() ? "" : " OR ") +
+                         (label.high ? selector + " >= " + low + " AND " + selector + " <= " + textOf(label.high->range)
+                                     : selector + " = " + low);
             end = label.high ? label.high->range.end : label.low->range.end;
             if (&arm != &stmt.arms.front() && &label == &arm.labels.front()) from = label.low->range.begin;
         }
@@ -45,10 +47,17 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     const types::Family family = known ? types.family(selector.type()) : types::Family::Other;
     const TypeId type = known ? selector.type() : elementary(TypeKind::Unknown);
     const bool isText = known && types.isText(type);
-    if (known && !types::isInteger(family) && family != types::Family::Bool && family != types::Family::Character) refuseSelector(stmt, type);
-    const bool good = known && !isText && (types::isInteger(family) || family == types::Family::Bool || family == types::Family::Character);
-    const bool isBig = good && types.storageKind(type) != TypeKind::Lint && types::bitsOf(types.storageKind(type)) == 64;
-    tree::Stmt* made = newStmt(tree::StmtKind::Case, stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)} : stmt.range);
+    if (known && !types::isInteger(family) && family != types::Family::Bool && family != types::Family::Character)
+        refuseSelector(stmt, type);
+    const bool good = known && !isText &&
+                      (types::isInteger(family) || family == types::Family::Bool || family == types::Family::Character);
+    const bool isBig =
+        good && types.storageKind(type) != TypeKind::Lint && types::bitsOf(types.storageKind(type)) == 64;
+    tree::Stmt* made =
+        newStmt(tree::StmtKind::Case,
+                stmt.range.file.isValid()
+                    ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)}
+                    : stmt.range);
     if (good) made->a = convertNode(selector, elementary(isBig ? TypeKind::Ulint : TypeKind::Lint)).expr;
     made->operandType = elementary(isBig ? TypeKind::Ulint : TypeKind::Lint);
     const Flow before = flow;
@@ -66,10 +75,12 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
             emit(e->range, Kind::NotConstant);
             return std::nullopt;
         }
-        if (good && isKind(value.type(), TypeKind::Enum) && !isKind(type, TypeKind::Enum)) value = convertNode(value, types.storage(value.type()));
+        if (good && isKind(value.type(), TypeKind::Enum) && !isKind(type, TypeKind::Enum))
+            value = convertNode(value, types.storage(value.type()));
         if (good) {
             const types::Value& constantValue = value.expr->value;
-            const bool fitsAnyway = isNumeric(value.type()) && std::holds_alternative<int64_t>(constantValue.data) && (fits(constantValue, types.storage(type)) || isKind(type, TypeKind::Enum));
+            const bool fitsAnyway = isNumeric(value.type()) && std::holds_alternative<int64_t>(constantValue.data) &&
+                                    (fits(constantValue, types.storage(type)) || isKind(type, TypeKind::Enum));
             if (!fitsAnyway) value = converted(value, type);
         }
         if (value.isUnknown() || !std::holds_alternative<int64_t>(value.expr->value.data)) return std::nullopt;
@@ -81,8 +92,12 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
             const auto low = label(each.low);
             const auto high = each.high ? label(each.high) : low;
             if (!low || !high) continue;
-            const auto less = [&](int64_t a, int64_t b) { return isBig ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b; };
-            const SourceRange range = each.high ? SourceRange{each.low->range.file, each.low->range.begin, each.high->range.end} : each.low->range;
+            const auto less = [&](int64_t a, int64_t b) {
+                return isBig ? static_cast<uint64_t>(a) < static_cast<uint64_t>(b) : a < b;
+            };
+            const SourceRange range =
+                each.high ? SourceRange{each.low->range.file, each.low->range.begin, each.high->range.end}
+                          : each.low->range;
             if (less(*high, *low)) {
                 emit(range, Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
                 continue;
@@ -109,7 +124,9 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         size_t count = 0;
         std::vector<std::string> names;
         for (const types::Enumerator& enumerator : types[type].enumerators) {
-            const bool covered = std::any_of(seen.begin(), seen.end(), [&](const tree::CaseRange& r) { return r.low <= enumerator.value && enumerator.value <= r.high; });
+            const bool covered = std::any_of(seen.begin(), seen.end(), [&](const tree::CaseRange& r) {
+                return r.low <= enumerator.value && enumerator.value <= r.high;
+            });
             if (covered) continue;
             if (++count <= 3) missing += (missing.empty() ? "" : ", ") + enumerator.name;
             names.push_back(enumerator.name);
@@ -124,7 +141,9 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
             size_t at = whole.size();
             for (size_t i = 0; i + 8 <= whole.size(); ++i) {
                 const std::string_view part = whole.substr(i, 8);
-                if (std::equal(part.begin(), part.end(), "END_CASE", [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == b; })) at = i;
+                if (std::equal(part.begin(), part.end(), "END_CASE",
+                               [](char a, char b) { return (a >= 'a' && a <= 'z' ? a - 32 : a) == b; }))
+                    at = i;
             }
             if (at < whole.size()) {
                 const auto place = stmt.range.begin + static_cast<uint32_t>(at);

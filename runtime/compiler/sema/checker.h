@@ -1,5 +1,6 @@
-// Checks expressions and statements of one scope and makes their tree. Short-lived: one for a body, a constant, an initial value
-// or a watch expression. Uses the World it belongs to; one thread (a frozen World may serve several checkers at once).
+// Checks expressions and statements of one scope and makes their tree. Short-lived: one for a body, a constant, an
+// initial value or a watch expression. Uses the World it belongs to; one thread (a frozen World may serve several
+// checkers at once).
 #pragma once
 #include "runtime/compiler/sema/world.h"
 
@@ -16,7 +17,9 @@ struct Operand {
     bool isDivided = false; // flexible result of an integer division
     [[nodiscard]] TypeId type() const { return expr->type; }
     [[nodiscard]] bool isUnknown() const { return !expr || types->kind(expr->type) == TypeKind::Unknown; }
-    [[nodiscard]] bool isConstant() const { return expr && expr->kind == tree::ExprKind::Constant && expr->value.hasValue(); }
+    [[nodiscard]] bool isConstant() const {
+        return expr && expr->kind == tree::ExprKind::Constant && expr->value.hasValue();
+    }
 };
 
 enum class Access : uint8_t { Read, Write, ReadWrite, Address, Call };
@@ -27,18 +30,18 @@ struct Denoted {
     Kind kind = Kind::Nothing; // Nothing: reported already
     tree::Place* place = nullptr;
     Operand value;
-    Unit* unit = nullptr;           // function, method, action, program, block type
+    Unit* unit = nullptr;            // function, method, action, program, block type
     tree::Place* instance = nullptr; // of a method, action or property
     tree::Expr* interface = nullptr;
-    bool isSuper = false;           // direct call, no dispatch
-    bool isExact = false;           // the instance's type is known exactly
+    bool isSuper = false; // direct call, no dispatch
+    bool isExact = false; // the instance's type is known exactly
     Property* property = nullptr;
     DeclaredType* declaredType = nullptr;
     TypeId type;
     GlobalsList* list = nullptr;
     Space* space = nullptr;
-    std::string_view name;          // Standard
-    Variable* variable = nullptr;   // the variable a place begins with
+    std::string_view name;        // Standard
+    Variable* variable = nullptr; // the variable a place begins with
     bool isReadOnly = false;
     std::string whyReadOnly;
 };
@@ -91,15 +94,19 @@ public:
     // operators.cpp
     Operand unary(const syntax::Expr& e, TypeId hint);
     Operand binary(const syntax::Expr& e, TypeId hint);
-    Operand combine(library::BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range, SourceRange operatorRange, TypeId hint);
-    Operand compare(library::BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range, SourceRange operatorRange);
-    Operand arithmeticOnTimes(library::BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range, SourceRange operatorRange);
+    Operand combine(library::BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
+                    SourceRange operatorRange, TypeId hint);
+    Operand compare(library::BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
+                    SourceRange operatorRange);
+    Operand arithmeticOnTimes(library::BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
+                              SourceRange operatorRange);
     Operand negated(Operand operand, SourceRange range);
     Operand inverted(Operand operand, SourceRange range);
     Operand makeBinary(library::BinaryOp op, TypeId operandType, Operand a, Operand b, SourceRange range);
     Operand foldFlexible(library::BinaryOp op, Operand a, Operand b, SourceRange range);
     Operand logical(const syntax::Expr& e, TypeId hint);
-    Operand intrinsic(library::Intrinsic code, TypeId result, std::vector<Operand> operands, SourceRange range, int64_t selector = -1);
+    Operand intrinsic(library::Intrinsic code, TypeId result, std::vector<Operand> operands, SourceRange range,
+                      int64_t selector = -1);
 
     // conversions.cpp
     /// Implicit conversion with its diagnostics, at the operand's own range.
@@ -130,8 +137,10 @@ public:
     Matched match(const syntax::Expr& call, const std::string& name, const std::vector<Variable*>& parameters);
     Operand callUnit(const Denoted& callee, const syntax::Expr& e);
     Operand withEnable(Operand value, const Matched& matched, SourceRange range);
-    bool addArgument(tree::Call& call, Variable& parameter, const syntax::Argument* argument, const std::string& callee, SourceRange at, bool isFormal);
-    tree::Place* inOutTarget(Variable& parameter, const syntax::Argument& argument, std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after);
+    bool addArgument(tree::Call& call, Variable& parameter, const syntax::Argument* argument, const std::string& callee,
+                     SourceRange at, bool isFormal);
+    tree::Place* inOutTarget(Variable& parameter, const syntax::Argument& argument, std::vector<tree::Stmt*>& before,
+                             std::vector<tree::Stmt*>& after);
     tree::Expr* defaultOf(Variable& parameter);
     void prepareCall(tree::Call& call, const Denoted& callee, SourceRange range);
     Operand propertyValue(const Denoted& denoted, SourceRange range);
@@ -140,13 +149,16 @@ public:
 
     // call_statements.cpp
     void callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
-    void instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee, std::vector<tree::Stmt*>& out, SourceRange range);
+    void instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
+                      std::vector<tree::Stmt*>& out, SourceRange range);
 
     // standard_calls.cpp
     Operand standardCall(std::string_view name, const syntax::Expr& e, TypeId hint);
     Operand signatureCall(const library::Signature& signature, const syntax::Expr& e, TypeId hint);
-    Operand operatorCall(const library::Signature& signature, std::vector<Operand> operands, const syntax::Expr& e, TypeId hint);
-    Operand conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e, TypeId hint);
+    Operand operatorCall(const library::Signature& signature, std::vector<Operand> operands, const syntax::Expr& e,
+                         TypeId hint);
+    Operand conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e,
+                           TypeId hint);
     Operand specialCall(const library::Signature& signature, const syntax::Expr& e, TypeId hint);
     struct StandardArguments {
         std::vector<const syntax::Argument*> inputs;
@@ -173,10 +185,14 @@ public:
     void statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     bool isAssociable(const syntax::Stmt& stmt);
     void assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
-    void assignTo(const Denoted& target, Operand value, SourceRange range, std::vector<tree::Stmt*>& out, bool isHidden = false);
-    void assignReference(const Denoted& target, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out);
-    void assignAggregate(tree::Place* target, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out);
-    void bindReference(tree::Place* target, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out);
+    void assignTo(const Denoted& target, Operand value, SourceRange range, std::vector<tree::Stmt*>& out,
+                  bool isHidden = false);
+    void assignReference(const Denoted& target, const syntax::Expr& value, SourceRange range,
+                         std::vector<tree::Stmt*>& out);
+    void assignAggregate(tree::Place* target, const syntax::Expr& value, SourceRange range,
+                         std::vector<tree::Stmt*>& out);
+    void bindReference(tree::Place* target, const syntax::Expr& value, SourceRange range,
+                       std::vector<tree::Stmt*>& out);
     Denoted target(const syntax::Expr& e, TypeId* type = nullptr);
     void ifStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     void refuseSelector(const syntax::Stmt& stmt, TypeId type);
@@ -192,10 +208,15 @@ public:
     tree::Stmt* assignStmt(tree::Place* place, tree::Expr* value, SourceRange range);
     void noteResultSet(const Denoted& target);
 
-    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) { return sink.emit(range, kind, std::move(arguments)); }
+    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) {
+        return sink.emit(range, kind, std::move(arguments));
+    }
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
     [[nodiscard]] std::string textOf(SourceRange range) const {
-        if (isExpression && !range.file.isValid()) return range.end <= expressionText.size() && range.begin <= range.end ? std::string(expressionText.substr(range.begin, range.end - range.begin)) : std::string();
+        if (isExpression && !range.file.isValid())
+            return range.end <= expressionText.size() && range.begin <= range.end
+                       ? std::string(expressionText.substr(range.begin, range.end - range.begin))
+                       : std::string();
         return std::string(world.textOf(range));
     }
     [[nodiscard]] TypeId elementary(TypeKind kind) const { return types::TypeTable::of(kind); }
@@ -211,11 +232,11 @@ public:
     Arena& arena;
     tree::Function* function = nullptr; // null: constants and expressions
     tree::FunctionId functionId;
-    bool isMuted = false;               // no references, no counting
-    bool isExpression = false;          // D7: no side effects; instance-relative places become absolute
-    bool isInitialiser = false;         // places are allowed although there is no function yet
+    bool isMuted = false;                 // no references, no counting
+    bool isExpression = false;            // D7: no side effects; instance-relative places become absolute
+    bool isInitialiser = false;           // places are allowed although there is no function yet
     std::optional<uint32_t> instanceBase; // of THIS, in an expression
-    std::string_view expressionText;    // for messages about it
+    std::string_view expressionText;      // for messages about it
 
     // Flow of the body being checked.
     struct Flow {
@@ -240,7 +261,7 @@ public:
     std::unordered_map<NameId, Label> labels;
     std::unordered_map<const Variable*, uint32_t> temporaries;
     std::vector<tree::Stmt*>* pending = nullptr; // statements an expression needs before it stands in the body
-    bool returnsSet = true; // every RETURN so far had the result set
+    bool returnsSet = true;                      // every RETURN so far had the result set
 };
 
 } // namespace plc::sema

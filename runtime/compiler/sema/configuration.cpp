@@ -11,12 +11,16 @@ using syntax::SectionKind;
 namespace {
 
 bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
-    return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& p) { return p.isAttribute && equalsIgnoringCase(p.key, "simulation"); });
+    return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& p) {
+        return p.isAttribute && equalsIgnoringCase(p.key, "simulation");
+    });
 }
 
-void forEachResource(const std::vector<World::Configuration>& configurations, const std::function<void(const World::Configuration&, const syntax::ResourceDecl&)>& visit) {
+void forEachResource(const std::vector<World::Configuration>& configurations,
+                     const std::function<void(const World::Configuration&, const syntax::ResourceDecl&)>& visit) {
     for (const World::Configuration& configuration : configurations)
-        for (const syntax::ResourceDecl* resource : configuration.declaration->resources) visit(configuration, *resource);
+        for (const syntax::ResourceDecl* resource : configuration.declaration->resources)
+            visit(configuration, *resource);
 }
 
 } // namespace
@@ -30,10 +34,14 @@ void World::declareConfigurations() {
             declareGlobals(*globalList, *configuration.space, *configuration.file, {});
         }
     };
-    for (const Configuration& configuration : configurations) sections(configuration.declaration->sections, configuration);
-    forEachResource(configurations, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) { sections(resource.sections, configuration); });
+    for (const Configuration& configuration : configurations)
+        sections(configuration.declaration->sections, configuration);
+    forEachResource(configurations, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) {
+        sections(resource.sections, configuration);
+    });
 
-    const auto addInstance = [&](Unit& unit, std::string name, const syntax::ProgramInstance* declaration, const syntax::ResourceDecl* resource, Scope scope) {
+    const auto addInstance = [&](Unit& unit, std::string name, const syntax::ProgramInstance* declaration,
+                                 const syntax::ResourceDecl* resource, Scope scope) {
         Variable& variable = globals.emplace_back();
         variable.name = std::move(name);
         variable.id = key(variable.name);
@@ -45,13 +53,17 @@ void World::declareConfigurations() {
         variable.typeProgress = Progress::Done;
         variable.isProgramInstance = true;
         variable.program = &unit;
-        variable.symbol = declaration ? addSymbol(SymbolKind::Variable, variable.name, {}, variable.range) : unit.symbol;
+        variable.symbol =
+            declaration ? addSymbol(SymbolKind::Variable, variable.name, {}, variable.range) : unit.symbol;
         if (declaration) {
             symbols[variable.symbol.index()].type = unit.type;
             symbols[variable.symbol.index()].path = variable.name;
-            if (const auto* known = top.find(variable.id); known && std::any_of(known->begin(), known->end(), [](const Entity& e) { return e.variable && e.variable->isProgramInstance; }))
+            if (const auto* known = top.find(variable.id);
+                known && std::any_of(known->begin(), known->end(),
+                                     [](const Entity& e) { return e.variable && e.variable->isProgramInstance; }))
                 emit(variable.range, Kind::DuplicateName, {variable.name});
-            if (!equalsIgnoringCase(variable.name, unit.name)) top.entities[variable.id].push_back({&variable, nullptr, nullptr});
+            if (!equalsIgnoringCase(variable.name, unit.name))
+                top.entities[variable.id].push_back({&variable, nullptr, nullptr});
         }
         ++unit.instanceCount;
         unit.instance = unit.instanceCount == 1 ? &variable : nullptr;
@@ -75,7 +87,8 @@ void World::declareConfigurations() {
         }
     });
     for (Unit& unit : units)
-        if (unit.kind == UnitKind::Program && !unit.isLibrary() && unit.instanceCount == 0) addInstance(unit, unit.name, nullptr, nullptr, {nullptr, &top, unit.file});
+        if (unit.kind == UnitKind::Program && !unit.isLibrary() && unit.instanceCount == 0)
+            addInstance(unit, unit.name, nullptr, nullptr, {nullptr, &top, unit.file});
 }
 
 namespace {
@@ -85,7 +98,9 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
     Unit& unit = *instance.variable->program;
     const Scope scope = instance.scope;
     const auto build = [&](bool isInput) -> uint32_t {
-        const bool copies = std::any_of(world.copies.begin(), world.copies.end(), [&](const World::Copy& c) { return c.root == instance.root && c.isInput == isInput; });
+        const bool copies = std::any_of(world.copies.begin(), world.copies.end(), [&](const World::Copy& c) {
+            return c.root == instance.root && c.isInput == isInput;
+        });
         const bool connects = instance.declaration && !instance.declaration->connections.empty();
         if (!copies && !connects) return 0;
         const tree::FunctionId id = world.newFunction(instance.variable->name + (isInput ? ".IN" : ".OUT"), nullptr);
@@ -97,7 +112,8 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
             if (copy.root != instance.root || copy.isInput != isInput) continue;
             tree::Place* data = checker.absolutePlace(copy.data.offset, copy.data.type, copy.data.bit, {});
             tree::Place* address = checker.absolutePlace(copy.address.offset, copy.data.type, copy.address.bit, {});
-            function.body.push_back(isInput ? checker.assignStmt(data, checker.load(address, {}).expr, {}) : checker.assignStmt(address, checker.load(data, {}).expr, {}));
+            function.body.push_back(isInput ? checker.assignStmt(data, checker.load(address, {}).expr, {})
+                                            : checker.assignStmt(address, checker.load(data, {}).expr, {}));
         }
         if (!connects) return function.body.empty() ? 0 : id.value;
         for (const syntax::Argument& argument : instance.declaration->connections) {
@@ -106,7 +122,9 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
             if (isOutput == isInput) continue;
             const Member member = world.findMember(unit, world.key(argument.name.text));
             if (!member.variable) {
-                world.suggest(world.emit(argument.name.range, Kind::UnknownParameter, {unit.name, std::string(argument.name.text)}), argument.name.range, argument.name.text, world.memberNames(unit.type));
+                world.suggest(world.emit(argument.name.range, Kind::UnknownParameter,
+                                         {unit.name, std::string(argument.name.text)}),
+                              argument.name.range, argument.name.text, world.memberNames(unit.type));
                 continue;
             }
             Variable& parameter = *member.variable;
@@ -131,18 +149,22 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
                 function.body.push_back(bind);
                 continue;
             }
-            tree::Place* field = parameter.storage == Storage::Absolute ? checker.absolutePlace(parameter.offset, type, parameter.bit, argument.range)
-                                                                         : checker.absolutePlace(instance.variable->offset + parameter.offset, type, -1, argument.range);
+            tree::Place* field =
+                parameter.storage == Storage::Absolute
+                    ? checker.absolutePlace(parameter.offset, type, parameter.bit, argument.range)
+                    : checker.absolutePlace(instance.variable->offset + parameter.offset, type, -1, argument.range);
             // an address of the type's size takes the value as it is: %IX0.0 for a BOOL, %IW2 for an INT
             const auto raw = [&](tree::Place* place) {
                 if (argument.value->kind != syntax::ExprKind::Address) return false;
                 const types::Type &x = world.types[place->type], &y = world.types[type];
-                return x.size == y.size && types::isElementary(world.types.storageKind(type)) && world.types.family(type) != types::Family::Bool;
+                return x.size == y.size && types::isElementary(world.types.storageKind(type)) &&
+                       world.types.family(type) != types::Family::Bool;
             };
             if (!isOutput) {
                 Operand value = checker.expression(*argument.value, type);
                 if (value.isUnknown()) continue;
-                if (value.expr->kind == tree::ExprKind::Load && raw(value.expr->place)) value.expr->place->type = value.expr->type = type;
+                if (value.expr->kind == tree::ExprKind::Load && raw(value.expr->place))
+                    value.expr->place->type = value.expr->type = type;
                 value = checker.converted(value, type);
                 if (!value.isUnknown()) function.body.push_back(checker.assignStmt(field, value.expr, {}));
             } else {
@@ -180,7 +202,8 @@ void World::accessAddress(const syntax::VarDecl& declaration, const Scope& scope
         emit(declaration.addressRange, Kind::AddressOutOfRange, {std::string(declaration.address), "%I, %Q or %M"});
         return;
     }
-    const TypeId own = types::TypeTable::of(address->kind), type = declaration.type ? resolveSpec(declaration.type, scope) : own;
+    const TypeId own = types::TypeTable::of(address->kind),
+                 type = declaration.type ? resolveSpec(declaration.type, scope) : own;
     if (types.kind(type) == TypeKind::Unknown) return;
     const bool isBit = types.storageKind(type) == TypeKind::Bool;
     if (isBit != (address->kind == TypeKind::Bool) || (!isBit && types[type].size != types[own].size)) {
@@ -199,9 +222,12 @@ void World::accessPrograms() {
             for (const syntax::VarDecl* declaration : section->declarations) {
                 std::string text = instance.variable->name;
                 for (const syntax::Name& name : declaration->configPath) text += "." + std::string(name.text);
-                if (!declaration->address.empty()) accessAddress(*declaration, {nullptr, unit.space, unit.file});
-                else if (const auto found = program->layout.find(text)) addAccess(*declaration, *found, instance.variable->name);
-                else emit(declaration->range, Kind::ConfigTarget, {text});
+                if (!declaration->address.empty())
+                    accessAddress(*declaration, {nullptr, unit.space, unit.file});
+                else if (const auto found = program->layout.find(text))
+                    addAccess(*declaration, *found, instance.variable->name);
+                else
+                    emit(declaration->range, Kind::ConfigTarget, {text});
             }
         }
     }
@@ -209,7 +235,8 @@ void World::accessPrograms() {
 
 /// VAR_CONFIG: addresses and initial values of variables inside instances; VAR_ACCESS: other names for them.
 void World::applyVarConfig() {
-    const auto apply = [&](const syntax::VarSection& section, const Configuration& configuration, const syntax::ResourceDecl* resource) {
+    const auto apply = [&](const syntax::VarSection& section, const Configuration& configuration,
+                           const syntax::ResourceDecl* resource) {
         const Scope scope{nullptr, configuration.space, configuration.file};
         for (const syntax::VarDecl* declaration : section.declarations) {
             syntax::Path path = declaration->configPath;
@@ -220,7 +247,8 @@ void World::applyVarConfig() {
             if (path.empty()) continue;
             const SourceRange range = joined(path.front().range, path.back().range);
             const auto dropFirst = [&](const syntax::Name& name) {
-                if (path.size() > 1 && name.isValid() && equalsIgnoringCase(path.front().text, name.text)) path.erase(path.begin());
+                if (path.size() > 1 && name.isValid() && equalsIgnoringCase(path.front().text, name.text))
+                    path.erase(path.begin());
             };
             dropFirst(configuration.declaration->name);
             for (const syntax::ResourceDecl* each : configuration.declaration->resources)
@@ -243,16 +271,20 @@ void World::applyVarConfig() {
             }
             uint32_t rootIndex = 0;
             for (const Instance& instance : instances)
-                if (found->offset >= instance.variable->offset && found->offset < instance.variable->offset + types[instance.variable->type].size) rootIndex = instance.root;
+                if (found->offset >= instance.variable->offset &&
+                    found->offset < instance.variable->offset + types[instance.variable->type].size)
+                    rootIndex = instance.root;
             if (!declaration->address.empty()) {
                 const auto address = parseAddress(declaration->address);
                 if (!address || address->isOpen) {
-                    emit(declaration->addressRange.file.isValid() ? declaration->addressRange : range, Kind::AddressMissing, {text});
+                    emit(declaration->addressRange.file.isValid() ? declaration->addressRange : range,
+                         Kind::AddressMissing, {text});
                 } else {
                     const image::AreaRange area = areaOf(address->area);
                     Copy copy;
                     copy.data = *found;
-                    copy.address = {found->type, area.begin + address->byte, types.storageKind(found->type) == TypeKind::Bool ? address->bit : int16_t(-1)};
+                    copy.address = {found->type, area.begin + address->byte,
+                                    types.storageKind(found->type) == TypeKind::Bool ? address->bit : int16_t(-1)};
                     copy.isInput = address->area == image::Area::Input;
                     copy.root = rootIndex;
                     copies.push_back(copy);
@@ -267,7 +299,8 @@ void World::applyVarConfig() {
             }
             if (declaration->initial) {
                 InitialValue initial;
-                initial.bytes.assign(image.begin() + found->offset, image.begin() + found->offset + std::max(1u, types[found->type].size));
+                initial.bytes.assign(image.begin() + found->offset,
+                                     image.begin() + found->offset + std::max(1u, types[found->type].size));
                 initialise(initial, found->type, 0, -1, declaration->initial, scope, nullptr);
                 std::copy(initial.bytes.begin(), initial.bytes.end(), image.begin() + found->offset);
                 for (DynamicInit dynamic : initial.dynamics) {
@@ -279,15 +312,19 @@ void World::applyVarConfig() {
     };
     for (const Configuration& configuration : configurations) {
         for (const syntax::VarSection* section : configuration.declaration->sections)
-            if (section->kind == SectionKind::Config || section->kind == SectionKind::Access) apply(*section, configuration, nullptr);
+            if (section->kind == SectionKind::Config || section->kind == SectionKind::Access)
+                apply(*section, configuration, nullptr);
         for (const syntax::ResourceDecl* resource : configuration.declaration->resources)
             for (const syntax::VarSection* section : resource->sections)
-                if (section->kind == SectionKind::Config || section->kind == SectionKind::Access) apply(*section, configuration, resource);
+                if (section->kind == SectionKind::Config || section->kind == SectionKind::Access)
+                    apply(*section, configuration, resource);
     }
     accessPrograms();
     for (const Located& open : openAddresses) {
         if (open.isCompleted || isLibraryFile(open.variable->range.file)) continue;
-        const SourceRange range = open.variable->declaration->addressRange.file.isValid() ? open.variable->declaration->addressRange : open.variable->range;
+        const SourceRange range = open.variable->declaration->addressRange.file.isValid()
+                                      ? open.variable->declaration->addressRange
+                                      : open.variable->range;
         emit(range, Kind::AddressMissing, {open.variable->name}).severity = diagnostics::Severity::Warning;
     }
 }
@@ -303,7 +340,8 @@ void World::buildTasks() {
         const Scope scope{nullptr, configuration.space, configuration.file};
         for (const syntax::TaskDecl* declared : resource.tasks) {
             const NameId id = key(declared->name.text);
-            if (std::any_of(tasks.begin(), tasks.end(), [&](const Declared& d) { return d.id == id && d.resource == &resource; })) {
+            if (std::any_of(tasks.begin(), tasks.end(),
+                            [&](const Declared& d) { return d.id == id && d.resource == &resource; })) {
                 emit(declared->name.range, Kind::DuplicateTask, {std::string(declared->name.text)});
                 continue;
             }
@@ -318,7 +356,8 @@ void World::buildTasks() {
                 Checker checker(*this, scope, sink, arena);
                 const TypeId time = types::TypeTable::of(TypeKind::Time);
                 Operand value = checker.expression(e, time);
-                if (value.isFlexible && std::holds_alternative<int64_t>(value.expr->value.data)) return std::chrono::milliseconds(value.expr->value.integer());
+                if (value.isFlexible && std::holds_alternative<int64_t>(value.expr->value.data))
+                    return std::chrono::milliseconds(value.expr->value.integer());
                 value = checker.converted(value, time);
                 if (value.isUnknown()) return std::nullopt;
                 if (!value.isConstant()) {
@@ -329,12 +368,16 @@ void World::buildTasks() {
             };
             if (declared->priority)
                 if (const auto priority = constantInteger(declared->priority, scope)) {
-                    if (*priority < 0 || *priority > 1'000'000) emit(declared->priority->range, Kind::ConstantOutOfRange, {std::to_string(*priority), "PRIORITY (0..1000000)"});
+                    if (*priority < 0 || *priority > 1'000'000)
+                        emit(declared->priority->range, Kind::ConstantOutOfRange,
+                             {std::to_string(*priority), "PRIORITY (0..1000000)"});
                     made.task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
                 }
             if (declared->interval)
                 if (const auto interval = duration(*declared->interval)) { // zero: as if there were none
-                    if (interval->count() < 0) emit(declared->interval->range, Kind::ConstantOutOfRange, {types::durationText(interval->count()), "INTERVAL (0..)"});
+                    if (interval->count() < 0)
+                        emit(declared->interval->range, Kind::ConstantOutOfRange,
+                             {types::durationText(interval->count()), "INTERVAL (0..)"});
                     if (interval->count() > 0) made.task.kind = image::TaskKind::Cyclic;
                     made.task.interval = std::max(*interval, std::chrono::nanoseconds(0));
                 }
@@ -342,18 +385,24 @@ void World::buildTasks() {
                 Checker checker(*this, scope, sink, arena);
                 checker.isMuted = false;
                 const Denoted denoted = checker.denote(*declared->single, Access::Read);
-                const bool isBool = denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool;
+                const bool isBool =
+                    denoted.kind == Denoted::Kind::Place && types.storageKind(denoted.place->type) == TypeKind::Bool;
                 tree::Place* place = denoted.place;
-                if (isBool && place->kind == tree::PlaceKind::Bit && place->base && place->base->kind == tree::PlaceKind::Absolute) {
+                if (isBool && place->kind == tree::PlaceKind::Bit && place->base &&
+                    place->base->kind == tree::PlaceKind::Absolute) {
                     made.task.kind = image::TaskKind::Event;
-                    made.task.trigger = image::Place{place->type, place->base->offset + static_cast<uint32_t>(place->bit) / 8, static_cast<int16_t>(place->bit % 8)};
+                    made.task.trigger =
+                        image::Place{place->type, place->base->offset + static_cast<uint32_t>(place->bit) / 8,
+                                     static_cast<int16_t>(place->bit % 8)};
                 } else if (isBool && place->kind == tree::PlaceKind::Absolute) {
                     made.task.kind = image::TaskKind::Event;
                     made.task.trigger = image::Place{place->type, place->offset, place->bit};
-                } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && !declared->interval) { // SINGLE := FALSE
+                } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
+                           !declared->interval) { // SINGLE := FALSE
                     made.task.kind = image::TaskKind::Freewheeling;
                 } else if (denoted.kind != Denoted::Kind::Nothing && denoted.kind != Denoted::Kind::Value) {
-                    emit(declared->single->range, Kind::ConditionNotBool, {denoted.place ? nameOf(denoted.place->type) : std::string(textOf(declared->single->range))});
+                    emit(declared->single->range, Kind::ConditionNotBool,
+                         {denoted.place ? nameOf(denoted.place->type) : std::string(textOf(declared->single->range))});
                 }
             }
             for (const syntax::Argument& argument : declared->others) {
@@ -361,9 +410,14 @@ void World::buildTasks() {
                 if (equalsIgnoringCase(argument.name.text, "WATCHDOG")) {
                     if (const auto limit = duration(*argument.value)) made.task.watchdog = *limit;
                 } else if (equalsIgnoringCase(argument.name.text, "SENSITIVITY")) {
-                    if (const auto count = constantInteger(argument.value, scope)) made.task.watchdogSensitivity = static_cast<uint32_t>(std::clamp<int64_t>(*count, 1, 1'000'000));
+                    if (const auto count = constantInteger(argument.value, scope))
+                        made.task.watchdogSensitivity =
+                            static_cast<uint32_t>(std::clamp<int64_t>(*count, 1, 1'000'000));
                 } else {
-                    suggest(emit(argument.name.range, Kind::UnknownParameter, {"TASK", std::string(argument.name.text)}), argument.name.range, argument.name.text, {"INTERVAL", "SINGLE", "PRIORITY", "WATCHDOG", "SENSITIVITY"});
+                    suggest(
+                        emit(argument.name.range, Kind::UnknownParameter, {"TASK", std::string(argument.name.text)}),
+                        argument.name.range, argument.name.text,
+                        {"INTERVAL", "SINGLE", "PRIORITY", "WATCHDOG", "SENSITIVITY"});
                 }
             }
         }
@@ -396,11 +450,14 @@ void World::buildTasks() {
             continue;
         }
         const NameId id = key(instance.declaration->task.text);
-        const auto it = std::find_if(tasks.begin(), tasks.end(), [&](const Declared& d) { return d.id == id && d.resource == instance.resource; });
+        const auto it = std::find_if(tasks.begin(), tasks.end(),
+                                     [&](const Declared& d) { return d.id == id && d.resource == instance.resource; });
         if (it == tasks.end()) {
             std::vector<std::string> candidates;
             for (const Declared& each : tasks) candidates.push_back(each.task.name);
-            suggest(emit(instance.declaration->task.range, Kind::UnknownTask, {std::string(instance.declaration->task.text)}), instance.declaration->task.range, instance.declaration->task.text, candidates);
+            suggest(emit(instance.declaration->task.range, Kind::UnknownTask,
+                         {std::string(instance.declaration->task.text)}),
+                    instance.declaration->task.range, instance.declaration->task.text, candidates);
             continue;
         }
         (simulates ? simulations : out)[static_cast<size_t>(it - tasks.begin())].programs.push_back(entryOf(instance));
@@ -409,8 +466,10 @@ void World::buildTasks() {
     std::vector<Instance*> byDefault;
     for (Instance& instance : instances) {
         if (instance.declaration) continue;
-        if (instance.variable->program->isSimulation) simulation.programs.push_back(entryOf(instance));
-        else byDefault.push_back(&instance);
+        if (instance.variable->program->isSimulation)
+            simulation.programs.push_back(entryOf(instance));
+        else
+            byDefault.push_back(&instance);
     }
     if (!isConfigured && !byDefault.empty()) {
         Instance* chosen = byDefault.size() == 1 ? byDefault.front() : nullptr;
@@ -430,7 +489,9 @@ void World::buildTasks() {
         }
     }
     if (instances.empty() || (!isConfigured && byDefault.empty() && simulation.programs.empty()))
-        if (std::any_of(fileOf.begin(), fileOf.end(), [](const syntax::SyntaxFile* f) { return f && f->library.empty(); })) emit({}, Kind::NoProgram).severity = diagnostics::Severity::Info;
+        if (std::any_of(fileOf.begin(), fileOf.end(),
+                        [](const syntax::SyntaxFile* f) { return f && f->library.empty(); }))
+            emit({}, Kind::NoProgram).severity = diagnostics::Severity::Info;
     std::vector<image::Task>& all = program->tasks;
     for (image::Task& task : out) all.push_back(std::move(task));
     if (!free.programs.empty()) all.push_back(std::move(free));
@@ -440,7 +501,8 @@ void World::buildTasks() {
             all.push_back(std::move(task));
         }
     if (!simulation.programs.empty()) all.push_back(std::move(simulation));
-    std::stable_sort(all.begin(), all.end(), [](const image::Task& a, const image::Task& b) { return a.priority < b.priority; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const image::Task& a, const image::Task& b) { return a.priority < b.priority; });
 }
 
 } // namespace plc::sema

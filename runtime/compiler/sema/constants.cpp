@@ -7,13 +7,16 @@ using diagnostics::Kind;
 
 const types::Value* World::constantOf(Variable& variable) {
     switch (variable.folding) {
-    case Folding::Constant: return &variable.value;
-    case Folding::Dynamic: return nullptr;
+    case Folding::Constant:
+        return &variable.value;
+    case Folding::Dynamic:
+        return nullptr;
     case Folding::Working:
         emit(variable.range, Kind::TypeCycle, {variable.name});
         variable.folding = Folding::Dynamic;
         return nullptr;
-    case Folding::Open: break;
+    case Folding::Open:
+        break;
     }
     const TypeId type = typeOf(variable);
     variable.folding = Folding::Working;
@@ -42,8 +45,10 @@ const types::Value* World::constantOf(Variable& variable) {
     variable.value = value.expr->value;
     if (types.isText(type)) { // cut to its capacity
         const uint32_t capacity = types[type].capacity;
-        if (auto* narrow = std::get_if<std::string>(&variable.value.data); narrow && narrow->size() > capacity) narrow->resize(capacity);
-        if (auto* wide = std::get_if<std::u16string>(&variable.value.data); wide && wide->size() > capacity) wide->resize(capacity);
+        if (auto* narrow = std::get_if<std::string>(&variable.value.data); narrow && narrow->size() > capacity)
+            narrow->resize(capacity);
+        if (auto* wide = std::get_if<std::u16string>(&variable.value.data); wide && wide->size() > capacity)
+            wide->resize(capacity);
     }
     variable.value.type = type;
     variable.folding = Folding::Constant;
@@ -52,12 +57,15 @@ const types::Value* World::constantOf(Variable& variable) {
 
 void World::checkConstants() {
     const auto check = [&](Variable& variable) {
-        if (variable.isConstant && variable.kind != syntax::SectionKind::External && isFoldable(types, typeOf(variable))) constantOf(variable);
+        if (variable.isConstant && variable.kind != syntax::SectionKind::External &&
+            isFoldable(types, typeOf(variable)))
+            constantOf(variable);
     };
     for (Variable& variable : globals) check(variable);
     for (Unit& unit : units)
         for (Variable& variable : unit.variables)
-            if (variable.kind == syntax::SectionKind::Var || variable.kind == syntax::SectionKind::Stat) check(variable);
+            if (variable.kind == syntax::SectionKind::Var || variable.kind == syntax::SectionKind::Stat)
+                check(variable);
 }
 
 } // namespace plc::sema

@@ -24,7 +24,8 @@ bool Checker::fits(const types::Value& value, TypeId type) const {
     if (family == Family::Real) return true;
     if (family == Family::Bool) return value.integer() == 0 || value.integer() == 1;
     if (!types::isInteger(family) && family != Family::Character) return false;
-    const bool isBig = types.storageKind(value.type) == TypeKind::Ulint || types.storageKind(value.type) == TypeKind::Lword; // bit pattern
+    const bool isBig = types.storageKind(value.type) == TypeKind::Ulint ||
+                       types.storageKind(value.type) == TypeKind::Lword; // bit pattern
     const unsigned bits = types::bitsOf(kind);
     const bool isSigned = family == Family::Signed;
     const int64_t number = value.integer();
@@ -52,15 +53,23 @@ TypeId Checker::commonType(const Operand& a, const Operand& b) const {
         if (fits(literal.expr->value, other)) return other;
     }
     const bool numeric = isNumeric(a.type()) && isNumeric(b.type());
-    if (!numeric) return f == g && f != Family::Other && !types.isText(a.type()) ? elementary(types::bitsOf(y) > types::bitsOf(x) ? y : x) : TypeId();
+    if (!numeric)
+        return f == g && f != Family::Other && !types.isText(a.type())
+                   ? elementary(types::bitsOf(y) > types::bitsOf(x) ? y : x)
+                   : TypeId();
     const auto single = [&](const Operand& real, const Operand& whole) {
         if (!real.isFlexible) return real.type();
-        return elementary(types::bitsOf(types.storageKind(whole.type())) <= 16 && fits(real.expr->value, elementary(TypeKind::Real)) ? TypeKind::Real : TypeKind::Lreal);
+        return elementary(types::bitsOf(types.storageKind(whole.type())) <= 16 &&
+                                  fits(real.expr->value, elementary(TypeKind::Real))
+                              ? TypeKind::Real
+                              : TypeKind::Lreal);
     };
-    if (f == Family::Real && g == Family::Real) return elementary(x == TypeKind::Lreal || y == TypeKind::Lreal ? TypeKind::Lreal : TypeKind::Real);
+    if (f == Family::Real && g == Family::Real)
+        return elementary(x == TypeKind::Lreal || y == TypeKind::Lreal ? TypeKind::Lreal : TypeKind::Real);
     if (f == Family::Real) return types.storage(single(a, b));
     if (g == Family::Real) return types.storage(single(b, a));
-    const TypeKind own = a.isFlexible ? types.storageKind(smallestType(a)) : x, other = b.isFlexible ? types.storageKind(smallestType(b)) : y;
+    const TypeKind own = a.isFlexible ? types.storageKind(smallestType(a)) : x,
+                   other = b.isFlexible ? types.storageKind(smallestType(b)) : y;
     const unsigned m = types::bitsOf(own), n = types::bitsOf(other);
     if (m != n) return elementary(m > n ? own : other);
     const Family p = types::familyOf(own), q = types::familyOf(other);
@@ -72,15 +81,22 @@ TypeId Checker::commonType(const Operand& a, const Operand& b) const {
 void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
     auto& diagnostic = emit(range, Kind::TypeMismatch, {nameOf(from), nameOf(to)});
     const TypeKind a = types.storageKind(from), b = types.storageKind(to);
-    const auto named = [](TypeKind kind) -> std::string { return kind == TypeKind::String ? "STRING" : kind == TypeKind::Wstring ? "WSTRING" : std::string(types::spelling(kind)); };
+    const auto named = [](TypeKind kind) -> std::string {
+        return kind == TypeKind::String    ? "STRING"
+               : kind == TypeKind::Wstring ? "WSTRING"
+                                           : std::string(types::spelling(kind));
+    };
     if (!named(a).empty() && !named(b).empty() && range.file.isValid()) {
         const std::string function = named(a) + "_TO_" + named(b);
         if (library::findConversion(function))
-            diagnostic.fixes.push_back({"Convert with " + function, {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+            diagnostic.fixes.push_back({"Convert with " + function,
+                                        {{{range.file, range.begin, range.begin}, function + "("},
+                                         {{range.file, range.end, range.end}, ")"}}});
     }
 }
 
-/// A number or another enumeration's value for a strict enumeration; a name of another enumeration may be meant as one of its own.
+/// A number or another enumeration's value for a strict enumeration; a name of another enumeration may be meant as one
+/// of its own.
 void Checker::strictMismatch(SourceRange range, std::string what, TypeId to) {
     auto& diagnostic = emit(range, Kind::StrictEnum, {std::move(what), nameOf(to)});
     if (!range.file.isValid() || types[to].enumerators.empty() || types[to].enumerators.size() > 5) return;
@@ -95,7 +111,10 @@ bool Checker::isStrict(const Operand& operand) {
     const std::string function = "TO_" + std::string(types::spelling(types.storageKind(operand.type())));
     const SourceRange range = operand.expr->range;
     auto& diagnostic = emit(range, Kind::StrictCalculation, {nameOf(operand.type()), function});
-    if (range.file.isValid()) diagnostic.fixes.push_back({"Convert with " + function, {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+    if (range.file.isValid())
+        diagnostic.fixes.push_back(
+            {"Convert with " + function,
+             {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
     return true;
 }
 
@@ -142,7 +161,8 @@ Operand Checker::convertedText(Operand operand, TypeId to) {
             const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
             const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
             const size_t length = narrow ? narrow->size() : wide ? wide->size() : 0;
-            if (length > target.capacity) emit(range, Kind::StringTooLong, {std::to_string(length), std::to_string(target.capacity)});
+            if (length > target.capacity)
+                emit(range, Kind::StringTooLong, {std::to_string(length), std::to_string(target.capacity)});
             if (types.kind(from) == types.kind(to)) return operand;
             if (wide) {
                 for (const char16_t c : *wide) {
@@ -151,14 +171,20 @@ Operand Checker::convertedText(Operand operand, TypeId to) {
                     return unknown(range);
                 }
             }
-            return convertNode(operand, types.kind(to) == TypeKind::Wstring ? textType(length, true) : textType(length, false));
+            return convertNode(operand,
+                               types.kind(to) == TypeKind::Wstring ? textType(length, true) : textType(length, false));
         }
     }
     if (types.kind(from) == types.kind(to)) return operand; // any capacity: the assignment cuts
     switch (types::implicitConversion(types, from, to)) {
-    case types::Implicit::Narrowing: emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)}); break;
-    case types::Implicit::Forbidden: mismatch(range, from, to); return unknown(range);
-    default: break;
+    case types::Implicit::Narrowing:
+        emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
+        break;
+    case types::Implicit::Forbidden:
+        mismatch(range, from, to);
+        return unknown(range);
+    default:
+        break;
     }
     return convertNode(operand, to);
 }
@@ -196,12 +222,14 @@ Operand Checker::converted(Operand operand, TypeId to) {
         }
         if (target.kind == TypeKind::Enum && !isReal) {
             const auto& enumerators = target.enumerators;
-            const bool known = std::any_of(enumerators.begin(), enumerators.end(), [&](const types::Enumerator& e) { return e.value == value.integer(); });
+            const bool known = std::any_of(enumerators.begin(), enumerators.end(),
+                                           [&](const types::Enumerator& e) { return e.value == value.integer(); });
             if (target.isStrict && !known) {
                 strictMismatch(range, textOf(range), to);
                 return unknown(range);
             }
-            if (!target.isStrict && (!known || !operand.isFlexible)) emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
+            if (!target.isStrict && (!known || !operand.isFlexible))
+                emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
             return convertNode(operand, to);
         }
         if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
@@ -215,7 +243,9 @@ Operand Checker::converted(Operand operand, TypeId to) {
                 return unknown(range);
             }
         }
-        if ((target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface || target.kind == TypeKind::Reference) && !isReal && value.integer() == 0)
+        if ((target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface ||
+             target.kind == TypeKind::Reference) &&
+            !isReal && value.integer() == 0)
             return constant({to, int64_t(0)}, range);
         if (operand.isFlexible) operand = settled(operand);
         if (types.isText(to) || types.isAggregate(to) || isKind(to, TypeKind::Block)) {
@@ -226,11 +256,14 @@ Operand Checker::converted(Operand operand, TypeId to) {
     // a literal FALSE or TRUE as a number
     if (fromFamily == Family::Bool && operand.isConstant() && isNumeric(to)) return convertNode(operand, to);
     // one character of text as a CHAR or its code
-    if (types.isText(from) && operand.isConstant() && (toFamily == Family::Character || (types::isInteger(toFamily) && types::bitsOf(toKind) <= 16))) {
+    if (types.isText(from) && operand.isConstant() &&
+        (toFamily == Family::Character || (types::isInteger(toFamily) && types::bitsOf(toKind) <= 16))) {
         const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
         const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
-        if (narrow && narrow->size() == 1) return constant({to, int64_t(static_cast<unsigned char>(narrow->front()))}, range);
-        if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16) return constant({to, int64_t(wide->front())}, range);
+        if (narrow && narrow->size() == 1)
+            return constant({to, int64_t(static_cast<unsigned char>(narrow->front()))}, range);
+        if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16)
+            return constant({to, int64_t(wide->front())}, range);
     }
     if (types.isText(to) && (types.isText(from) || fromFamily == Family::Character)) return convertedText(operand, to);
 
@@ -256,22 +289,33 @@ Operand Checker::converted(Operand operand, TypeId to) {
             return {e, &types};
         }
         if (isKind(from, TypeKind::Interface) && types.isDerivedFrom(from, to)) return sameBits(operand, to);
-        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) && types.implements(types[from].element, to)) return sameBits(operand, to);
+        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) &&
+            types.implements(types[from].element, to))
+            return sameBits(operand, to);
         break;
     case TypeKind::Reference:
-        if (operand.expr->kind == tree::ExprKind::Load && (world.sameType(from, target.element) || (isKind(from, TypeKind::Block) && types.isDerivedFrom(from, target.element)))) return addressOf(operand.expr->place, to, range);
+        if (operand.expr->kind == tree::ExprKind::Load &&
+            (world.sameType(from, target.element) ||
+             (isKind(from, TypeKind::Block) && types.isDerivedFrom(from, target.element))))
+            return addressOf(operand.expr->place, to, range);
         if (isKind(from, TypeKind::Pointer) || isKind(from, TypeKind::Reference)) {
             if (world.sameType(types[from].element, target.element)) return sameBits(operand, to);
         }
         break;
     case TypeKind::Pointer:
-        if (isKind(from, TypeKind::Pointer) && world.sameType(types[from].element, target.element)) return sameBits(operand, to);
-        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) && types.isDerivedFrom(types[from].element, target.element)) return sameBits(operand, to);
+        if (isKind(from, TypeKind::Pointer) && world.sameType(types[from].element, target.element))
+            return sameBits(operand, to);
+        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) &&
+            types.isDerivedFrom(types[from].element, target.element))
+            return sameBits(operand, to);
         break;
-    default: break;
+    default:
+        break;
     }
     if (isKind(from, TypeKind::Null)) {
-        if (target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface || target.kind == TypeKind::Reference) return constant({to, int64_t(0)}, range);
+        if (target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface ||
+            target.kind == TypeKind::Reference)
+            return constant({to, int64_t(0)}, range);
         mismatch(range, from, to);
         return unknown(range);
     }
@@ -280,29 +324,39 @@ Operand Checker::converted(Operand operand, TypeId to) {
     if (e.kind == tree::ExprKind::Binary && types::isInteger(fromFamily) && isNumeric(to)) {
         const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
         isDividing = toFamily == Family::Real && e.binary == library::BinaryOp::Divide;
-        if (isDividing) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
+        if (isDividing)
+            emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
         else if (widens && types::bitsOf(fromKind) < 64 &&
-                 (e.binary == library::BinaryOp::Multiply || ((e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract) && e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
+                 (e.binary == library::BinaryOp::Multiply ||
+                  ((e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract) &&
+                   e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
             emit(range, Kind::WrapsBeforeWidening, {textOf(range), nameOf(from), nameOf(to)});
     }
     switch (types::implicitConversion(types, from, to)) {
     case types::Implicit::Same:
-    case types::Implicit::Widening: break;
+    case types::Implicit::Widening:
+        break;
     case types::Implicit::Narrowing:
         if (isDividing) break;
         if (target.kind == TypeKind::Enum && target.isStrict) {
             strictMismatch(range, textOf(range), to);
             return unknown(range);
         }
-        if (target.kind == TypeKind::Enum) emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
+        if (target.kind == TypeKind::Enum)
+            emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
         else {
             auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
-            const std::string function = std::string(types::spelling(fromKind)) + "_TO_" + std::string(types::spelling(toKind));
+            const std::string function =
+                std::string(types::spelling(fromKind)) + "_TO_" + std::string(types::spelling(toKind));
             if (types::isElementary(fromKind) && types::isElementary(toKind) && range.file.isValid())
-                diagnostic.fixes.push_back({"Convert with " + function, {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+                diagnostic.fixes.push_back({"Convert with " + function,
+                                            {{{range.file, range.begin, range.begin}, function + "("},
+                                             {{range.file, range.end, range.end}, ")"}}});
         }
         break;
-    case types::Implicit::Forbidden: mismatch(range, from, to); return unknown(range);
+    case types::Implicit::Forbidden:
+        mismatch(range, from, to);
+        return unknown(range);
     }
     const bool fromAddress = isKind(from, TypeKind::Pointer) || isKind(from, TypeKind::Reference);
     const bool toAddress = target.kind == TypeKind::Pointer || target.kind == TypeKind::Reference;

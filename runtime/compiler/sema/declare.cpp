@@ -23,7 +23,8 @@ std::string_view stemOf(std::string_view path) {
 }
 
 bool hasAttribute(const std::vector<syntax::Pragma>& pragmas, std::string_view key) {
-    return std::any_of(pragmas.begin(), pragmas.end(), [&](const syntax::Pragma& p) { return p.isAttribute && equalsIgnoringCase(p.key, key); });
+    return std::any_of(pragmas.begin(), pragmas.end(),
+                       [&](const syntax::Pragma& p) { return p.isAttribute && equalsIgnoringCase(p.key, key); });
 }
 
 std::vector<std::string> aliasesOf(const std::vector<syntax::Pragma>& pragmas) {
@@ -44,26 +45,38 @@ std::vector<std::string> aliasesOf(const std::vector<syntax::Pragma>& pragmas) {
 
 SymbolKind symbolKindOf(UnitKind kind) {
     switch (kind) {
-    case UnitKind::Program: return SymbolKind::Program;
-    case UnitKind::Function: return SymbolKind::Function;
-    case UnitKind::Block: return SymbolKind::FunctionBlock;
-    case UnitKind::Interface: return SymbolKind::Interface;
+    case UnitKind::Program:
+        return SymbolKind::Program;
+    case UnitKind::Function:
+        return SymbolKind::Function;
+    case UnitKind::Block:
+        return SymbolKind::FunctionBlock;
+    case UnitKind::Interface:
+        return SymbolKind::Interface;
     case UnitKind::Method:
     case UnitKind::PropertyGet:
-    case UnitKind::PropertySet: return SymbolKind::Method;
-    case UnitKind::Action: return SymbolKind::Action;
+    case UnitKind::PropertySet:
+        return SymbolKind::Method;
+    case UnitKind::Action:
+        return SymbolKind::Action;
     }
     return SymbolKind::Function;
 }
 
 types::FieldSection sectionOf(SectionKind kind) {
     switch (kind) {
-    case SectionKind::Input: return types::FieldSection::Input;
-    case SectionKind::Output: return types::FieldSection::Output;
-    case SectionKind::InOut: return types::FieldSection::InOut;
-    case SectionKind::External: return types::FieldSection::External;
-    case SectionKind::Stat: return types::FieldSection::Static;
-    default: return types::FieldSection::Local;
+    case SectionKind::Input:
+        return types::FieldSection::Input;
+    case SectionKind::Output:
+        return types::FieldSection::Output;
+    case SectionKind::InOut:
+        return types::FieldSection::InOut;
+    case SectionKind::External:
+        return types::FieldSection::External;
+    case SectionKind::Stat:
+        return types::FieldSection::Static;
+    default:
+        return types::FieldSection::Local;
     }
 }
 
@@ -106,7 +119,9 @@ void World::declare(const syntax::Decl& decl, Space& space, const syntax::Syntax
         if (decl.type) declareType(*decl.type, space, file);
         return;
     case syntax::DeclKind::Globals:
-        if (decl.globals) declareGlobals(*decl.globals, space, file, decl.globals->name.empty() ? stemOf(sources[file.file].path()) : decl.globals->name);
+        if (decl.globals)
+            declareGlobals(*decl.globals, space, file,
+                           decl.globals->name.empty() ? stemOf(sources[file.file].path()) : decl.globals->name);
         return;
     case syntax::DeclKind::Configuration:
         if (decl.configuration) configurations.push_back({decl.configuration, &file, &space});
@@ -127,7 +142,8 @@ void World::declare(const syntax::Decl& decl, Space& space, const syntax::Syntax
         }
         return;
     }
-    case syntax::DeclKind::Using: return; // resolveUsings
+    case syntax::DeclKind::Using:
+        return; // resolveUsings
     }
 }
 
@@ -172,10 +188,18 @@ void World::resolveUsings() {
 Unit* World::declareUnit(const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file) {
     Unit& unit = units.emplace_back();
     switch (pou.kind) {
-    case syntax::PouKind::Program: unit.kind = UnitKind::Program; break;
-    case syntax::PouKind::FunctionBlock: unit.kind = UnitKind::Block; break;
-    case syntax::PouKind::Interface: unit.kind = UnitKind::Interface; break;
-    default: unit.kind = UnitKind::Function; break;
+    case syntax::PouKind::Program:
+        unit.kind = UnitKind::Program;
+        break;
+    case syntax::PouKind::FunctionBlock:
+        unit.kind = UnitKind::Block;
+        break;
+    case syntax::PouKind::Interface:
+        unit.kind = UnitKind::Interface;
+        break;
+    default:
+        unit.kind = UnitKind::Function;
+        break;
     }
     unit.name = std::string(pou.name.text);
     unit.qualified = unit.name;
@@ -194,7 +218,8 @@ Unit* World::declareUnit(const syntax::Pou& pou, Space& space, const syntax::Syn
         for (const Entity& other : entities) {
             if (!other.unit && !other.type) continue;
             auto& diagnostic = emit(unit.range, Kind::DuplicateName, {unit.name});
-            diagnostic.related.push_back({other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
+            diagnostic.related.push_back(
+                {other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
             break;
         }
         entities.push_back({nullptr, &unit, nullptr});
@@ -253,7 +278,8 @@ void World::declareMembers(Unit& unit) {
     }
     declareImplicitEno(unit);
     const auto taken = [&](const syntax::Name& name) {
-        const auto it = unit.members.find(key(name.text)); // a variable may share its name: a call or an access from outside means the other
+        const auto it = unit.members.find(
+            key(name.text)); // a variable may share its name: a call or an access from outside means the other
         if (it == unit.members.end() || (!it->second.unit && !it->second.property)) return false;
         emit(name.range, Kind::DuplicateName, {std::string(name.text)});
         return true;
@@ -272,11 +298,13 @@ void World::declareMembers(Unit& unit) {
         property.id = key(declared->name.text);
         property.declaration = declared;
         property.owner = &unit;
-        property.symbol = addSymbol(SymbolKind::Property, property.name, unit.name, declared->name.range, declared->comment);
+        property.symbol =
+            addSymbol(SymbolKind::Property, property.name, unit.name, declared->name.range, declared->comment);
         for (const bool isSet : {false, true}) {
             const syntax::Pou* accessor = isSet ? declared->set : declared->get;
             if (!accessor) continue;
-            Unit* made = declareMethod(*accessor, unit, property.name + (isSet ? ".set" : ".get"), isSet ? UnitKind::PropertySet : UnitKind::PropertyGet);
+            Unit* made = declareMethod(*accessor, unit, property.name + (isSet ? ".set" : ".get"),
+                                       isSet ? UnitKind::PropertySet : UnitKind::PropertyGet);
             made->property = &property;
             made->symbol = property.symbol;
             made->range = declared->name.range;
@@ -325,17 +353,21 @@ void World::declareMembers(Unit& unit) {
     }
 }
 
-/// A unit that writes ENO without declaring it has it as an output, TRUE at the begin of each call (edition 2, 2.5.1.2).
+/// A unit that writes ENO without declaring it has it as an output, TRUE at the begin of each call (edition
+/// 2, 2.5.1.2).
 void World::declareImplicitEno(Unit& unit) {
-    const bool canHave = unit.kind == UnitKind::Function || unit.kind == UnitKind::Method || unit.kind == UnitKind::Block;
+    const bool canHave =
+        unit.kind == UnitKind::Function || unit.kind == UnitKind::Method || unit.kind == UnitKind::Block;
     if (!canHave || !unit.file || !unit.pou->body.range.file.isValid() || unit.members.count(key("ENO"))) return;
     const SourceRange body = unit.pou->body.range;
     const std::string_view text = sources[unit.file->file].text();
     const auto& tokens = unit.file->tokens.tokens;
-    auto at = std::lower_bound(tokens.begin(), tokens.end(), body.begin, [](const lex::Token& token, uint32_t begin) { return token.begin < begin; });
+    auto at = std::lower_bound(tokens.begin(), tokens.end(), body.begin,
+                               [](const lex::Token& token, uint32_t begin) { return token.begin < begin; });
     bool found = false;
     for (; at != tokens.end() && at->begin < body.end && !found; ++at) {
-        if (at->kind != lex::TokenKind::Identifier || at->end - at->begin != 3 || (text[at->begin] | 0x20) != 'e') continue;
+        if (at->kind != lex::TokenKind::Identifier || at->end - at->begin != 3 || (text[at->begin] | 0x20) != 'e')
+            continue;
         const bool isArgument = at + 1 != tokens.end() && (at + 1)->kind == lex::TokenKind::Output;
         const bool isMember = at != tokens.begin() && (at - 1)->kind == lex::TokenKind::Dot;
         found = !isArgument && !isMember && equalsIgnoringCase(text.substr(at->begin, 3), "ENO");
@@ -372,18 +404,22 @@ Variable& World::addVariable(Unit& unit, Variable variable, const std::vector<sy
     Variable& added = unit.variables.back();
     Member& member = unit.members[added.id];
     if (member) {
-        const SourceRange first = member.variable ? member.variable->range : member.unit ? member.unit->range : SourceRange{};
+        const SourceRange first = member.variable ? member.variable->range
+                                  : member.unit   ? member.unit->range
+                                                  : SourceRange{};
         auto& diagnostic = emit(added.range, Kind::DuplicateName, {added.name});
         if (first.file.isValid()) diagnostic.related.push_back({first, "first declared here"});
     } else {
         member.variable = &added;
     }
     if (pragmas)
-        for (const std::string& alias : aliasesOf(*pragmas)) unit.members.try_emplace(key(alias)).first->second.variable = &added;
+        for (const std::string& alias : aliasesOf(*pragmas))
+            unit.members.try_emplace(key(alias)).first->second.variable = &added;
     return added;
 }
 
-void World::declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table) {
+void World::declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope,
+                               std::unordered_map<NameId, std::vector<EnumeratorRef>>& table) {
     for (int depth = 0; spec && depth < 32; spec = spec->element, ++depth) {
         if (spec->kind == syntax::TypeSpecKind::Enum) {
             declareEnum(*spec, "enumeration", scope, table, nullptr);
@@ -396,7 +432,8 @@ void World::declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope,
 void World::declareVariables(Unit& unit, const std::vector<syntax::VarSection*>& sections) {
     const Scope scope{&unit, unit.space, unit.file};
     for (const syntax::VarSection* section : sections) {
-        if (section->kind == SectionKind::Access && unit.kind == UnitKind::Program) continue; // other names, made with the layout
+        if (section->kind == SectionKind::Access && unit.kind == UnitKind::Program)
+            continue; // other names, made with the layout
         for (const syntax::VarDecl* declaration : section->declarations) {
             declareInlineEnums(declaration->type, scope, unit.enumerators);
             for (const syntax::Name& name : declaration->names) {
@@ -410,9 +447,11 @@ void World::declareVariables(Unit& unit, const std::vector<syntax::VarSection*>&
                 variable.range = name.range;
                 variable.kind = section->kind;
                 // a CONSTANT parameter has the caller's value, but can not be written
-                variable.isConstant = section->constant && section->kind != SectionKind::Input && section->kind != SectionKind::InOut && section->kind != SectionKind::Output;
+                variable.isConstant = section->constant && section->kind != SectionKind::Input &&
+                                      section->kind != SectionKind::InOut && section->kind != SectionKind::Output;
                 variable.isLocated = !declaration->address.empty();
-                variable.symbol = addSymbol(section->constant ? SymbolKind::Constant : SymbolKind::Variable, name.text, unit.qualified, name.range, declaration->comment);
+                variable.symbol = addSymbol(section->constant ? SymbolKind::Constant : SymbolKind::Variable, name.text,
+                                            unit.qualified, name.range, declaration->comment);
                 Symbol& symbol = symbols[variable.symbol.index()];
                 symbol.section = sectionOf(section->kind);
                 symbol.isConstant = section->constant;
@@ -423,7 +462,8 @@ void World::declareVariables(Unit& unit, const std::vector<syntax::VarSection*>&
     }
 }
 
-void World::declareGlobals(const syntax::GlobalList& declared, Space& space, const syntax::SyntaxFile& file, std::string_view name) {
+void World::declareGlobals(const syntax::GlobalList& declared, Space& space, const syntax::SyntaxFile& file,
+                           std::string_view name) {
     if (!declared.section) return;
     const NameId id = key(name);
     GlobalsList*& list = space.lists[id];
@@ -453,12 +493,14 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
             variable.space = &space;
             variable.isConstant = declared.section->constant;
             variable.isLocated = !declaration->address.empty();
-            variable.symbol = addSymbol(variable.isConstant ? SymbolKind::Constant : SymbolKind::Variable, varName.text, list->name, varName.range, declaration->comment);
+            variable.symbol = addSymbol(variable.isConstant ? SymbolKind::Constant : SymbolKind::Variable, varName.text,
+                                        list->name, varName.range, declaration->comment);
             Symbol& symbol = symbols[variable.symbol.index()];
             symbol.isConstant = variable.isConstant;
             symbol.path = list->name.empty() ? variable.name : list->name + "." + variable.name;
             if (Variable*& first = list->variables[variable.id]) {
-                emit(variable.range, Kind::DuplicateName, {variable.name}).related.push_back({first->range, "first declared here"});
+                emit(variable.range, Kind::DuplicateName, {variable.name})
+                    .related.push_back({first->range, "first declared here"});
             } else {
                 first = &variable;
                 if (!qualifiedOnly) space.entities[variable.id].push_back({&variable, nullptr, nullptr});
@@ -467,7 +509,9 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
     }
 }
 
-EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, const std::vector<syntax::Pragma>* attributes) {
+EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope,
+                             std::unordered_map<NameId, std::vector<EnumeratorRef>>& table,
+                             const std::vector<syntax::Pragma>* attributes) {
     const bool qualifiedOnly = attributes && hasAttribute(*attributes, "qualified_only");
     EnumType& made = enums.emplace_back();
     made.spec = &spec;
@@ -483,8 +527,10 @@ EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, con
     enumsBySpec[&spec] = &made;
     for (uint32_t i = 0; i < spec.enumerators.size(); ++i) {
         const syntax::EnumeratorDecl& declared = spec.enumerators[i];
-        type.enumerators.push_back({std::string(declared.name.text), 0, declared.name.range, std::string(declared.comment)});
-        made.symbols.push_back(addSymbol(SymbolKind::Enumerator, declared.name.text, name, declared.name.range, declared.comment));
+        type.enumerators.push_back(
+            {std::string(declared.name.text), 0, declared.name.range, std::string(declared.comment)});
+        made.symbols.push_back(
+            addSymbol(SymbolKind::Enumerator, declared.name.text, name, declared.name.range, declared.comment));
         symbols.back().type = made.type;
         for (uint32_t k = 0; k < i; ++k) {
             if (key(spec.enumerators[k].name.text) != key(declared.name.text)) continue;
@@ -519,7 +565,9 @@ void World::declareType(const syntax::TypeDecl& declared, Space& space, const sy
     std::vector<Entity>& entities = space.entities[type.id];
     for (const Entity& other : entities) {
         if (!other.unit && !other.type) continue;
-        emit(declared.name.range, Kind::DuplicateName, {type.name}).related.push_back({other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
+        emit(declared.name.range, Kind::DuplicateName, {type.name})
+            .related.push_back(
+                {other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
         break;
     }
     entities.push_back({nullptr, nullptr, &type});

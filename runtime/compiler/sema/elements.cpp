@@ -26,7 +26,9 @@ Denoted valueOf(Operand value) {
 } // namespace
 
 Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
-    Denoted from = denote(*e.base, access == Access::Address ? Access::ReadWrite : access == Access::Call ? Access::ReadWrite : access);
+    Denoted from = denote(*e.base, access == Access::Address ? Access::ReadWrite
+                                   : access == Access::Call  ? Access::ReadWrite
+                                                             : access);
     std::vector<Operand> indices;
     for (const syntax::Argument& argument : e.arguments) {
         if (!argument.value) continue;
@@ -60,17 +62,22 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     }
     tree::Place* base = from.place;
     const types::Type& type = types[base->type];
-    const auto good = [&] { return std::none_of(indices.begin(), indices.end(), [](const Operand& o) { return o.isUnknown(); }); };
+    const auto good = [&] {
+        return std::none_of(indices.begin(), indices.end(), [](const Operand& o) { return o.isUnknown(); });
+    };
     Denoted out = from;
     out.isExact = true;
     out.isSuper = false;
     switch (type.kind) {
-    case TypeKind::Unknown: return {};
+    case TypeKind::Unknown:
+        return {};
     case TypeKind::Array:
     case TypeKind::OpenArray: {
         if (indices.size() != type.dimensions.size()) {
-            if (type.kind == TypeKind::Array && indices.size() == 1 && e.arguments.size() == 1) {}
-            emit(e.range, Kind::WrongIndexCount, {std::to_string(type.dimensions.size()), std::to_string(indices.size())});
+            if (type.kind == TypeKind::Array && indices.size() == 1 && e.arguments.size() == 1) {
+            }
+            emit(e.range, Kind::WrongIndexCount,
+                 {std::to_string(type.dimensions.size()), std::to_string(indices.size())});
             return {};
         }
         if (!good()) return {};
@@ -85,15 +92,18 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
             const int64_t index = indices[i].expr->value.integer();
             const types::Dimension& dimension = type.dimensions[i];
             if (index < dimension.low || index > dimension.high) {
-                emit(e.arguments[i].value->range, Kind::ConstantIndexOutOfRange, {std::to_string(index), std::to_string(dimension.low), std::to_string(dimension.high)});
+                emit(e.arguments[i].value->range, Kind::ConstantIndexOutOfRange,
+                     {std::to_string(index), std::to_string(dimension.low), std::to_string(dimension.high)});
                 return {};
             }
             number = number * dimension.count() + static_cast<uint64_t>(index - dimension.low);
         }
-        const bool isStatic = base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance || base->kind == tree::PlaceKind::Field;
+        const bool isStatic = base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance ||
+                              base->kind == tree::PlaceKind::Field;
         tree::Place* place = nullptr;
         if (allConstant && isStatic) {
-            place = fieldPlace(base, static_cast<uint32_t>(number * types[type.element].size), type.element, -1, e.range);
+            place =
+                fieldPlace(base, static_cast<uint32_t>(number * types[type.element].size), type.element, -1, e.range);
         } else {
             place = arena.make<tree::Place>();
             place->kind = tree::PlaceKind::Index;
@@ -115,7 +125,8 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
         if (indices[0].isConstant()) {
             const int64_t index = indices[0].expr->value.integer();
             if (index < 0 || index >= static_cast<int64_t>(type.capacity)) {
-                emit(e.arguments[0].value->range, Kind::ConstantIndexOutOfRange, {std::to_string(index), "0", std::to_string(int64_t(type.capacity) - 1)});
+                emit(e.arguments[0].value->range, Kind::ConstantIndexOutOfRange,
+                     {std::to_string(index), "0", std::to_string(int64_t(type.capacity) - 1)});
                 return {};
             }
         }
@@ -135,7 +146,8 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
         }
         const Operand address = sameBits(load(base, e.base->range), elementary(TypeKind::Lword));
         const Operand size = constant({elementary(TypeKind::Lword), int64_t(types[type.element].size)}, e.range);
-        const Operand step = makeBinary(library::BinaryOp::Multiply, elementary(TypeKind::Lword), convertNode(indices[0], elementary(TypeKind::Lword)), size, e.range);
+        const Operand step = makeBinary(library::BinaryOp::Multiply, elementary(TypeKind::Lword),
+                                        convertNode(indices[0], elementary(TypeKind::Lword)), size, e.range);
         const Operand sum = makeBinary(library::BinaryOp::Add, elementary(TypeKind::Lword), address, step, e.range);
         tree::Place* place = arena.make<tree::Place>();
         place->kind = tree::PlaceKind::Deref;
@@ -146,7 +158,9 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
         out.isReadOnly = false;
         return out;
     }
-    default: emit(e.base->range, Kind::NotAnArray, {textOf(e.base->range)}); return {};
+    default:
+        emit(e.base->range, Kind::NotAnArray, {textOf(e.base->range)});
+        return {};
     }
 }
 
@@ -164,7 +178,9 @@ Denoted Checker::denoteDeref(const syntax::Expr& e, Access access) {
     const TypeKind kind = types.kind(pointer.type());
     if (kind != TypeKind::Pointer && kind != TypeKind::Reference) {
         // ref^ where ref is REFERENCE TO: the mark is accepted and means the same
-        if (from.kind == DK::Place && from.place->kind == tree::PlaceKind::Deref && from.place->pointer && isKind(from.place->pointer->type, TypeKind::Reference)) return from;
+        if (from.kind == DK::Place && from.place->kind == tree::PlaceKind::Deref && from.place->pointer &&
+            isKind(from.place->pointer->type, TypeKind::Reference))
+            return from;
         emit(e.base->range, Kind::NotAPointer, {textOf(e.base->range)});
         return {};
     }
@@ -208,12 +224,24 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
     if (!text.empty() && text.front() == '%') text.remove_prefix(1);
     if (!text.empty() && (text.front() < '0' || text.front() > '9')) {
         switch (text.front() | 0x20) {
-        case 'x': width = 1; break;
-        case 'b': width = 8; break;
-        case 'w': width = 16; break;
-        case 'd': width = 32; break;
-        case 'l': width = 64; break;
-        default: emit(e.range, Kind::UnknownMember, {nameOf(base->type), std::string(e.text)}); return {};
+        case 'x':
+            width = 1;
+            break;
+        case 'b':
+            width = 8;
+            break;
+        case 'w':
+            width = 16;
+            break;
+        case 'd':
+            width = 32;
+            break;
+        case 'l':
+            width = 64;
+            break;
+        default:
+            emit(e.range, Kind::UnknownMember, {nameOf(base->type), std::string(e.text)});
+            return {};
         }
         text.remove_prefix(1);
     }
@@ -235,7 +263,10 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
         out.place = place;
         return out;
     }
-    const TypeKind piece = width == 8 ? TypeKind::Byte : width == 16 ? TypeKind::Word : width == 32 ? TypeKind::Dword : TypeKind::Lword;
+    const TypeKind piece = width == 8    ? TypeKind::Byte
+                           : width == 16 ? TypeKind::Word
+                           : width == 32 ? TypeKind::Dword
+                                         : TypeKind::Lword;
     takeAddress(base);
     out.place = fieldPlace(base, static_cast<uint32_t>(number) * (width / 8), elementary(piece), -1, e.range);
     return out;
@@ -249,7 +280,10 @@ Denoted Checker::denoteAddress(const syntax::Expr& e) {
     }
     const image::AreaRange area = world.areaOf(address->area);
     if (address->byte + std::max(1u, types::bitsOf(address->kind) / 8) > area.size) {
-        emit(e.range, Kind::AddressOutOfRange, {std::string(e.text), address->area == image::Area::Input ? "%I" : address->area == image::Area::Output ? "%Q" : "%M"});
+        emit(e.range, Kind::AddressOutOfRange,
+             {std::string(e.text), address->area == image::Area::Input    ? "%I"
+                                   : address->area == image::Area::Output ? "%Q"
+                                                                          : "%M"});
         return {};
     }
     return placeOf(absolutePlace(area.begin + address->byte, elementary(address->kind), address->bit, e.range));

@@ -9,7 +9,8 @@ using diagnostics::Kind;
 
 thread_local diagnostics::Sink* World::expressionSink = nullptr;
 
-CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, std::string_view text, std::string_view scopePath, Arena& arena) {
+CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, std::string_view text,
+                                  std::string_view scopePath, Arena& arena) {
     CheckedExpression out;
     if (!analysis.scopes) return out;
     // the World is frozen: nothing below writes to it
@@ -40,10 +41,14 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
         }
     }
     Operand value = checker.settled(checker.expression(*parsed));
-    if (!value.isUnknown() && checker.isKind(value.type(), TypeKind::Void)) checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
+    if (!value.isUnknown() && checker.isKind(value.type(), TypeKind::Void))
+        checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
     out.diagnostics = sink.take();
-    const bool isWrong = std::any_of(out.diagnostics.begin(), out.diagnostics.end(), [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
-    if (!isWrong && !value.isUnknown()) out.root = value.expr;
+    const bool isWrong =
+        std::any_of(out.diagnostics.begin(), out.diagnostics.end(),
+                    [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
+    if (!isWrong && !value.isUnknown())
+        out.root = value.expr;
     else if (!isWrong) { // wrong without a word: say what is known
         checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
         for (diagnostics::Diagnostic& diagnostic : sink.take()) out.diagnostics.push_back(std::move(diagnostic));

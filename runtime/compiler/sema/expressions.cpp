@@ -68,10 +68,14 @@ Operand Checker::settled(Operand operand, TypeId hint) {
 
 Operand Checker::value(Denoted denoted, const syntax::Expr& e, TypeId hint) {
     switch (denoted.kind) {
-    case Denoted::Kind::Nothing: return unknown(e.range);
-    case Denoted::Kind::Value: return denoted.value;
-    case Denoted::Kind::Place: return load(denoted.place, e.range);
-    case Denoted::Kind::Property: return propertyValue(denoted, e.range);
+    case Denoted::Kind::Nothing:
+        return unknown(e.range);
+    case Denoted::Kind::Value:
+        return denoted.value;
+    case Denoted::Kind::Place:
+        return load(denoted.place, e.range);
+    case Denoted::Kind::Property:
+        return propertyValue(denoted, e.range);
     case Denoted::Kind::Unit: {
         Unit& unit = *denoted.unit;
         const bool callable = unit.kind == UnitKind::Function || unit.kind == UnitKind::Method;
@@ -87,7 +91,9 @@ Operand Checker::value(Denoted denoted, const syntax::Expr& e, TypeId hint) {
     case Denoted::Kind::Type:
     case Denoted::Kind::List:
     case Denoted::Kind::Space:
-    case Denoted::Kind::Standard: emit(e.range, Kind::NoValue, {textOf(e.range)}); return unknown(e.range);
+    case Denoted::Kind::Standard:
+        emit(e.range, Kind::NoValue, {textOf(e.range)});
+        return unknown(e.range);
     }
     (void)hint;
     return unknown(e.range);
@@ -95,21 +101,29 @@ Operand Checker::value(Denoted denoted, const syntax::Expr& e, TypeId hint) {
 
 Operand Checker::expression(const syntax::Expr& e, TypeId hint) {
     switch (e.kind) {
-    case ExprKind::Error: return unknown(e.range);
-    case ExprKind::Literal: return literal(e, hint);
-    case ExprKind::TypedName: return typedName(e);
+    case ExprKind::Error:
+        return unknown(e.range);
+    case ExprKind::Literal:
+        return literal(e, hint);
+    case ExprKind::TypedName:
+        return typedName(e);
     case ExprKind::NameRef:
     case ExprKind::Address:
     case ExprKind::Member:
     case ExprKind::Bit:
     case ExprKind::Index:
-    case ExprKind::Deref: return value(denote(e, Access::Read, hint), e, hint);
-    case ExprKind::Call: return call(e, hint);
-    case ExprKind::Unary: return unary(e, hint);
-    case ExprKind::Binary: return binary(e, hint);
+    case ExprKind::Deref:
+        return value(denote(e, Access::Read, hint), e, hint);
+    case ExprKind::Call:
+        return call(e, hint);
+    case ExprKind::Unary:
+        return unary(e, hint);
+    case ExprKind::Binary:
+        return binary(e, hint);
     case ExprKind::AssignChain: {
         if (!function) {
-            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant, isExpression ? std::vector<std::string>{":="} : std::vector<std::string>{});
+            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant,
+                 isExpression ? std::vector<std::string>{":="} : std::vector<std::string>{});
             return unknown(e.range);
         }
         // b := c as a value: assign c to b, then read b
@@ -126,13 +140,18 @@ Operand Checker::expression(const syntax::Expr& e, TypeId hint) {
         return {sequence, &types};
     }
     case ExprKind::ArrayInit:
-    case ExprKind::StructInit: return aggregate(e, hint);
-    case ExprKind::Repeat: emit(e.range, Kind::NotAllowedHere, {textOf(e.range), "an expression"}); return unknown(e.range);
+    case ExprKind::StructInit:
+        return aggregate(e, hint);
+    case ExprKind::Repeat:
+        emit(e.range, Kind::NotAllowedHere, {textOf(e.range), "an expression"});
+        return unknown(e.range);
     case ExprKind::This:
     case ExprKind::Super: {
         const Denoted self = denote(e, Access::Address);
         if (self.kind != Denoted::Kind::Place) return unknown(e.range);
-        if (self.place->type.isValid() && isKind(self.place->type, TypeKind::Block)) return addressOf(self.place, world.frozen ? elementary(TypeKind::Lword) : types.pointer(self.place->type), e.range);
+        if (self.place->type.isValid() && isKind(self.place->type, TypeKind::Block))
+            return addressOf(self.place, world.frozen ? elementary(TypeKind::Lword) : types.pointer(self.place->type),
+                             e.range);
         return load(self.place, e.range);
     }
     }
@@ -146,7 +165,8 @@ Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
         return unknown(e.range);
     }
     if (!hint.isValid() || !types.isAggregate(hint)) {
-        if (!hint.isValid() || !isKind(hint, TypeKind::Unknown)) emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::ArrayInit ? "[…]" : "(… := …)", "this place"});
+        if (!hint.isValid() || !isKind(hint, TypeKind::Unknown))
+            emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::ArrayInit ? "[…]" : "(… := …)", "this place"});
         return unknown(e.range);
     }
     InitialValue initial;
@@ -165,11 +185,15 @@ tree::Expr* Checker::condition(const syntax::Expr& e) {
     if (operand.isUnknown()) return operand.expr;
     const TypeId boolean = elementary(TypeKind::Bool);
     if (types.storageKind(operand.type()) == TypeKind::Bool) return operand.expr;
-    if (operand.isFlexible && std::holds_alternative<int64_t>(operand.expr->value.data) && fits(operand.expr->value, boolean)) return converted(operand, boolean).expr;
-    if (isKind(operand.type(), TypeKind::Void)) emit(e.range, Kind::NoValue, {textOf(e.range)});
+    if (operand.isFlexible && std::holds_alternative<int64_t>(operand.expr->value.data) &&
+        fits(operand.expr->value, boolean))
+        return converted(operand, boolean).expr;
+    if (isKind(operand.type(), TypeKind::Void))
+        emit(e.range, Kind::NoValue, {textOf(e.range)});
     else {
         auto& diagnostic = emit(e.range, Kind::ConditionNotBool, {nameOf(operand.type())});
-        if (isNumeric(operand.type())) diagnostic.fixes.push_back({"Compare with 0", {{{e.range.file, e.range.end, e.range.end}, " <> 0"}}});
+        if (isNumeric(operand.type()))
+            diagnostic.fixes.push_back({"Compare with 0", {{{e.range.file, e.range.end, e.range.end}, " <> 0"}}});
     }
     return unknown(e.range).expr;
 }

@@ -11,12 +11,17 @@ using syntax::SectionKind;
 /// Globals nobody reads or writes. Located ones are what the machine has, constants what a list offers.
 void World::checkUnusedGlobals() {
     for (Variable& variable : globals) {
-        if (variable.kind != SectionKind::Global || variable.isProgramInstance || variable.isConstant || variable.isLocated || !variable.declaration || !variable.range.file.isValid()) continue;
-        if (isLibraryFile(variable.range.file) || variable.reads || variable.writes || types.kind(variable.type) == TypeKind::Unknown || types.kind(variable.type) == TypeKind::Block) continue;
+        if (variable.kind != SectionKind::Global || variable.isProgramInstance || variable.isConstant ||
+            variable.isLocated || !variable.declaration || !variable.range.file.isValid())
+            continue;
+        if (isLibraryFile(variable.range.file) || variable.reads || variable.writes ||
+            types.kind(variable.type) == TypeKind::Unknown || types.kind(variable.type) == TypeKind::Block)
+            continue;
         const std::string name = foldCase(variable.name);
         if (options.usedElsewhere.contains(name) || options.usedElsewhere.contains("." + name)) continue;
         auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
-        if (variable.declaration->names.size() == 1) diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
+        if (variable.declaration->names.size() == 1)
+            diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
     }
 }
 
@@ -44,24 +49,36 @@ void World::checkUsage() {
     gatherConfigured();
     checkUnusedGlobals();
     for (Unit& unit : units) {
-        if (unit.isLibrary() || unit.kind == UnitKind::Interface || (unit.owner && unit.owner->kind == UnitKind::Interface)) continue;
+        if (unit.isLibrary() || unit.kind == UnitKind::Interface ||
+            (unit.owner && unit.owner->kind == UnitKind::Interface))
+            continue;
         const bool hasChart = unit.members.contains(key("__chart0"));
         for (Variable& variable : unit.variables) {
-            if (hasChart && equalsIgnoringCase(std::string_view(variable.name).substr(0, 3), "SFC")) continue; // flags of the chart
-            const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp || variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
-            if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() || variable.name.starts_with("__")) continue;
+            if (hasChart && equalsIgnoringCase(std::string_view(variable.name).substr(0, 3), "SFC"))
+                continue; // flags of the chart
+            const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp ||
+                               variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
+            if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() ||
+                variable.name.starts_with("__"))
+                continue;
             const auto known = unit.members.find(variable.id);
-            if (types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() || known->second.variable != &variable) continue;
-            if (options.usedElsewhere.contains("." + foldCase(variable.name)) || hasSyntaxErrorAt(variable.range)) continue;
+            if (types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() ||
+                known->second.variable != &variable)
+                continue;
+            if (options.usedElsewhere.contains("." + foldCase(variable.name)) || hasSyntaxErrorAt(variable.range))
+                continue;
             if (variable.reads == 0 && variable.writes == 0) {
                 if (variable.isLocated) continue;
                 auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
-                if (variable.declaration->names.size() == 1 && variable.declaration->range.file.isValid()) diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
+                if (variable.declaration->names.size() == 1 && variable.declaration->range.file.isValid())
+                    diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
                 continue;
             }
             const TypeKind kind = types.kind(variable.type);
             const bool hasValue = variable.declaration->initial || hasConstructor(variable.spec);
-            if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated && kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array && kind != TypeKind::Struct && kind != TypeKind::Union)
+            if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated &&
+                kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array &&
+                kind != TypeKind::Struct && kind != TypeKind::Union)
                 emit(variable.range, Kind::NeverWritten, {variable.name});
         }
     }
@@ -72,7 +89,8 @@ namespace {
 /// Tarjan's strongly connected components, without recursion.
 class Components {
 public:
-    explicit Components(const std::vector<std::vector<uint32_t>>& edges) : m_edges(edges), m_index(edges.size(), 0), m_low(edges.size(), 0), m_onStack(edges.size(), false) {
+    explicit Components(const std::vector<std::vector<uint32_t>>& edges)
+        : m_edges(edges), m_index(edges.size(), 0), m_low(edges.size(), 0), m_onStack(edges.size(), false) {
         for (uint32_t i = 0; i < edges.size(); ++i)
             if (!m_index[i]) visit(i);
     }
@@ -94,8 +112,10 @@ private:
             }
             if (work.back().next < m_edges[node].size()) {
                 const uint32_t to = m_edges[node][work.back().next++];
-                if (!m_index[to]) work.push_back({to, 0});
-                else if (m_onStack[to]) m_low[node] = std::min(m_low[node], m_index[to]);
+                if (!m_index[to])
+                    work.push_back({to, 0});
+                else if (m_onStack[to])
+                    m_low[node] = std::min(m_low[node], m_index[to]);
                 continue;
             }
             work.pop_back();
@@ -128,7 +148,8 @@ void World::checkRecursion() {
     for (Unit& unit : units) {
         if (!unit.function.isValid()) continue;
         unitOfFunction[unit.function.index()] = &unit;
-        if (unit.slot != Id<int>::kNone && !(unit.owner && unit.owner->kind == UnitKind::Interface)) bySlot[unit.slot].push_back(unit.function.value);
+        if (unit.slot != Id<int>::kNone && !(unit.owner && unit.owner->kind == UnitKind::Interface))
+            bySlot[unit.slot].push_back(unit.function.value);
     }
     for (const Call& call : calls) {
         edges[call.from].push_back(call.to);
@@ -136,7 +157,8 @@ void World::checkRecursion() {
         const TypeId declared = functions[call.to].instanceType;
         for (const uint32_t candidate : bySlot[functions[call.to].methodSlot]) {
             const Unit* unit = unitOfFunction[candidate];
-            if (unit && unit->self() && (!declared.isValid() || types.isDerivedFrom(unit->self()->type, declared))) edges[call.from].push_back(candidate);
+            if (unit && unit->self() && (!declared.isValid() || types.isDerivedFrom(unit->self()->type, declared)))
+                edges[call.from].push_back(candidate);
         }
     }
     for (auto& list : edges) {
@@ -147,13 +169,16 @@ void World::checkRecursion() {
         const auto isOwn = [&](uint32_t index) { return unitOfFunction[index] && !unitOfFunction[index]->isLibrary(); };
         const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can mend it
         const uint32_t first = own == component.end() ? component.front() : *own;
-        const bool isCycle = component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);
+        const bool isCycle =
+            component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);
         if (!isCycle) continue;
         bool isFixed = true; // every member is a function or program: recursion is an error
         for (const uint32_t index : component) {
             functions[index].mayRecurse = true;
             const Unit* unit = unitOfFunction[index];
-            isFixed = isFixed && unit && (unit->kind == UnitKind::Function || unit->kind == UnitKind::Program || unit->kind == UnitKind::Action);
+            isFixed =
+                isFixed && unit &&
+                (unit->kind == UnitKind::Function || unit->kind == UnitKind::Program || unit->kind == UnitKind::Action);
         }
         // the way round from the first of them
         std::vector<uint32_t> from(functions.size(), Id<int>::kNone), queue{first};
@@ -172,21 +197,30 @@ void World::checkRecursion() {
             }
         }
         std::string chain = functions[first].name;
-        for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at]) chain = functions[at].name + " → " + chain;
+        for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at])
+            chain = functions[at].name + " → " + chain;
         chain = functions[first].name + " → " + chain;
         const Unit* unit = unitOfFunction[first];
         if (!unit) continue;
         SourceRange range = unit->range;
         for (const Call& call : calls)
-            if (call.from == last && (call.to == first || (call.isDispatched && functions[call.to].methodSlot != Id<int>::kNone && functions[call.to].methodSlot == functions[first].methodSlot))) {
+            if (call.from == last &&
+                (call.to == first || (call.isDispatched && functions[call.to].methodSlot != Id<int>::kNone &&
+                                      functions[call.to].methodSlot == functions[first].methodSlot))) {
                 range = call.range;
                 break;
             }
-        if (isFixed) emit(range, Kind::Recursion, {functions[first].name, chain});
-        else emit(range, Kind::RecursiveMethod, {functions[first].name});
+        if (isFixed)
+            emit(range, Kind::Recursion, {functions[first].name, chain});
+        else
+            emit(range, Kind::RecursiveMethod, {functions[first].name});
     }
     for (tree::Function& function : functions) // dispatched through an interface
-        if (function.methodSlot != Id<int>::kNone && std::any_of(calls.begin(), calls.end(), [&](const Call& c) { return c.isDispatched && functions[c.to].methodSlot == function.methodSlot && functions[c.to].isAbstract; })) function.mayRecurse = true;
+        if (function.methodSlot != Id<int>::kNone && std::any_of(calls.begin(), calls.end(), [&](const Call& c) {
+                return c.isDispatched && functions[c.to].methodSlot == function.methodSlot &&
+                       functions[c.to].isAbstract;
+            }))
+            function.mayRecurse = true;
 }
 
 } // namespace plc::sema

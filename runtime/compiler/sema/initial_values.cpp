@@ -1,4 +1,5 @@
-// Initial values: what is constant becomes bytes, the rest (references, FB_Init, expressions over variables) becomes code.
+// Initial values: what is constant becomes bytes, the rest (references, FB_Init, expressions over variables) becomes
+// code.
 #include "runtime/compiler/sema/checker.h"
 
 #include "runtime/base/text.h"
@@ -18,7 +19,10 @@ Unit* initMethodOf(World& world, TypeId type) {
 
 /// Runs an expression without knowing yet whether it is constant; what it says counts only if it is, or is wrong.
 struct Trial {
-    Trial(World& theWorld, const Scope& scope) : world(theWorld), checker(theWorld, scope, sink, theWorld.arena), references(theWorld.references.size()) { checker.isInitialiser = true; }
+    Trial(World& theWorld, const Scope& scope)
+        : world(theWorld), checker(theWorld, scope, sink, theWorld.arena), references(theWorld.references.size()) {
+        checker.isInitialiser = true;
+    }
     void keep() {
         for (diagnostics::Diagnostic& diagnostic : sink.take()) {
             const diagnostics::Severity severity = diagnostic.severity;
@@ -51,7 +55,8 @@ void World::writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16
     types::writeValue(types, type, value, std::span(out.bytes).subspan(offset, size), bit);
 }
 
-void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const std::vector<syntax::Argument>* constructor) {
+void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
+                       const Scope& scope, const std::vector<syntax::Argument>* constructor) {
     const TypeKind kind = types.kind(type);
     if (kind == TypeKind::Unknown) return;
     const bool constructs = needsConstruction(type);
@@ -74,22 +79,27 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
             }
             const types::Field* field = types[type].findField(argument.name.text);
             if (!field) {
-                suggest(emit(argument.name.range, Kind::UnknownMember, {nameOf(type), std::string(argument.name.text)}), argument.name.range, argument.name.text, memberNames(type));
+                suggest(emit(argument.name.range, Kind::UnknownMember, {nameOf(type), std::string(argument.name.text)}),
+                        argument.name.range, argument.name.text, memberNames(type));
                 continue;
             }
             if (Unit* unit = unitOf(type))
-                if (const Member member = findMember(*unit, key(argument.name.text)); member.variable) refer(argument.name.range, member.variable->symbol, false, true);
+                if (const Member member = findMember(*unit, key(argument.name.text)); member.variable)
+                    refer(argument.name.range, member.variable->symbol, false, true);
             const types::Field copy = *field;
             if (copy.section == types::FieldSection::InOut) {
                 emit(argument.name.range, Kind::NotAllowedHere, {copy.name + " (VAR_IN_OUT)", "an initial value"});
                 continue;
             }
-            initialise(out, copy.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : copy.type, offset + copy.offset, copy.bit, argument.value, scope, nullptr);
+            initialise(out, copy.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : copy.type, offset + copy.offset,
+                       copy.bit, argument.value, scope, nullptr);
         }
     };
     if (constructor && !hasInit) {
-        if (kind == TypeKind::Block || kind == TypeKind::Struct || kind == TypeKind::Union) fields(*constructor);
-        else if (!constructor->empty()) emit(constructor->front().range, Kind::NotAllowedHere, {"(…)", nameOf(type)});
+        if (kind == TypeKind::Block || kind == TypeKind::Struct || kind == TypeKind::Union)
+            fields(*constructor);
+        else if (!constructor->empty())
+            emit(constructor->front().range, Kind::NotAllowedHere, {"(…)", nameOf(type)});
     }
     if (!value) return;
     if (value->kind == ExprKind::StructInit) {
@@ -105,57 +115,69 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
         uint64_t count = size ? types[type].size / size : 0;
         uint64_t index = 0;
         const bool nested = types.kind(element) == TypeKind::Array;
-        const std::function<void(const std::vector<syntax::Argument>&)> fill = [&](const std::vector<syntax::Argument>& arguments) {
-            for (const syntax::Argument& argument : arguments) {
-                const syntax::Expr* item = argument.value;
-                if (!item) {
-                    ++index;
-                    continue;
-                }
-                const bool isConstantRepeat = item->kind == ExprKind::Call && item->base && (item->base->kind == ExprKind::NameRef || item->base->kind == ExprKind::Member) && [&] {
-                    Trial trial(*this, scope);
-                    trial.checker.isMuted = true;
-                    const Denoted denoted = trial.checker.denote(*item->base, Access::Read);
-                    trial.drop();
-                    return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && std::holds_alternative<int64_t>(denoted.value.expr->value.data);
-                }();
-                if (item->kind == ExprKind::Repeat || isConstantRepeat) {
-                    const auto times = constantInteger(item->base, scope);
-                    if (!times || *times < 0) continue;
-                    if (item->arguments.empty() || (item->arguments.size() == 1 && !item->arguments[0].value)) { // 5(): the default
-                        index += static_cast<uint64_t>(*times);
+        const std::function<void(const std::vector<syntax::Argument>&)> fill =
+            [&](const std::vector<syntax::Argument>& arguments) {
+                for (const syntax::Argument& argument : arguments) {
+                    const syntax::Expr* item = argument.value;
+                    if (!item) {
+                        ++index;
                         continue;
                     }
-                    // constant repetition of one scalar: check it once, copy the bytes
-                    for (int64_t i = 0; i < *times; ++i) {
-                        const uint64_t before = index;
-                        const size_t dynamics = out.dynamics.size();
-                        fill(item->arguments);
-                        const uint64_t made = index - before;
-                        if (i == 0 && made > 0 && out.dynamics.size() == dynamics && before + made <= count) {
-                            const uint64_t total = made * static_cast<uint64_t>(*times);
-                            for (uint64_t k = made; k < total && before + k < count; ++k)
-                                std::copy_n(out.bytes.begin() + static_cast<std::ptrdiff_t>(offset + (before + k % made) * size), size, out.bytes.begin() + static_cast<std::ptrdiff_t>(offset + (before + k) * size));
-                            index = before + total;
-                            break;
+                    const bool isConstantRepeat =
+                        item->kind == ExprKind::Call && item->base &&
+                        (item->base->kind == ExprKind::NameRef || item->base->kind == ExprKind::Member) && [&] {
+                            Trial trial(*this, scope);
+                            trial.checker.isMuted = true;
+                            const Denoted denoted = trial.checker.denote(*item->base, Access::Read);
+                            trial.drop();
+                            return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
+                                   std::holds_alternative<int64_t>(denoted.value.expr->value.data);
+                        }();
+                    if (item->kind == ExprKind::Repeat || isConstantRepeat) {
+                        const auto times = constantInteger(item->base, scope);
+                        if (!times || *times < 0) continue;
+                        if (item->arguments.empty() ||
+                            (item->arguments.size() == 1 && !item->arguments[0].value)) { // 5(): the default
+                            index += static_cast<uint64_t>(*times);
+                            continue;
                         }
-                        if (index > count) { // reported below; no need to go on
-                            index = before + made * static_cast<uint64_t>(*times);
-                            break;
+                        // constant repetition of one scalar: check it once, copy the bytes
+                        for (int64_t i = 0; i < *times; ++i) {
+                            const uint64_t before = index;
+                            const size_t dynamics = out.dynamics.size();
+                            fill(item->arguments);
+                            const uint64_t made = index - before;
+                            if (i == 0 && made > 0 && out.dynamics.size() == dynamics && before + made <= count) {
+                                const uint64_t total = made * static_cast<uint64_t>(*times);
+                                for (uint64_t k = made; k < total && before + k < count; ++k)
+                                    std::copy_n(out.bytes.begin() +
+                                                    static_cast<std::ptrdiff_t>(offset + (before + k % made) * size),
+                                                size,
+                                                out.bytes.begin() +
+                                                    static_cast<std::ptrdiff_t>(offset + (before + k) * size));
+                                index = before + total;
+                                break;
+                            }
+                            if (index > count) { // reported below; no need to go on
+                                index = before + made * static_cast<uint64_t>(*times);
+                                break;
+                            }
                         }
+                        continue;
                     }
-                    continue;
+                    if (item->kind == ExprKind::ArrayInit && !nested) {
+                        fill(item->arguments);
+                        continue;
+                    }
+                    if (index < count)
+                        initialise(out, element, offset + static_cast<uint32_t>(index * size), -1, item, scope,
+                                   nullptr);
+                    ++index;
                 }
-                if (item->kind == ExprKind::ArrayInit && !nested) {
-                    fill(item->arguments);
-                    continue;
-                }
-                if (index < count) initialise(out, element, offset + static_cast<uint32_t>(index * size), -1, item, scope, nullptr);
-                ++index;
-            }
-        };
+            };
         fill(value->arguments);
-        if (index > count) emit(value->range, Kind::TooManyInitialValues, {std::to_string(index), std::to_string(count)});
+        if (index > count)
+            emit(value->range, Kind::TooManyInitialValues, {std::to_string(index), std::to_string(count)});
         return;
     }
     Trial trial(*this, scope);
@@ -193,18 +215,23 @@ bool World::hasConstructor(const syntax::TypeSpec* spec) {
     return inner && (!inner->constructor.empty() || !inner->constructors.empty());
 }
 
-/// With what is written behind the type: `m : Motor(number := 1)`, for every element of an array of them, or for each its own.
-void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec) {
+/// With what is written behind the type: `m : Motor(number := 1)`, for every element of an array of them, or for each
+/// its own.
+void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
+                               const Scope& scope, const syntax::TypeSpec* spec) {
     if (!hasConstructor(spec)) return initialise(out, type, offset, bit, value, scope, nullptr);
     const syntax::TypeSpec* inner = innermost(spec);
     if (types.kind(type) != TypeKind::Array) {
         if (!inner->constructors.empty()) emit(spec->range, Kind::NotAllowedHere, {"[(…)]", nameOf(type)});
-        return initialise(out, type, offset, bit, value, scope, inner->constructor.empty() ? nullptr : &inner->constructor);
+        return initialise(out, type, offset, bit, value, scope,
+                          inner->constructor.empty() ? nullptr : &inner->constructor);
     }
     TypeId element = type;
     while (types.kind(element) == TypeKind::Array) element = types[element].element;
     const uint32_t size = types[element].size, count = size ? types[type].size / size : 0;
-    if (inner->constructors.size() > count) emit(spec->range, Kind::TooManyInitialValues, {std::to_string(inner->constructors.size()), std::to_string(count)});
+    if (inner->constructors.size() > count)
+        emit(spec->range, Kind::TooManyInitialValues,
+             {std::to_string(inner->constructors.size()), std::to_string(count)});
     if (initMethodOf(*this, element) && inner->constructors.empty()) { // one loop for all of them
         DynamicInit dynamic;
         dynamic.offset = offset;
@@ -215,7 +242,9 @@ void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, 
         out.dynamics.push_back(dynamic);
     } else {
         for (uint32_t i = 0; i < count; ++i) {
-            const auto* constructor = inner->constructors.empty() ? &inner->constructor : i < inner->constructors.size() ? &inner->constructors[i] : nullptr;
+            const auto* constructor = inner->constructors.empty()      ? &inner->constructor
+                                      : i < inner->constructors.size() ? &inner->constructors[i]
+                                                                       : nullptr;
             initialise(out, element, offset + i * size, -1, nullptr, scope, constructor);
         }
     }
@@ -230,9 +259,11 @@ void World::setInitial(InitialValue& out, Variable& variable, uint32_t offset) {
 
 namespace {
 
-void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out);
+void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+               std::vector<tree::Stmt*>& out);
 
-void constructArray(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
+void constructArray(World& world, Checker& checker, tree::Place* place,
+                    const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
     const types::Type& type = world.types[place->type];
     const TypeId lint = types::TypeTable::of(TypeKind::Lint);
     tree::Place* element = world.arena.make<tree::Place>();
@@ -256,7 +287,8 @@ void constructArray(World& world, Checker& checker, tree::Place* place, const st
     construct(world, checker, element, constructor, *into);
 }
 
-void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, const std::vector<syntax::Argument>* constructor, bool isLast, std::vector<tree::Stmt*>& out) {
+void callInit(World& world, Checker& checker, tree::Place* place, Unit& method,
+              const std::vector<syntax::Argument>* constructor, bool isLast, std::vector<tree::Stmt*>& out) {
     syntax::Expr call;
     call.kind = syntax::ExprKind::Call;
     call.range = place->range;
@@ -269,7 +301,9 @@ void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, 
     no.op = lex::TokenKind::False;
     yes.range = no.range = place->range;
     for (const Variable* parameter : method.parameters) {
-        const auto* implicit = std::find_if(std::begin(kImplicit), std::end(kImplicit), [&](std::string_view name) { return equalsIgnoringCase(name, parameter->name); });
+        const auto* implicit = std::find_if(std::begin(kImplicit), std::end(kImplicit), [&](std::string_view name) {
+            return equalsIgnoringCase(name, parameter->name);
+        });
         if (implicit == std::end(kImplicit)) {
             own.push_back(parameter);
             continue;
@@ -286,12 +320,15 @@ void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, 
         for (syntax::Argument argument : *constructor) {
             if (argument.kind == syntax::ArgumentKind::Positional) {
                 if (next >= own.size()) {
-                    if (isLast) checker.emit(argument.range, Kind::TooManyArguments, {method.name, std::to_string(own.size())});
+                    if (isLast)
+                        checker.emit(argument.range, Kind::TooManyArguments, {method.name, std::to_string(own.size())});
                     break;
                 }
                 argument.kind = syntax::ArgumentKind::Input;
                 argument.name = {own[next++]->name, argument.range};
-            } else if (!isLast && std::none_of(own.begin(), own.end(), [&](const Variable* v) { return equalsIgnoringCase(v->name, argument.name.text); })) {
+            } else if (!isLast && std::none_of(own.begin(), own.end(), [&](const Variable* v) {
+                           return equalsIgnoringCase(v->name, argument.name.text);
+                       })) {
                 continue;
             }
             call.arguments.push_back(argument);
@@ -313,8 +350,10 @@ void callInit(World& world, Checker& checker, tree::Place* place, Unit& method, 
     out.push_back(evaluate);
 }
 
-void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
-    if (world.types.kind(place->type) == TypeKind::Array) return constructArray(world, checker, place, constructor, out);
+void construct(World& world, Checker& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+               std::vector<tree::Stmt*>& out) {
+    if (world.types.kind(place->type) == TypeKind::Array)
+        return constructArray(world, checker, place, constructor, out);
     checker.takeAddress(place);
     if (const tree::FunctionId init = world.initialiserOf(place->type); init.isValid()) {
         tree::Expr* call = world.arena.make<tree::Expr>();
@@ -331,13 +370,16 @@ void construct(World& world, Checker& checker, tree::Place* place, const std::ve
     std::vector<Unit*> chain; // FB_Init of the bases first
     const NameId id = world.key("FB_Init");
     for (Unit* unit = world.unitOf(place->type); unit; unit = unit->base)
-        if (const auto it = unit->members.find(id); it != unit->members.end() && it->second.unit) chain.push_back(it->second.unit);
+        if (const auto it = unit->members.find(id); it != unit->members.end() && it->second.unit)
+            chain.push_back(it->second.unit);
     for (size_t i = chain.size(); i-- > 0;) callInit(world, checker, place, *chain[i], constructor, i == 0, out);
 }
 
 } // namespace
 
-void World::emitDynamics(Checker& checker, const std::vector<DynamicInit>& dynamics, const std::function<tree::Place*(const DynamicInit&)>& placeOf, std::vector<tree::Stmt*>& out) {
+void World::emitDynamics(Checker& checker, const std::vector<DynamicInit>& dynamics,
+                         const std::function<tree::Place*(const DynamicInit&)>& placeOf,
+                         std::vector<tree::Stmt*>& out) {
     const Scope outer = checker.scope;
     for (const DynamicInit& dynamic : dynamics) {
         tree::Place* place = placeOf(dynamic);
@@ -370,7 +412,8 @@ tree::FunctionId World::initialiserOf(TypeId type) {
     emitDynamics(
         checker, dynamics,
         [&](const DynamicInit& dynamic) {
-            tree::Place* place = checker.absolutePlace(dynamic.offset, dynamic.type, dynamic.bit, types[type].declaration);
+            tree::Place* place =
+                checker.absolutePlace(dynamic.offset, dynamic.type, dynamic.bit, types[type].declaration);
             place->kind = tree::PlaceKind::Instance;
             return place;
         },
@@ -385,7 +428,12 @@ void World::buildInitialiser() {
     Checker checker(*this, {nullptr, &top, nullptr}, sink, arena);
     checker.function = &function;
     checker.functionId = id;
-    emitDynamics(checker, programInits, [&](const DynamicInit& dynamic) { return checker.absolutePlace(dynamic.offset, dynamic.type, dynamic.bit, types[dynamic.type].declaration); }, function.body);
+    emitDynamics(
+        checker, programInits,
+        [&](const DynamicInit& dynamic) {
+            return checker.absolutePlace(dynamic.offset, dynamic.type, dynamic.bit, types[dynamic.type].declaration);
+        },
+        function.body);
     program->initializer = id;
 }
 

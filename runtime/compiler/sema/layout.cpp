@@ -18,17 +18,26 @@ constexpr uint64_t kMaximumData = uint64_t(256) << 20;
 constexpr uint32_t kMinimumFrames = 256 << 10;
 constexpr uint32_t kMaximumAddress = 16 << 20;
 
-uint32_t aligned(uint64_t offset, uint32_t align) { return static_cast<uint32_t>((offset + align - 1) / align * align); }
+uint32_t aligned(uint64_t offset, uint32_t align) {
+    return static_cast<uint32_t>((offset + align - 1) / align * align);
+}
 } // namespace
 
 std::optional<DirectAddress> parseAddress(std::string_view text) {
     if (text.size() < 3 || text[0] != '%') return std::nullopt;
     DirectAddress out;
     switch (text[1] | 0x20) {
-    case 'i': out.area = Area::Input; break;
-    case 'q': out.area = Area::Output; break;
-    case 'm': out.area = Area::Memory; break;
-    default: return std::nullopt;
+    case 'i':
+        out.area = Area::Input;
+        break;
+    case 'q':
+        out.area = Area::Output;
+        break;
+    case 'm':
+        out.area = Area::Memory;
+        break;
+    default:
+        return std::nullopt;
     }
     size_t at = 2;
     char size = static_cast<char>(text[at] | 0x20);
@@ -36,15 +45,28 @@ std::optional<DirectAddress> parseAddress(std::string_view text) {
         out.isOpen = true;
         return text.size() == at + 1 ? std::optional(out) : std::nullopt;
     }
-    if (text[at] >= '0' && text[at] <= '9') size = 'x';
-    else ++at;
+    if (text[at] >= '0' && text[at] <= '9')
+        size = 'x';
+    else
+        ++at;
     switch (size) {
-    case 'x': out.kind = TypeKind::Bool; break;
-    case 'b': out.kind = TypeKind::Byte; break;
-    case 'w': out.kind = TypeKind::Word; break;
-    case 'd': out.kind = TypeKind::Dword; break;
-    case 'l': out.kind = TypeKind::Lword; break;
-    default: return std::nullopt;
+    case 'x':
+        out.kind = TypeKind::Bool;
+        break;
+    case 'b':
+        out.kind = TypeKind::Byte;
+        break;
+    case 'w':
+        out.kind = TypeKind::Word;
+        break;
+    case 'd':
+        out.kind = TypeKind::Dword;
+        break;
+    case 'l':
+        out.kind = TypeKind::Lword;
+        break;
+    default:
+        return std::nullopt;
     }
     if (at < text.size() && text[at] == '*') {
         out.isOpen = true;
@@ -54,7 +76,8 @@ std::optional<DirectAddress> parseAddress(std::string_view text) {
     while (at < text.size()) {
         if (text[at] < '0' || text[at] > '9') return std::nullopt;
         uint64_t number = 0;
-        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), uint64_t(1) << 30);
+        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at)
+            number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), uint64_t(1) << 30);
         numbers.push_back(number);
         if (at == text.size()) break;
         if (text[at] != '.' || at + 1 == text.size()) return std::nullopt;
@@ -74,16 +97,21 @@ std::optional<DirectAddress> parseAddress(std::string_view text) {
 image::AreaRange World::areaOf(Area area) const {
     const uint32_t outputs = aligned(kHeader + rangeOfInputs, 8), memory = aligned(outputs + rangeOfOutputs, 8);
     switch (area) {
-    case Area::Input: return {kHeader, rangeOfInputs};
-    case Area::Output: return {outputs, rangeOfOutputs};
-    default: return {memory, rangeOfMemory};
+    case Area::Input:
+        return {kHeader, rangeOfInputs};
+    case Area::Output:
+        return {outputs, rangeOfOutputs};
+    default:
+        return {memory, rangeOfMemory};
     }
 }
 
 /// Gives a variable with a complete address its place (again once the areas are measured).
 void World::locate(Variable& variable, std::string_view text) {
     const auto address = parseAddress(text);
-    const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange : variable.range;
+    const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid()
+                                  ? variable.declaration->addressRange
+                                  : variable.range;
     if (!address || address->byte > kMaximumAddress) {
         emit(range, Kind::AddressOutOfRange, {std::string(text), "%I, %Q or %M"});
         return;
@@ -92,8 +120,10 @@ void World::locate(Variable& variable, std::string_view text) {
     const TypeKind kind = types.storageKind(variable.type);
     variable.bit = -1;
     if (address->kind == TypeKind::Bool && address->bit >= 0) {
-        if (kind == TypeKind::Bool) variable.bit = address->bit;
-        else if (kind != TypeKind::Unknown && address->bit != 0) emit(range, Kind::TypeMismatch, {std::string(text), nameOf(variable.type)});
+        if (kind == TypeKind::Bool)
+            variable.bit = address->bit;
+        else if (kind != TypeKind::Unknown && address->bit != 0)
+            emit(range, Kind::TypeMismatch, {std::string(text), nameOf(variable.type)});
     }
 }
 
@@ -109,12 +139,14 @@ void World::measureAddresses() {
         const std::string_view text = sources[file->file].text();
         for (const lex::Token& token : file->tokens.tokens) {
             if (token.kind != lex::TokenKind::DirectAddress) continue;
-            if (const auto address = parseAddress(text.substr(token.begin, token.end - token.begin))) use(*address, std::max(1u, types::bitsOf(address->kind) / 8));
+            if (const auto address = parseAddress(text.substr(token.begin, token.end - token.begin)))
+                use(*address, std::max(1u, types::bitsOf(address->kind) / 8));
         }
     }
     const auto located = [&](Variable& variable) {
         if (!variable.isLocated || !variable.declaration) return;
-        if (const auto address = parseAddress(variable.declaration->address)) use(*address, std::max(1u, types[variable.type].size));
+        if (const auto address = parseAddress(variable.declaration->address))
+            use(*address, std::max(1u, types[variable.type].size));
     };
     for (Variable& variable : globals) located(variable);
     for (Unit& unit : units)
@@ -163,8 +195,12 @@ void World::layoutGlobals() {
                 placed.emplace_back(&variable, layout.roots.size() - 1);
                 return;
             }
-            if (!address) emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange : variable.range, Kind::AddressOutOfRange, {std::string(variable.declaration->address), "%I, %Q or %M"});
-            else openAddresses.push_back({&variable, false});
+            if (!address)
+                emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange
+                                                                       : variable.range,
+                     Kind::AddressOutOfRange, {std::string(variable.declaration->address), "%I, %Q or %M"});
+            else
+                openAddresses.push_back({&variable, false});
         }
         const types::Type& type = types[variable.type];
         next = aligned(next, std::max(1u, type.align));
@@ -176,7 +212,8 @@ void World::layoutGlobals() {
     };
     for (Variable& variable : globals) {
         if (variable.isProgramInstance) continue;
-        if (variable.kind == syntax::SectionKind::Global) place(variable, Area::Global, variable.list ? variable.list->name : std::string());
+        if (variable.kind == syntax::SectionKind::Global)
+            place(variable, Area::Global, variable.list ? variable.list->name : std::string());
     }
     for (Unit& unit : units) {
         for (Variable& variable : unit.variables) {
@@ -219,7 +256,8 @@ void World::layoutGlobals() {
                 initial.dynamics.push_back(dynamic);
             }
         } else if (variable->isConstant && isFoldable(types, variable->type)) {
-            if (const types::Value* value = constantOf(*variable)) writeConstant(initial, variable->type, 0, -1, *value);
+            if (const types::Value* value = constantOf(*variable))
+                writeConstant(initial, variable->type, 0, -1, *value);
         } else {
             setInitial(initial, *variable, 0);
         }
@@ -227,8 +265,10 @@ void World::layoutGlobals() {
             const auto mask = static_cast<std::byte>(1u << variable->bit);
             if (initial.bytes[0] != std::byte{}) image[variable->offset] |= mask;
         } else if (variable->offset + initial.bytes.size() <= image.size()) {
-            const bool isZero = std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
-            if (!isZero || !variable->isLocated) std::copy(initial.bytes.begin(), initial.bytes.end(), image.begin() + variable->offset);
+            const bool isZero =
+                std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
+            if (!isZero || !variable->isLocated)
+                std::copy(initial.bytes.begin(), initial.bytes.end(), image.begin() + variable->offset);
         }
         for (DynamicInit dynamic : initial.dynamics) {
             dynamic.offset += variable->offset;
@@ -241,7 +281,8 @@ void World::layoutGlobals() {
     for (Unit& unit : units) { // variables of a program with one instance have one path
         if (unit.kind != UnitKind::Program || !unit.instance) continue;
         for (Variable& variable : unit.variables)
-            if (variable.symbol.isValid() && variable.storage == Storage::Instance) symbols[variable.symbol.index()].path = unit.instance->name + "." + variable.name;
+            if (variable.symbol.isValid() && variable.storage == Storage::Instance)
+                symbols[variable.symbol.index()].path = unit.instance->name + "." + variable.name;
     }
     checkOverlaps();
 }
@@ -253,10 +294,13 @@ void World::checkOverlaps() {
     };
     std::vector<Used> used;
     const auto add = [&](const Variable& variable) {
-        if (!variable.isLocated || variable.storage != Storage::Absolute || !variable.declaration || variable.declaration->address.find('*') != std::string_view::npos) return;
+        if (!variable.isLocated || variable.storage != Storage::Absolute || !variable.declaration ||
+            variable.declaration->address.find('*') != std::string_view::npos)
+            return;
         if (isLibraryFile(variable.range.file)) return;
         const uint32_t begin = variable.offset * 8 + static_cast<uint32_t>(std::max<int>(0, variable.bit));
-        used.push_back({&variable, begin, begin + (variable.bit >= 0 ? 1 : std::max(1u, types[variable.type].size) * 8)});
+        used.push_back(
+            {&variable, begin, begin + (variable.bit >= 0 ? 1 : std::max(1u, types[variable.type].size) * 8)});
     };
     for (const Variable& variable : globals) add(variable);
     for (const Unit& unit : units)
@@ -272,7 +316,8 @@ void World::checkOverlaps() {
             if (token.kind != lex::TokenKind::DirectAddress) continue;
             const auto address = parseAddress(sources[file->file].text().substr(token.begin, token.end - token.begin));
             if (!address || address->isOpen || address->byte > kMaximumAddress) continue;
-            const uint32_t begin = (areaOf(address->area).begin + address->byte) * 8 + static_cast<uint32_t>(std::max<int>(0, address->bit));
+            const uint32_t begin = (areaOf(address->area).begin + address->byte) * 8 +
+                                   static_cast<uint32_t>(std::max<int>(0, address->bit));
             taken.emplace_back(begin, begin + types::bitsOf(address->kind));
         }
     }
@@ -284,7 +329,9 @@ void World::checkOverlaps() {
         const uint32_t step = address.bit >= 0 && variable.bit >= 0 ? 1 : std::max(8u, types::bitsOf(address.kind));
         uint32_t& from = searched[{address.area, step}]; // those sought come in order: nothing before is free
         for (uint32_t at = std::max(begin + step, from);; at += step) {
-            const bool isFree = std::none_of(taken.begin(), taken.end(), [&](const auto& other) { return other.first < at + size && at < other.second; });
+            const bool isFree = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
+                return other.first < at + size && at < other.second;
+            });
             if (!isFree) continue;
             taken.emplace_back(at, at + size);
             from = at;
@@ -298,11 +345,16 @@ void World::checkOverlaps() {
     for (size_t i = 1; i < used.size(); ++i) {
         const Used &a = used[i - 1], &b = used[i];
         if (b.begin >= a.end) continue;
-        const SourceRange range = b.variable->declaration->addressRange.file.isValid() ? b.variable->declaration->addressRange : b.variable->range;
+        const SourceRange range = b.variable->declaration->addressRange.file.isValid()
+                                      ? b.variable->declaration->addressRange
+                                      : b.variable->range;
         const std::string free = nextFree(*b.variable, b.begin, b.end);
-        auto& diagnostic = emit(range, Kind::OverlappingAddress, {a.variable->name, b.variable->name, std::string(b.variable->declaration->address), free});
+        auto& diagnostic =
+            emit(range, Kind::OverlappingAddress,
+                 {a.variable->name, b.variable->name, std::string(b.variable->declaration->address), free});
         diagnostic.related.push_back({a.variable->range, "declared here"});
-        if (b.variable->declaration->addressRange.file.isValid()) diagnostic.fixes.push_back({"Move " + b.variable->name + " to " + free, {{range, free}}});
+        if (b.variable->declaration->addressRange.file.isValid())
+            diagnostic.fixes.push_back({"Move " + b.variable->name + " to " + free, {{range, free}}});
     }
 }
 

@@ -45,12 +45,16 @@ Integer parseInteger(std::string_view text) {
     if (text.empty() || (base != 2 && base != 8 && base != 10 && base != 16)) out.isGood = false;
     for (const char c : text) {
         if (c == '_') continue;
-        const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+        const int digit = c >= '0' && c <= '9'   ? c - '0'
+                          : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                          : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                                 : 99;
         if (digit >= static_cast<int>(isBcd ? 10 : base)) {
             out.isGood = false;
             return out;
         }
-        const unsigned __int128 next = static_cast<unsigned __int128>(out.magnitude) * base + static_cast<unsigned>(digit);
+        const unsigned __int128 next =
+            static_cast<unsigned __int128>(out.magnitude) * base + static_cast<unsigned>(digit);
         if (next >> 64) out.isTooLarge = true;
         out.magnitude = static_cast<uint64_t>(next);
     }
@@ -68,7 +72,12 @@ double parseReal(std::string_view text) {
 std::u32string parseText(std::string_view text, bool isWide) {
     std::u32string out;
     if (text.size() >= 2) text = text.substr(1, text.size() - 2);
-    const auto hex = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; };
+    const auto hex = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                      : -1;
+    };
     for (size_t i = 0; i < text.size();) {
         if (text[i] != '$' || i + 1 >= text.size()) {
             out += decodeUtf8(text, i);
@@ -91,12 +100,29 @@ std::u32string parseText(std::string_view text, bool isWide) {
         }
         i += 2;
         switch (c) {
-        case 'L': case 'l': out += U'\n'; break;
-        case 'N': case 'n': out += U'\n'; break;
-        case 'P': case 'p': out += U'\f'; break;
-        case 'R': case 'r': out += U'\r'; break;
-        case 'T': case 't': out += U'\t'; break;
-        default: out += static_cast<unsigned char>(c); break;
+        case 'L':
+        case 'l':
+            out += U'\n';
+            break;
+        case 'N':
+        case 'n':
+            out += U'\n';
+            break;
+        case 'P':
+        case 'p':
+            out += U'\f';
+            break;
+        case 'R':
+        case 'r':
+            out += U'\r';
+            break;
+        case 'T':
+        case 't':
+            out += U'\t';
+            break;
+        default:
+            out += static_cast<unsigned char>(c);
+            break;
         }
     }
     return out;
@@ -137,7 +163,8 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
             // INT#16#FFFF is a bit pattern of its type
             const unsigned width = types::bitsOf(types.storageKind(typed));
             const bool isBased = e.text.find('#') != std::string_view::npos;
-            if (isBased && (width == 64 || number.magnitude >> width == 0)) return constant({typed, types::wrapInteger(types.storageKind(typed), bits)}, e.range);
+            if (isBased && (width == 64 || number.magnitude >> width == 0))
+                return constant({typed, types::wrapInteger(types.storageKind(typed), bits)}, e.range);
         }
         return finish(constant({elementary(big ? TypeKind::Ulint : TypeKind::Lint), bits}, e.range, true));
     }
@@ -163,12 +190,17 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
     case TokenKind::TimeOfDayLiteral:
     case TokenKind::DateTimeLiteral: {
         const bool isLong = !e.text.empty() && (e.text.front() == 'L' || e.text.front() == 'l');
-        const auto number = e.op == TokenKind::DateLiteral ? types::parseDate(e.text) : e.op == TokenKind::TimeOfDayLiteral ? types::parseTimeOfDay(e.text) : types::parseDateTime(e.text);
+        const auto number = e.op == TokenKind::DateLiteral        ? types::parseDate(e.text)
+                            : e.op == TokenKind::TimeOfDayLiteral ? types::parseTimeOfDay(e.text)
+                                                                  : types::parseDateTime(e.text);
         if (!number) {
-            emit(e.range, Kind::InvalidLiteral, {std::string(e.text), e.op == TokenKind::DateLiteral ? "date" : e.op == TokenKind::TimeOfDayLiteral ? "time of day" : "date and time"});
+            emit(e.range, Kind::InvalidLiteral,
+                 {std::string(e.text), e.op == TokenKind::DateLiteral        ? "date"
+                                       : e.op == TokenKind::TimeOfDayLiteral ? "time of day"
+                                                                             : "date and time"});
             return unknown(e.range);
         }
-        const TypeKind kind = e.op == TokenKind::DateLiteral ? (isLong ? TypeKind::Ldate : TypeKind::Date)
+        const TypeKind kind = e.op == TokenKind::DateLiteral        ? (isLong ? TypeKind::Ldate : TypeKind::Date)
                               : e.op == TokenKind::TimeOfDayLiteral ? (isLong ? TypeKind::Ltod : TypeKind::Tod)
                                                                     : (isLong ? TypeKind::Ldt : TypeKind::Dt);
         return constant({elementary(kind), *number}, e.range);
@@ -179,7 +211,9 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
         if (isWide && !typed.isValid())
             if (const auto named = quotedName(e, hint)) return *named;
         const std::u32string characters = parseText(e.text, isWide);
-        const TypeKind wanted = typed.isValid() ? types.storageKind(typed) : hint.isValid() ? types.storageKind(hint) : TypeKind::Unknown;
+        const TypeKind wanted = typed.isValid()  ? types.storageKind(typed)
+                                : hint.isValid() ? types.storageKind(hint)
+                                                 : TypeKind::Unknown;
         std::string narrow;
         char32_t foreign = 0;
         std::string utf8;
@@ -188,7 +222,8 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
             narrow += static_cast<char>(c);
             appendUtf8(utf8, c);
         }
-        const bool toWide = isWide ? wanted != TypeKind::String || foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
+        const bool toWide =
+            isWide ? wanted != TypeKind::String || foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
         Operand out;
         if (toWide) {
             std::u16string wide = utf8ToUtf16(utf8);
@@ -199,7 +234,9 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
                 std::string shown;
                 appendUtf8(shown, foreign);
                 auto& diagnostic = emit(e.range, Kind::CharacterNotInString, {shown});
-                diagnostic.fixes.push_back({"Write a WSTRING", {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""}, {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
+                diagnostic.fixes.push_back({"Write a WSTRING",
+                                            {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""},
+                                             {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
                 return unknown(e.range);
             }
             const TypeId type = textType(narrow.size(), false);
@@ -207,7 +244,8 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
         }
         return typed.isValid() ? converted(out, typed) : out;
     }
-    default: return unknown(e.range);
+    default:
+        return unknown(e.range);
     }
 }
 
@@ -220,7 +258,8 @@ std::optional<Operand> Checker::quotedName(const syntax::Expr& e, TypeId hint) {
     const World::Found result = world.lookup(scope, id);
     const Variable* variable = result.member.variable ? result.member.variable : result.entity.variable;
     if (!variable || !variable->range.file.isValid()) return std::nullopt;
-    const std::string_view written = world.textOf({variable->range.file, variable->range.begin ? variable->range.begin - 1 : 0, variable->range.end});
+    const std::string_view written = world.textOf(
+        {variable->range.file, variable->range.begin ? variable->range.begin - 1 : 0, variable->range.end});
     if (written.substr(0, 2).find('"') == std::string_view::npos) return std::nullopt;
     return value(found(result, {inner, e.range}, Access::Read, hint), e, hint);
 }
@@ -243,8 +282,10 @@ Operand Checker::typedName(const syntax::Expr& e) {
     EnumType& enumeration = *it->second;
     const NameId id = world.key(e.name.text);
     for (uint32_t i = 0; i < enumeration.spec->enumerators.size(); ++i)
-        if (world.key(enumeration.spec->enumerators[i].name.text) == id) return enumerator({&enumeration, i}, e.name.range);
-    world.suggest(emit(e.name.range, Kind::UnknownMember, {nameOf(type), std::string(e.name.text)}), e.name.range, e.name.text, world.memberNames(enumeration.type));
+        if (world.key(enumeration.spec->enumerators[i].name.text) == id)
+            return enumerator({&enumeration, i}, e.name.range);
+    world.suggest(emit(e.name.range, Kind::UnknownMember, {nameOf(type), std::string(e.name.text)}), e.name.range,
+                  e.name.text, world.memberNames(enumeration.type));
     return unknown(e.range);
 }
 

@@ -51,7 +51,10 @@ World::Found World::lookupIn(Space& space, NameId id) {
 World::Found World::lookup(const Scope& scope, NameId id, bool wantsType) {
     if (!id.isValid()) return {};
     Found found;
-    const auto isEnough = [&](const Found& f) { return wantsType ? f.entity.type || (f.entity.unit && f.entity.unit->type.isValid()) || f.space : !f.isNothing(); };
+    const auto isEnough = [&](const Found& f) {
+        return wantsType ? f.entity.type || (f.entity.unit && f.entity.unit->type.isValid()) || f.space
+                         : !f.isNothing();
+    };
     const auto enumeratorsIn = [&](Unit& unit) {
         const auto it = unit.enumerators.find(id);
         if (it != unit.enumerators.end() && found.enumerators.empty()) found.enumerators = it->second;
@@ -126,14 +129,19 @@ std::vector<std::string> World::visibleNames(const Scope& scope) {
             if (method->kind == UnitKind::Method) out.push_back(method->name);
         for (const Unit* action : unit.actions) out.push_back(action->name);
         for (const Property* property : unit.properties) out.push_back(property->name);
-        for (const auto& [id, refs] : unit.enumerators) out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
+        for (const auto& [id, refs] : unit.enumerators)
+            out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
     };
     for (Unit* unit = scope.unit; unit; unit = unit->owner)
         for (Unit* base = unit; base; base = base->base) addUnit(*base);
     const auto addSpace = [&](const Space& space) {
         for (const auto& [id, entities] : space.entities)
-            for (const Entity& entity : entities) out.push_back(entity.variable ? entity.variable->name : entity.unit ? entity.unit->name : entity.type->name);
-        for (const auto& [id, refs] : space.enumerators) out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
+            for (const Entity& entity : entities)
+                out.push_back(entity.variable ? entity.variable->name
+                              : entity.unit   ? entity.unit->name
+                                              : entity.type->name);
+        for (const auto& [id, refs] : space.enumerators)
+            out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
         for (const auto& [id, list] : space.lists)
             if (!list->name.empty()) out.push_back(list->name);
         for (const auto& [id, child] : space.spaces) out.push_back(child->name);
@@ -165,7 +173,8 @@ std::vector<std::string> World::memberNames(TypeId type) {
     return out;
 }
 
-void World::suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name, const std::vector<std::string>& candidates) {
+void World::suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+                    const std::vector<std::string>& candidates) {
     if (name.size() < 3) return; // everything is near to it
     if (!frozen && ++suggestions > kMaximumSuggestions) return;
     const std::optional<std::string> near = nearestName(name, candidates);

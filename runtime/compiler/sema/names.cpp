@@ -3,7 +3,6 @@
 
 #include "runtime/base/text.h"
 
-
 namespace plc::sema {
 
 using diagnostics::Kind;
@@ -34,14 +33,20 @@ Denoted unitOf(Unit& unit, tree::Place* instance) {
     return out;
 }
 
-bool isParameterKind(SectionKind kind) { return kind == SectionKind::Input || kind == SectionKind::Output || kind == SectionKind::InOut; }
+bool isParameterKind(SectionKind kind) {
+    return kind == SectionKind::Input || kind == SectionKind::Output || kind == SectionKind::InOut;
+}
 
 std::string_view accessWord(syntax::Access access) {
     switch (access) {
-    case syntax::Access::Private: return "PRIVATE";
-    case syntax::Access::Protected: return "PROTECTED";
-    case syntax::Access::Internal: return "INTERNAL";
-    default: return "PUBLIC";
+    case syntax::Access::Private:
+        return "PRIVATE";
+    case syntax::Access::Protected:
+        return "PROTECTED";
+    case syntax::Access::Internal:
+        return "INTERNAL";
+    default:
+        return "PUBLIC";
     }
 }
 
@@ -62,17 +67,24 @@ bool Checker::checkAccess(syntax::Access access, const Unit* owner, const std::s
 
 Denoted Checker::denote(const syntax::Expr& e, Access access, TypeId hint) {
     switch (e.kind) {
-    case ExprKind::NameRef: return denoteName(e, access, hint);
-    case ExprKind::Member: return denoteMember(e, access, hint);
-    case ExprKind::Index: return denoteIndex(e, access);
-    case ExprKind::Bit: return denoteBit(e, access);
-    case ExprKind::Deref: return denoteDeref(e, access);
-    case ExprKind::Address: return denoteAddress(e);
+    case ExprKind::NameRef:
+        return denoteName(e, access, hint);
+    case ExprKind::Member:
+        return denoteMember(e, access, hint);
+    case ExprKind::Index:
+        return denoteIndex(e, access);
+    case ExprKind::Bit:
+        return denoteBit(e, access);
+    case ExprKind::Deref:
+        return denoteDeref(e, access);
+    case ExprKind::Address:
+        return denoteAddress(e);
     case ExprKind::This:
     case ExprKind::Super: {
         Unit* self = scope.unit ? scope.unit->self() : nullptr;
         if (!self || (e.kind == ExprKind::Super && !self->base)) {
-            emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::Super ? "SUPER" : "THIS", self ? self->name : "this place"});
+            emit(e.range, Kind::NotAllowedHere,
+                 {e.kind == ExprKind::Super ? "SUPER" : "THIS", self ? self->name : "this place"});
             return {};
         }
         Denoted out = placeOf(thisPlace(e.range));
@@ -82,7 +94,8 @@ Denoted Checker::denote(const syntax::Expr& e, Access access, TypeId hint) {
         }
         return out;
     }
-    case ExprKind::Error: return {};
+    case ExprKind::Error:
+        return {};
     default: {
         const Operand operand = expression(e, hint);
         return operand.isUnknown() ? Denoted{} : valueOf(operand);
@@ -104,14 +117,15 @@ Denoted Checker::denoteName(const syntax::Expr& e, Access access, TypeId hint) {
     return found(result, e.name, access, hint);
 }
 
-
 Denoted Checker::found(const World::Found& result, const syntax::Name& name, Access access, TypeId hint) {
-    if (result.member.variable && result.member.variable->isResult && access == Access::Call && !result.member.unit) { // F(…) inside F
+    if (result.member.variable && result.member.variable->isResult && access == Access::Call &&
+        !result.member.unit) { // F(…) inside F
         Unit& own = *result.member.variable->owner;
         refer(name.range, own.symbol, Access::Read);
         return unitOf(own, own.owner ? thisPlace(name.range) : nullptr);
     }
-    if (result.member.variable && !(access == Access::Call && result.member.unit)) return ofVariable(*result.member.variable, nullptr, name.range, access);
+    if (result.member.variable && !(access == Access::Call && result.member.unit))
+        return ofVariable(*result.member.variable, nullptr, name.range, access);
     if (result.member.unit) {
         refer(name.range, result.member.unit->symbol, Access::Read);
         Denoted out = unitOf(*result.member.unit, function || isExpression ? thisPlace(name.range) : nullptr);
@@ -127,22 +141,29 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
     }
     if (!result.ambiguous.empty()) {
         std::string list;
-        for (const std::string& where : result.ambiguous) list += (list.empty() ? "" : ", ") + (where.empty() ? std::string("the project") : where);
+        for (const std::string& where : result.ambiguous)
+            list += (list.empty() ? "" : ", ") + (where.empty() ? std::string("the project") : where);
         auto& diagnostic = emit(name.range, Kind::AmbiguousName, {std::string(name.text), list});
         for (const std::string& where : result.ambiguous)
-            if (!where.empty()) diagnostic.fixes.push_back({"Write " + where + "." + std::string(name.text), {{name.range, where + "." + std::string(name.text)}}});
+            if (!where.empty())
+                diagnostic.fixes.push_back({"Write " + where + "." + std::string(name.text),
+                                            {{name.range, where + "." + std::string(name.text)}}});
         return {};
     }
     if (result.entity.variable) return ofVariable(*result.entity.variable, nullptr, name.range, access);
     if (!result.enumerators.empty() && !(access == Access::Call && result.entity.unit)) {
         const EnumeratorRef* chosen = result.enumerators.size() == 1 ? &result.enumerators.front() : nullptr;
         for (const EnumeratorRef& ref : result.enumerators)
-            if (hint.isValid() && (ref.type->type == hint || (world.enumsByType.count(hint) && world.enumsByType.at(hint) == ref.type))) chosen = &ref;
+            if (hint.isValid() &&
+                (ref.type->type == hint || (world.enumsByType.count(hint) && world.enumsByType.at(hint) == ref.type)))
+                chosen = &ref;
         if (chosen) return valueOf(enumerator(*chosen, name.range));
         std::string list;
         for (const EnumeratorRef& ref : result.enumerators) list += (list.empty() ? "" : ", ") + ref.type->name;
         auto& diagnostic = emit(name.range, Kind::AmbiguousName, {std::string(name.text), list});
-        for (const EnumeratorRef& ref : result.enumerators) diagnostic.fixes.push_back({"Write " + ref.type->name + "." + std::string(name.text), {{name.range, ref.type->name + "." + std::string(name.text)}}});
+        for (const EnumeratorRef& ref : result.enumerators)
+            diagnostic.fixes.push_back({"Write " + ref.type->name + "." + std::string(name.text),
+                                        {{name.range, ref.type->name + "." + std::string(name.text)}}});
         return {};
     }
     if (result.entity.unit) {
@@ -191,9 +212,11 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
         return valueOf({null, &types});
     }
     if (isExpression) { // names that only the image has: VAR_ACCESS
-        if (const auto place = world.program->layout.find(name.text)) return placeOf(absolutePlace(place->offset, place->type, place->bit, name.range));
+        if (const auto place = world.program->layout.find(name.text))
+            return placeOf(absolutePlace(place->offset, place->type, place->bit, name.range));
     }
-    world.suggest(emit(name.range, Kind::UndeclaredName, {std::string(name.text)}), name.range, name.text, world.visibleNames(scope));
+    world.suggest(emit(name.range, Kind::UndeclaredName, {std::string(name.text)}), name.range, name.text,
+                  world.visibleNames(scope));
     return {};
 }
 
@@ -261,7 +284,9 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
         break;
     case Storage::Temporary:
         if (isExpression || instance) {
-            emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NoAccess, isExpression ? std::vector<std::string>{variable.name} : std::vector<std::string>{variable.name, "VAR_TEMP"});
+            emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NoAccess,
+                 isExpression ? std::vector<std::string>{variable.name}
+                              : std::vector<std::string>{variable.name, "VAR_TEMP"});
             return {};
         }
         place = function ? localPlace(temporaryOf(variable), type, range) : absolutePlace(0, type, -1, range);
@@ -274,10 +299,12 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
         out.isReadOnly = true;
         out.whyReadOnly = variable.name + " (a constant)";
     } else if (instance && !isExpression) {
-        if (variable.kind == SectionKind::Output && !variable.isProgramInstance && variable.owner && variable.owner->kind == UnitKind::Block) {
+        if (variable.kind == SectionKind::Output && !variable.isProgramInstance && variable.owner &&
+            variable.owner->kind == UnitKind::Block) {
             out.isReadOnly = true;
             out.whyReadOnly = variable.name + " (an output)";
-        } else if (variable.kind == SectionKind::Var && variable.owner && variable.owner->kind == UnitKind::Block && !isKind(type, TypeKind::Block)) {
+        } else if (variable.kind == SectionKind::Var && variable.owner && variable.owner->kind == UnitKind::Block &&
+                   !isKind(type, TypeKind::Block)) {
             out.isReadOnly = true;
             out.whyReadOnly = variable.name + " (a local variable of " + variable.owner->name + ")";
         }
@@ -289,11 +316,13 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
     const TypeId type = base->type;
     const NameId id = world.key(name.text);
     const auto unknownMember = [&]() -> Denoted {
-        world.suggest(emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)}), name.range, name.text, world.memberNames(type));
+        world.suggest(emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)}), name.range,
+                      name.text, world.memberNames(type));
         return {};
     };
     switch (types.kind(type)) {
-    case TypeKind::Unknown: return {};
+    case TypeKind::Unknown:
+        return {};
     case TypeKind::Struct:
     case TypeKind::Union: {
         const types::Field* field = types[type].findField(name.text);
@@ -302,7 +331,8 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
             const auto index = static_cast<size_t>(field - types[type].fields.data());
             if (index < it->second->symbols.size()) refer(name.range, it->second->symbols[index], access);
         }
-        tree::Place* place = fieldPlace(base, field->offset, field->bit >= 0 ? elementary(TypeKind::Bool) : field->type, field->bit, range);
+        tree::Place* place = fieldPlace(base, field->offset, field->bit >= 0 ? elementary(TypeKind::Bool) : field->type,
+                                        field->bit, range);
         Denoted out = from;
         out.kind = DK::Place;
         out.place = isKind(place->type, TypeKind::Reference) ? dereferenced(place, range) : place;
@@ -315,8 +345,11 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
         Unit* unit = world.unitOf(type);
         if (!unit) return unknownMember();
         Member member = world.findMember(*unit, id);
-        const bool fromInside = base->kind == tree::PlaceKind::Instance && base->offset == 0 && scope.unit && scope.unit->self() && types.isDerivedFrom(scope.unit->self()->type, type);
-        if (member.variable && (member.unit || member.property) && !fromInside && !isParameterKind(member.variable->kind)) member.variable = nullptr;
+        const bool fromInside = base->kind == tree::PlaceKind::Instance && base->offset == 0 && scope.unit &&
+                                scope.unit->self() && types.isDerivedFrom(scope.unit->self()->type, type);
+        if (member.variable && (member.unit || member.property) && !fromInside &&
+            !isParameterKind(member.variable->kind))
+            member.variable = nullptr;
         if (member.unit && (access == Access::Call || !member.variable)) {
             Unit& called = *member.unit;
             checkAccess(called.access, called.owner, called.name, name.range);
@@ -333,7 +366,8 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
             return out;
         }
         if (member.property) {
-            checkAccess(member.property->declaration->access, member.property->owner, member.property->name, name.range);
+            checkAccess(member.property->declaration->access, member.property->owner, member.property->name,
+                        name.range);
             Denoted out;
             out.kind = DK::Property;
             out.property = member.property;
@@ -366,10 +400,12 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
     case TypeKind::Pointer: {
         auto& diagnostic = emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)});
         const SourceRange dot{name.range.file, name.range.begin - 1, name.range.begin - 1};
-        if (types[types[type].element].findField(name.text)) diagnostic.fixes.push_back({"Write ^ to go to what it points to", {{dot, "^"}}});
+        if (types[types[type].element].findField(name.text))
+            diagnostic.fixes.push_back({"Write ^ to go to what it points to", {{dot, "^"}}});
         return {};
     }
-    default: return unknownMember();
+    default:
+        return unknownMember();
     }
 }
 
@@ -378,7 +414,8 @@ bool Checker::hasMembers(Variable& variable, std::string_view name) {
     const TypeId type = world.typeOf(variable);
     const TypeKind kind = types.kind(type);
     if (kind == TypeKind::Struct || kind == TypeKind::Union) return types[type].findField(name) != nullptr;
-    return kind == TypeKind::Block || kind == TypeKind::Interface || kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Unknown;
+    return kind == TypeKind::Block || kind == TypeKind::Interface || kind == TypeKind::Pointer ||
+           kind == TypeKind::Reference || kind == TypeKind::Unknown;
 }
 
 Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint) {
@@ -390,9 +427,14 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
     const Access baseAccess = access == Access::Address ? Access::ReadWrite : access;
     if (base.kind == ExprKind::NameRef) {
         const World::Found result = world.lookup(scope, world.key(base.name.text));
-        Variable* own = result.member.variable ? result.member.variable : result.ambiguous.empty() ? result.entity.variable : nullptr;
-        if (isExpression && own && own->isProgramInstance && own->program && !world.findMember(*own->program, id)) // a name only the image has: VAR_ACCESS of a program
-            if (const auto place = world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text))) return placeOf(absolutePlace(place->offset, place->type, place->bit, e.range));
+        Variable* own = result.member.variable     ? result.member.variable
+                        : result.ambiguous.empty() ? result.entity.variable
+                                                   : nullptr;
+        if (isExpression && own && own->isProgramInstance && own->program &&
+            !world.findMember(*own->program, id)) // a name only the image has: VAR_ACCESS of a program
+            if (const auto place =
+                    world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text)))
+                return placeOf(absolutePlace(place->offset, place->type, place->bit, e.range));
         if (own && !hasMembers(*own, e.name.text)) { // a variable may have the name of its type: Light.Red
             const World::Found outer = world.lookup(scope, world.key(base.name.text), true);
             if (outer.entity.type && world.enumsByType.count(world.resolveDeclared(*outer.entity.type))) {
@@ -404,24 +446,29 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
         }
         const bool isOwn = own || from.kind != DK::Nothing;
         if (!isOwn && result.list) { // GVL.x, also where a program unit has the list's name
-            if (const auto it = result.list->variables.find(id); it != result.list->variables.end()) return ofVariable(*it->second, nullptr, e.range, access);
+            if (const auto it = result.list->variables.find(id); it != result.list->variables.end())
+                return ofVariable(*it->second, nullptr, e.range, access);
             if (!result.entity.unit && !result.entity.type && !result.space) {
                 std::vector<std::string> candidates;
                 for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
-                world.suggest(emit(e.name.range, Kind::UnknownMember, {result.list->name, std::string(e.name.text)}), e.name.range, e.name.text, candidates);
+                world.suggest(emit(e.name.range, Kind::UnknownMember, {result.list->name, std::string(e.name.text)}),
+                              e.name.range, e.name.text, candidates);
                 return {};
             }
         }
         if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
             return found(world.lookupIn(*result.space, id), e.name, access, hint);
         }
-        if (from.kind == DK::Nothing) from = found(result, base.name, baseAccess == Access::Call ? Access::ReadWrite : baseAccess, {});
+        if (from.kind == DK::Nothing)
+            from = found(result, base.name, baseAccess == Access::Call ? Access::ReadWrite : baseAccess, {});
     } else {
         from = denote(base, baseAccess == Access::Call ? Access::ReadWrite : baseAccess);
     }
     switch (from.kind) {
-    case DK::Nothing: return {};
-    case DK::Place: return memberOf(from.place, from, e.name, e.range, access);
+    case DK::Nothing:
+        return {};
+    case DK::Place:
+        return memberOf(from.place, from, e.name, e.range, access);
     case DK::Value: {
         if (isKind(from.value.type(), TypeKind::Interface)) {
             Denoted out = memberOf(temporary(from.value), from, e.name, e.range, access);
@@ -463,30 +510,40 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
                     return valueOf(value);
                 }
         }
-        world.suggest(emit(e.name.range, Kind::UnknownMember, {textOf(base.range), std::string(e.name.text)}), e.name.range, e.name.text, world.memberNames(from.type));
+        world.suggest(emit(e.name.range, Kind::UnknownMember, {textOf(base.range), std::string(e.name.text)}),
+                      e.name.range, e.name.text, world.memberNames(from.type));
         return {};
     }
     case DK::Unit: {
         Unit& unit = *from.unit;
         const Member member = unit.isInstanced() ? world.findMember(unit, id) : Member{};
-        if (member.variable && ((member.variable->isConstant && isFoldable(types, world.typeOf(*member.variable))) || member.variable->storage == Storage::Absolute))
+        if (member.variable && ((member.variable->isConstant && isFoldable(types, world.typeOf(*member.variable))) ||
+                                member.variable->storage == Storage::Absolute))
             return ofVariable(*member.variable, nullptr, e.range, access);
         if (unit.kind == UnitKind::Program) {
             Unit* self = scope.unit ? scope.unit->self() : nullptr;
             tree::Place* instance = nullptr;
-            if (self == &unit) instance = thisPlace(base.range);
-            else if (unit.instance) instance = absolutePlace(unit.instance->offset, unit.type, -1, base.range);
+            if (self == &unit)
+                instance = thisPlace(base.range);
+            else if (unit.instance)
+                instance = absolutePlace(unit.instance->offset, unit.type, -1, base.range);
             if (instance) {
                 Denoted exact;
                 exact.isExact = true;
                 Denoted out = memberOf(instance, exact, e.name, e.range, access);
-                if (!isKind(unit.type, TypeKind::Unknown) && out.kind == DK::Place && out.variable && out.variable->owner && out.variable->owner->kind == UnitKind::Program && !out.variable->isConstant) out.isReadOnly = false;
+                if (!isKind(unit.type, TypeKind::Unknown) && out.kind == DK::Place && out.variable &&
+                    out.variable->owner && out.variable->owner->kind == UnitKind::Program && !out.variable->isConstant)
+                    out.isReadOnly = false;
                 return out;
             }
-            if (!function && !isExpression && member.variable) return ofVariable(*member.variable, nullptr, e.range, access);
+            if (!function && !isExpression && member.variable)
+                return ofVariable(*member.variable, nullptr, e.range, access);
         }
-        if (unit.kind == UnitKind::Program) emit(base.range, Kind::NoValue, {unit.name});
-        else world.suggest(emit(e.name.range, Kind::UnknownMember, {unit.name, std::string(e.name.text)}), e.name.range, e.name.text, world.memberNames(unit.type));
+        if (unit.kind == UnitKind::Program)
+            emit(base.range, Kind::NoValue, {unit.name});
+        else
+            world.suggest(emit(e.name.range, Kind::UnknownMember, {unit.name, std::string(e.name.text)}), e.name.range,
+                          e.name.text, world.memberNames(unit.type));
         return {};
     }
     case DK::List: {
@@ -495,8 +552,11 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
         emit(e.name.range, Kind::UnknownMember, {from.list->name, std::string(e.name.text)});
         return {};
     }
-    case DK::Space: return found(world.lookupIn(*from.space, id), e.name, access, hint);
-    case DK::Standard: emit(base.range, Kind::NoValue, {textOf(base.range)}); return {};
+    case DK::Space:
+        return found(world.lookupIn(*from.space, id), e.name, access, hint);
+    case DK::Standard:
+        emit(base.range, Kind::NoValue, {textOf(base.range)});
+        return {};
     }
     return {};
 }

@@ -21,7 +21,8 @@ void World::resolveBases(Unit& unit) {
         if (!base) {
             std::vector<std::string> candidates;
             for (const Unit& other : units)
-                if (other.kind == (wantsInterface ? UnitKind::Interface : UnitKind::Block)) candidates.push_back(other.name);
+                if (other.kind == (wantsInterface ? UnitKind::Interface : UnitKind::Block))
+                    candidates.push_back(other.name);
             suggest(emit(range, Kind::UnknownType, {text}), range, text, candidates);
             return nullptr;
         }
@@ -49,12 +50,15 @@ void World::resolveBases(Unit& unit) {
             for (const syntax::Path& path : unit.pou->extends) {
                 Unit* base = resolve(path, false);
                 if (!base) continue;
-                if (unit.base) emit(joined(path.front().range, path.back().range), Kind::NotExtendable, {base->name, unit.name});
-                else unit.base = base;
+                if (unit.base)
+                    emit(joined(path.front().range, path.back().range), Kind::NotExtendable, {base->name, unit.name});
+                else
+                    unit.base = base;
             }
             if (unit.base) unit.base->isExtended = true;
         } else if (!unit.pou->extends.empty() && !unit.pou->extends.front().empty()) {
-            emit(unit.pou->extends.front().front().range, Kind::NotAllowedHere, {"EXTENDS", unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION"});
+            emit(unit.pou->extends.front().front().range, Kind::NotAllowedHere,
+                 {"EXTENDS", unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION"});
         }
         for (const syntax::Path& path : unit.pou->implements)
             if (Unit* interface = resolve(path, true)) unit.interfaces.push_back(interface);
@@ -71,13 +75,16 @@ bool World::isAccessible(syntax::Access access, const Unit* owner, const Scope& 
     if (access == syntax::Access::Default || access == syntax::Access::Public || !owner) return true;
     const Unit* self = from.unit ? from.unit->self() : nullptr;
     switch (access) {
-    case syntax::Access::Private: return self == owner;
+    case syntax::Access::Private:
+        return self == owner;
     case syntax::Access::Protected:
         for (const Unit* at = self; at; at = at->base)
             if (at == owner) return true;
         return false;
-    case syntax::Access::Internal: return from.space == owner->space;
-    default: return true;
+    case syntax::Access::Internal:
+        return from.space == owner->space;
+    default:
+        return true;
     }
 }
 
@@ -95,7 +102,9 @@ bool sameShape(World& world, Unit& a, Unit& b) {
     if (x.size() != y.size()) return false;
     for (size_t i = 0; i < x.size(); ++i)
         if (x[i].second != y[i].second || !world.sameType(x[i].first, y[i].first)) return false;
-    const auto result = [&](Unit& unit) { return unit.resultVariable ? world.typeOf(*unit.resultVariable) : types::TypeTable::of(TypeKind::Void); };
+    const auto result = [&](Unit& unit) {
+        return unit.resultVariable ? world.typeOf(*unit.resultVariable) : types::TypeTable::of(TypeKind::Void);
+    };
     return world.sameType(result(a), result(b));
 }
 
@@ -139,13 +148,18 @@ namespace {
 void addProperty(const World& world, const Unit& unit, const Property& property, diagnostics::Diagnostic& diagnostic) {
     constexpr std::string_view end = "END_FUNCTION_BLOCK";
     const std::string_view whole = world.textOf(unit.pou->range);
-    if (!unit.pou->hasEnd || whole.size() <= end.size() || !equalsIgnoringCase(whole.substr(whole.size() - end.size()), end)) return;
-    if (std::any_of(unit.properties.begin(), unit.properties.end(), [&](const Property* own) { return own->id == property.id; })) return; // one accessor is there
+    if (!unit.pou->hasEnd || whole.size() <= end.size() ||
+        !equalsIgnoringCase(whole.substr(whole.size() - end.size()), end))
+        return;
+    if (std::any_of(unit.properties.begin(), unit.properties.end(),
+                    [&](const Property* own) { return own->id == property.id; }))
+        return; // one accessor is there
     std::string text = "PROPERTY " + property.name + " : " + world.nameOf(property.type) + "\n";
     if (property.get) text += "GET\n;\nEND_GET\n";
     if (property.set) text += "SET\n;\nEND_SET\n";
     const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
-    diagnostic.fixes.push_back({"Add the property " + property.name, {{{unit.range.file, place, place}, text + "END_PROPERTY\n"}}});
+    diagnostic.fixes.push_back(
+        {"Add the property " + property.name, {{{unit.range.file, place, place}, text + "END_PROPERTY\n"}}});
 }
 
 } // namespace
@@ -155,15 +169,20 @@ void World::checkInheritance(Unit& unit) {
         Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
         if (overridden) {
             overridden->isOverridden = true;
-            if (overridden->isFinal) emit(method->range, Kind::FinalExtended, {overridden->qualified});
-            else if (!sameShape(*this, *method, *overridden)) emit(method->range, Kind::OverrideDiffers, {method->name}).related.push_back({overridden->range, "overridden here"});
+            if (overridden->isFinal)
+                emit(method->range, Kind::FinalExtended, {overridden->qualified});
+            else if (!sameShape(*this, *method, *overridden))
+                emit(method->range, Kind::OverrideDiffers, {method->name})
+                    .related.push_back({overridden->range, "overridden here"});
         } else if (method->isOverride) {
             std::vector<std::string> candidates;
             for (Unit* at = unit.base; at; at = at->base)
                 for (const Unit* other : at->methods) candidates.push_back(other->name);
-            suggest(emit(method->range, Kind::OverridesNothing, {method->name}), method->range, method->name, candidates);
+            suggest(emit(method->range, Kind::OverridesNothing, {method->name}), method->range, method->name,
+                    candidates);
         }
-        if (method->isAbstract && unit.kind == UnitKind::Block && !unit.isAbstract) emit(method->range, Kind::NotAllowedHere, {"ABSTRACT", unit.name + ", which is not abstract itself"});
+        if (method->isAbstract && unit.kind == UnitKind::Block && !unit.isAbstract)
+            emit(method->range, Kind::NotAllowedHere, {"ABSTRACT", unit.name + ", which is not abstract itself"});
     }
     if (unit.kind != UnitKind::Block) return;
     std::vector<Unit*> interfaces;
@@ -175,29 +194,39 @@ void World::checkInheritance(Unit& unit) {
             const SourceRange at = implementsRange(unit);
             if (!made || made->isAbstract) {
                 const Property* property = wanted->property;
-                if (property && wanted == property->set && property->get && !methodNamed(unit, property->get->id)) continue; // told with GET
-                auto& diagnostic = emit(at, Kind::NotInterfaceImplemented, {unit.name, property ? property->name : wanted->name, interface->name});
+                if (property && wanted == property->set && property->get && !methodNamed(unit, property->get->id))
+                    continue; // told with GET
+                auto& diagnostic = emit(at, Kind::NotInterfaceImplemented,
+                                        {unit.name, property ? property->name : wanted->name, interface->name});
                 if (property && !made) addProperty(*this, unit, *property, diagnostic);
                 if (!made && wanted->kind == UnitKind::Method && unit.pou->hasEnd && unit.pou->range.file.isValid()) {
-                    std::string text = "METHOD " + wanted->name + (wanted->pou->result ? " : " + std::string(textOf(wanted->pou->result->range)) : std::string()) + "\n";
-                    for (const syntax::VarSection* section : wanted->pou->sections) text += std::string(textOf(section->range)) + "\n";
+                    std::string text = "METHOD " + wanted->name +
+                                       (wanted->pou->result ? " : " + std::string(textOf(wanted->pou->result->range))
+                                                            : std::string()) +
+                                       "\n";
+                    for (const syntax::VarSection* section : wanted->pou->sections)
+                        text += std::string(textOf(section->range)) + "\n";
                     text += ";\nEND_METHOD\n";
                     const std::string_view whole = textOf(unit.pou->range);
                     const std::string_view end = "END_FUNCTION_BLOCK";
                     if (whole.size() > end.size()) {
                         const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
-                        if (equalsIgnoringCase(whole.substr(whole.size() - end.size()), end)) diagnostic.fixes.push_back({"Add the method " + wanted->name, {{{unit.range.file, place, place}, text}}});
+                        if (equalsIgnoringCase(whole.substr(whole.size() - end.size()), end))
+                            diagnostic.fixes.push_back(
+                                {"Add the method " + wanted->name, {{{unit.range.file, place, place}, text}}});
                     }
                 }
             } else if (!sameShape(*this, *made, *wanted)) {
-                emit(made->range, Kind::OverrideDiffers, {made->name}).related.push_back({wanted->range, "declared here"});
+                emit(made->range, Kind::OverrideDiffers, {made->name})
+                    .related.push_back({wanted->range, "declared here"});
             }
         }
     }
     // an abstract method of a base must be there
     for (Unit* at = unit.base; at; at = at->base)
         for (Unit* wanted : at->methods)
-            if (wanted->isAbstract && methodNamed(unit, wanted->id) == wanted) emit(unit.range, Kind::NotInterfaceImplemented, {unit.name, wanted->name, at->name});
+            if (wanted->isAbstract && methodNamed(unit, wanted->id) == wanted)
+                emit(unit.range, Kind::NotInterfaceImplemented, {unit.name, wanted->name, at->name});
 }
 
 void World::assignSlots() {
@@ -209,7 +238,8 @@ void World::assignSlots() {
         return it->second;
     };
     for (Unit& unit : units) {
-        if (unit.owner && (unit.kind == UnitKind::Method || unit.kind == UnitKind::PropertyGet || unit.kind == UnitKind::PropertySet)) {
+        if (unit.owner && (unit.kind == UnitKind::Method || unit.kind == UnitKind::PropertyGet ||
+                           unit.kind == UnitKind::PropertySet)) {
             unit.slot = slotOf(unit.id);
             functions[unit.function.index()].methodSlot = unit.slot;
         } else if (unit.kind == UnitKind::Block && unit.hasHeader) {

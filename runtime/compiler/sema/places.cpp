@@ -36,7 +36,8 @@ tree::Place* Checker::fieldPlace(tree::Place* base, uint32_t offset, TypeId type
     place->type = type;
     place->range = range;
     place->bit = bit;
-    if (base->bit < 0 && (base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance || base->kind == tree::PlaceKind::Field)) {
+    if (base->bit < 0 && (base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance ||
+                          base->kind == tree::PlaceKind::Field)) {
         place->kind = base->kind;
         place->offset = base->offset + offset;
         place->base = base->base;
@@ -73,13 +74,17 @@ tree::Place* Checker::rootOf(tree::Place* place) {
 
 void Checker::takeAddress(tree::Place* place) {
     tree::Place* root = rootOf(place);
-    if (root->kind == tree::PlaceKind::Local && function && root->local < function->locals.size() && !function->locals[root->local].isInOut) function->locals[root->local].isAddressTaken = true;
+    if (root->kind == tree::PlaceKind::Local && function && root->local < function->locals.size() &&
+        !function->locals[root->local].isInOut)
+        function->locals[root->local].isAddressTaken = true;
 }
 
 bool Checker::hasAddress(const tree::Place* place) const {
     if (place->bit >= 0) return false;
     for (const tree::Place* at = place; at; at = at->base) {
-        if (at->kind == tree::PlaceKind::Bit || at->kind == tree::PlaceKind::TextIndex || at->kind == tree::PlaceKind::Temporary) return false;
+        if (at->kind == tree::PlaceKind::Bit || at->kind == tree::PlaceKind::TextIndex ||
+            at->kind == tree::PlaceKind::Temporary)
+            return false;
     }
     return true;
 }

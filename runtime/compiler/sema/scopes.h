@@ -1,5 +1,5 @@
-// What the checker knows by name: variables, program units, types, global lists and namespaces, with folded and interned
-// names. Owned by the World (world.h); built by one thread, then read only.
+// What the checker knows by name: variables, program units, types, global lists and namespaces, with folded and
+// interned names. Owned by the World (world.h); built by one thread, then read only.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 #include "runtime/compiler/sema/sema.h"
@@ -56,10 +56,10 @@ struct Variable {
     const syntax::VarDecl* declaration = nullptr;
     const syntax::VarSection* section = nullptr;
     const syntax::TypeSpec* spec = nullptr; // the declaration's, or a result's
-    SourceRange range; // the name
+    SourceRange range;                      // the name
     syntax::SectionKind kind = syntax::SectionKind::Var;
-    Scope scope;                  // its initial value and type are seen from
-    Unit* owner = nullptr;        // null: global
+    Scope scope;           // its initial value and type are seen from
+    Unit* owner = nullptr; // null: global
     GlobalsList* list = nullptr;
     Space* space = nullptr;
     TypeId type;
@@ -70,13 +70,13 @@ struct Variable {
     uint32_t local = Id<int>::kNone;
     uint32_t edgeOffset = Id<int>::kNone; // R_EDGE, F_EDGE: the field that holds the edge
     bool isConstant = false;
-    bool isLocated = false;        // has an address, complete or not
+    bool isLocated = false; // has an address, complete or not
     bool isProgramInstance = false;
-    bool isResult = false;         // the function's own name
+    bool isResult = false; // the function's own name
     Folding folding = Folding::Open;
-    types::Value value;            // Folding::Constant
-    Variable* target = nullptr;    // VAR_EXTERNAL: the global
-    Unit* program = nullptr;       // of a program instance
+    types::Value value;         // Folding::Constant
+    Variable* target = nullptr; // VAR_EXTERNAL: the global
+    Unit* program = nullptr;    // of a program instance
     SymbolId symbol;
     uint32_t reads = 0, writes = 0;
     [[nodiscard]] bool isInOut() const { return kind == syntax::SectionKind::InOut; }
@@ -114,7 +114,7 @@ struct Unit {
     std::string name;
     std::string qualified; // "Motor.Start"
     NameId id;
-    const syntax::Pou* pou = nullptr;           // not for actions
+    const syntax::Pou* pou = nullptr; // not for actions
     const syntax::ActionDecl* action = nullptr;
     const syntax::SyntaxFile* file = nullptr;
     SourceRange range; // the name
@@ -123,24 +123,24 @@ struct Unit {
     Property* property = nullptr;
     syntax::Access access = syntax::Access::Default;
     bool isAbstract = false, isFinal = false, isOverride = false, isSimulation = false;
-    bool hasHeader = false;   // instances begin with the block number
-    bool isExtended = false;  // some block extends it
+    bool hasHeader = false;  // instances begin with the block number
+    bool isExtended = false; // some block extends it
     bool hasImplicitEno = false;
-    TypeId type;              // Block or Interface
-    TypeId result;            // functions and methods; Void: none
+    TypeId type;   // Block or Interface
+    TypeId result; // functions and methods; Void: none
     Progress baseProgress = Progress::Open, memberProgress = Progress::Open, layoutProgress = Progress::Open;
     std::deque<Variable> variables; // own, in order of declaration
     std::unordered_map<NameId, Member> members;
     std::unordered_map<NameId, std::vector<EnumeratorRef>> enumerators; // of enumerations declared in a VAR
-    std::vector<Unit*> methods;     // with accessors
+    std::vector<Unit*> methods;                                         // with accessors
     std::vector<Unit*> actions;
     std::vector<Property*> properties;
     Unit* base = nullptr;
-    std::vector<Unit*> interfaces;  // IMPLEMENTS; EXTENDS of an interface
+    std::vector<Unit*> interfaces; // IMPLEMENTS; EXTENDS of an interface
     Variable* resultVariable = nullptr;
-    Variable* instance = nullptr;   // of a PROGRAM: the only one
+    Variable* instance = nullptr; // of a PROGRAM: the only one
     uint32_t instanceCount = 0;
-    tree::FunctionId function;      // its body
+    tree::FunctionId function;         // its body
     std::vector<Variable*> parameters; // inputs, in-outs, outputs, base's first
     uint32_t slot = Id<int>::kNone;
     bool isOverridden = false;

@@ -1,5 +1,6 @@
-// Declares, resolves and checks: syntax trees of all files → checked tree, layout, initial image and diagnostics. Also the side
-// tables the editor asks (what a name means, what type an expression has). One thread builds; the result is immutable.
+// Declares, resolves and checks: syntax trees of all files → checked tree, layout, initial image and diagnostics. Also
+// the side tables the editor asks (what a name means, what type an expression has). One thread builds; the result is
+// immutable.
 #pragma once
 #include "runtime/compiler/parse/syntax.h"
 #include "runtime/compiler/tree/tree.h"
@@ -12,18 +13,36 @@
 
 namespace plc::sema {
 
-enum class SymbolKind : uint8_t { Variable, Constant, Enumerator, Type, Function, FunctionBlock, Program, Method, Property, Action, Interface, Namespace, Task, Label, Step, StandardFunction, GlobalList };
+enum class SymbolKind : uint8_t {
+    Variable,
+    Constant,
+    Enumerator,
+    Type,
+    Function,
+    FunctionBlock,
+    Program,
+    Method,
+    Property,
+    Action,
+    Interface,
+    Namespace,
+    Task,
+    Label,
+    Step,
+    StandardFunction,
+    GlobalList
+};
 
 /// What a name stands for; the editor's go to definition, hover, rename and colours.
 struct Symbol {
     SymbolKind kind = SymbolKind::Variable;
-    std::string name;          // first spelling
-    std::string owner;         // qualified name of the POU or type it belongs to, "" = global
-    SourceRange declaration;   // the name in its declaration; file none for the standard's
+    std::string name;        // first spelling
+    std::string owner;       // qualified name of the POU or type it belongs to, "" = global
+    SourceRange declaration; // the name in its declaration; file none for the standard's
     types::TypeId type;
     types::FieldSection section = types::FieldSection::Local;
     std::string comment;
-    std::string path;          // image path when there is exactly one ("Main.x"), else relative to the instance ("x")
+    std::string path; // image path when there is exactly one ("Main.x"), else relative to the instance ("x")
     bool isConstant = false;
 };
 using SymbolId = Id<struct SymbolTag>;
@@ -47,21 +66,24 @@ struct Analysis {
 };
 
 struct Options {
-    bool strict = false;           // dialect features of the books warn
+    bool strict = false;                           // dialect features of the books warn
     std::unordered_set<std::string> usedElsewhere; // folded names that panels, traces, tests use; ".name": behind a dot
-    bool wantProgram = true;       // false: check only (no bodies of the tree are kept)
+    bool wantProgram = true;                       // false: check only (no bodies of the tree are kept)
 };
 
 /// Checks everything together. Library files carry their namespace in SyntaxFile::library.
-[[nodiscard]] std::shared_ptr<const Analysis> analyze(const SourceSet& sources, std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
-                                                      std::vector<diagnostics::Diagnostic> syntaxDiagnostics, const Options& options);
+[[nodiscard]] std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
+                                                      std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
+                                                      std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
+                                                      const Options& options);
 
-/// Checks one expression as seen from `scope` (a POU instance path such as "Main.pid", or "" = top). Nodes go into `arena`.
-/// Instance-relative places are made absolute. Null with diagnostics when it is wrong or has side effects.
+/// Checks one expression as seen from `scope` (a POU instance path such as "Main.pid", or "" = top). Nodes go into
+/// `arena`. Instance-relative places are made absolute. Null with diagnostics when it is wrong or has side effects.
 struct CheckedExpression {
     tree::Expr* root = nullptr;
     std::vector<diagnostics::Diagnostic> diagnostics;
 };
-[[nodiscard]] CheckedExpression checkExpression(const Analysis& analysis, const SourceSet& sources, std::string_view text, std::string_view scope, Arena& arena);
+[[nodiscard]] CheckedExpression checkExpression(const Analysis& analysis, const SourceSet& sources,
+                                                std::string_view text, std::string_view scope, Arena& arena);
 
 } // namespace plc::sema

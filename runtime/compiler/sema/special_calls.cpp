@@ -50,7 +50,8 @@ Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
     }
     const int64_t number = dimension.expr->value.integer();
     if (number < 1 || number > static_cast<int64_t>(type.dimensions.size())) {
-        emit(arguments.inputs[1]->value->range, Kind::ConstantIndexOutOfRange, {std::to_string(number), "1", std::to_string(type.dimensions.size())});
+        emit(arguments.inputs[1]->value->range, Kind::ConstantIndexOutOfRange,
+             {std::to_string(number), "1", std::to_string(type.dimensions.size())});
         return unknown(e.range);
     }
     const TypeId dint = elementary(TypeKind::Dint);
@@ -70,18 +71,24 @@ Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
 
 Operand Checker::sizeCall(const syntax::Expr& e, TypeKind result) {
     if (e.arguments.size() != 1 || !e.arguments[0].value) {
-        emit(e.base->range, e.arguments.empty() ? Kind::MissingArgument : Kind::TooManyArguments, e.arguments.empty() ? std::vector<std::string>{"IN", "SIZEOF"} : std::vector<std::string>{"SIZEOF", "1"});
+        emit(e.base->range, e.arguments.empty() ? Kind::MissingArgument : Kind::TooManyArguments,
+             e.arguments.empty() ? std::vector<std::string>{"IN", "SIZEOF"} : std::vector<std::string>{"SIZEOF", "1"});
         return unknown(e.range);
     }
     const syntax::Expr& argument = *e.arguments[0].value;
     TypeId type;
-    if (argument.kind == syntax::ExprKind::NameRef || argument.kind == syntax::ExprKind::Member || argument.kind == syntax::ExprKind::Index || argument.kind == syntax::ExprKind::Deref) {
+    if (argument.kind == syntax::ExprKind::NameRef || argument.kind == syntax::ExprKind::Member ||
+        argument.kind == syntax::ExprKind::Index || argument.kind == syntax::ExprKind::Deref) {
         const Denoted denoted = denote(argument, Access::Read);
         if (denoted.kind == Denoted::Kind::Nothing) return unknown(e.range);
-        if (denoted.kind == Denoted::Kind::Place) type = denoted.place->type;
-        else if (denoted.kind == Denoted::Kind::Type) type = denoted.type;
-        else if (denoted.kind == Denoted::Kind::Value) type = settled(denoted.value).type();
-        else if (denoted.kind == Denoted::Kind::Unit && denoted.unit->type.isValid()) type = denoted.unit->type;
+        if (denoted.kind == Denoted::Kind::Place)
+            type = denoted.place->type;
+        else if (denoted.kind == Denoted::Kind::Type)
+            type = denoted.type;
+        else if (denoted.kind == Denoted::Kind::Value)
+            type = settled(denoted.value).type();
+        else if (denoted.kind == Denoted::Kind::Unit && denoted.unit->type.isValid())
+            type = denoted.unit->type;
     } else {
         const Operand value = settled(expression(argument));
         if (value.isUnknown()) return unknown(e.range);
@@ -126,13 +133,16 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
     if (isStrict(base) || isStrict(exponent)) return unknown(range);
     if (!isNumeric(base.type()) || !isNumeric(exponent.type())) {
         const Operand& wrong = isNumeric(base.type()) ? exponent : base;
-        emit(isNumeric(base.type()) || isNumeric(exponent.type()) ? wrong.expr->range : operatorRange, Kind::OperatorNotForType, {"**", nameOf(wrong.type())});
+        emit(isNumeric(base.type()) || isNumeric(exponent.type()) ? wrong.expr->range : operatorRange,
+             Kind::OperatorNotForType, {"**", nameOf(wrong.type())});
         return unknown(range);
     }
-    const bool realBase = types.family(base.type()) == Family::Real, realExponent = types.family(exponent.type()) == Family::Real;
+    const bool realBase = types.family(base.type()) == Family::Real,
+               realExponent = types.family(exponent.type()) == Family::Real;
     const bool wantsReal = hint.isValid() && types.family(hint) == Family::Real;
     if (!realBase && !realExponent && !wantsReal) {
-        if (base.isFlexible && exponent.isFlexible && exponent.expr->value.integer() >= 0 && exponent.expr->value.integer() < 64) {
+        if (base.isFlexible && exponent.isFlexible && exponent.expr->value.integer() >= 0 &&
+            exponent.expr->value.integer() < 64) {
             __int128 result = 1;
             const int64_t factor = base.expr->value.integer();
             bool fitsIn = true;
@@ -142,9 +152,15 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
             }
             if (fitsIn) return constant({elementary(TypeKind::Lint), static_cast<int64_t>(result)}, range, true);
         }
-        const TypeId type = base.isFlexible ? (hint.isValid() && types::isInteger(types.family(hint)) && fits(base.expr->value, hint) ? types.storage(hint) : exponent.isFlexible ? smallestType(base) : commonType(base, exponent)) : types.storage(base.type());
+        const TypeId type =
+            base.isFlexible ? (hint.isValid() && types::isInteger(types.family(hint)) && fits(base.expr->value, hint)
+                                   ? types.storage(hint)
+                               : exponent.isFlexible ? smallestType(base)
+                                                     : commonType(base, exponent))
+                            : types.storage(base.type());
         base = base.isFlexible ? converted(base, type) : convertNode(base, type);
-        exponent = exponent.isFlexible && fits(exponent.expr->value, type) ? converted(exponent, type) : convertNode(settled(exponent), type);
+        exponent = exponent.isFlexible && fits(exponent.expr->value, type) ? converted(exponent, type)
+                                                                           : convertNode(settled(exponent), type);
         if (base.isUnknown() || exponent.isUnknown()) return unknown(range);
         return intrinsic(library::Intrinsic::ExptInt, type, {base, exponent}, range);
     }
@@ -154,7 +170,8 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
         if (o.isFlexible) continue;
         onlyFlexible = false;
         if (types.storageKind(o.type()) == TypeKind::Lreal) kind = TypeKind::Lreal;
-        if (types.family(o.type()) != Family::Real && types::bitsOf(types.storageKind(o.type())) > 16 && !realBase) kind = TypeKind::Lreal;
+        if (types.family(o.type()) != Family::Real && types::bitsOf(types.storageKind(o.type())) > 16 && !realBase)
+            kind = TypeKind::Lreal;
     }
     if (onlyFlexible) kind = TypeKind::Lreal;
     if (wantsReal && (onlyFlexible || (!realBase && !realExponent))) kind = types.storageKind(hint);
@@ -172,18 +189,21 @@ Operand Checker::queryCall(const syntax::Expr& e) {
         return unknown(e.range);
     }
     if (!function) {
-        emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant, isExpression ? std::vector<std::string>{textOf(e.base->range)} : std::vector<std::string>{});
+        emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant,
+             isExpression ? std::vector<std::string>{textOf(e.base->range)} : std::vector<std::string>{});
         return unknown(e.range);
     }
     Operand from = expression(*e.arguments[0].value);
     const Denoted to = target(*e.arguments[1].value);
     if (from.isUnknown() || to.kind != Denoted::Kind::Place) return unknown(e.range);
     const TypeId wanted = to.place->type;
-    if (!isKind(wanted, TypeKind::Interface) && !(isKind(wanted, TypeKind::Pointer) && isKind(types[wanted].element, TypeKind::Block))) {
+    if (!isKind(wanted, TypeKind::Interface) &&
+        !(isKind(wanted, TypeKind::Pointer) && isKind(types[wanted].element, TypeKind::Block))) {
         emit(e.arguments[1].value->range, Kind::OperatorNotForType, {textOf(e.base->range), nameOf(wanted)});
         return unknown(e.range);
     }
-    if (isKind(from.type(), TypeKind::Block) && from.expr->place) from = addressOf(from.expr->place, types.pointer(from.type()), from.expr->range);
+    if (isKind(from.type(), TypeKind::Block) && from.expr->place)
+        from = addressOf(from.expr->place, types.pointer(from.type()), from.expr->range);
     if (!isKind(from.type(), TypeKind::Interface) && !isKind(from.type(), TypeKind::Pointer)) {
         emit(e.arguments[0].value->range, Kind::OperatorNotForType, {textOf(e.base->range), nameOf(from.type())});
         return unknown(e.range);
@@ -219,8 +239,11 @@ Operand Checker::specialCall(const library::Signature& signature, const syntax::
     if (name == "__ISVALIDREF") {
         const Denoted denoted = denote(first, Access::Read);
         if (denoted.kind == Denoted::Kind::Nothing) return unknown(e.range);
-        if (denoted.kind == Denoted::Kind::Place && denoted.place->kind == tree::PlaceKind::Deref && denoted.place->pointer) return inverted(isNull({denoted.place->pointer, &types}, e.range), e.range);
-        if (denoted.kind == Denoted::Kind::Place && (isKind(denoted.place->type, TypeKind::Pointer) || isKind(denoted.place->type, TypeKind::Interface)))
+        if (denoted.kind == Denoted::Kind::Place && denoted.place->kind == tree::PlaceKind::Deref &&
+            denoted.place->pointer)
+            return inverted(isNull({denoted.place->pointer, &types}, e.range), e.range);
+        if (denoted.kind == Denoted::Kind::Place &&
+            (isKind(denoted.place->type, TypeKind::Pointer) || isKind(denoted.place->type, TypeKind::Interface)))
             return inverted(isNull(load(denoted.place, first.range), e.range), e.range);
         emit(first.range, Kind::NotAPointer, {textOf(first.range)});
         return unknown(e.range);
@@ -236,7 +259,9 @@ Operand Checker::specialCall(const library::Signature& signature, const syntax::
         for (const image::Area area : {image::Area::Input, image::Area::Output, image::Area::Memory}) {
             const image::AreaRange range = world.areaOf(area);
             if (place->offset >= range.begin && place->offset < range.begin + range.size)
-                return constant({elementary(TypeKind::Dword), int64_t(place->offset - range.begin) * 8 + std::max<int64_t>(0, place->bit)}, e.range);
+                return constant({elementary(TypeKind::Dword),
+                                 int64_t(place->offset - range.begin) * 8 + std::max<int64_t>(0, place->bit)},
+                                e.range);
         }
         emit(first.range, Kind::TemporaryReference);
         return unknown(e.range);

@@ -1,4 +1,5 @@
-// Calls of standard functions and conversions: the overload is chosen by the rule of the signature (runtime/library/signatures.h).
+// Calls of standard functions and conversions: the overload is chosen by the rule of the signature
+// (runtime/library/signatures.h).
 #include "runtime/compiler/sema/checker.h"
 
 #include "runtime/base/text.h"
@@ -28,7 +29,8 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
     const auto put = [&](size_t index, const syntax::Argument& argument) {
         if (index >= out.inputs.size()) out.inputs.resize(index + 1);
         if (out.inputs[index]) {
-            emit(argument.name.isValid() ? argument.name.range : argument.range, Kind::ArgumentTwice, {index < count ? std::string(signature.parameters[index].name) : std::string(argument.name.text)});
+            emit(argument.name.isValid() ? argument.name.range : argument.range, Kind::ArgumentTwice,
+                 {index < count ? std::string(signature.parameters[index].name) : std::string(argument.name.text)});
             out.isGood = false;
         }
         out.inputs[index] = &argument;
@@ -45,9 +47,11 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
             continue;
         }
         if (argument.kind == ArgumentKind::Output) {
-            if (equalsIgnoringCase(argument.name.text, "ENO")) out.eno = &argument;
+            if (equalsIgnoringCase(argument.name.text, "ENO"))
+                out.eno = &argument;
             else {
-                emit(argument.name.range, Kind::UnknownParameter, {std::string(signature.name), std::string(argument.name.text)});
+                emit(argument.name.range, Kind::UnknownParameter,
+                     {std::string(signature.name), std::string(argument.name.text)});
                 out.isGood = false;
             }
             continue;
@@ -65,7 +69,8 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
         if (!index && signature.isExtensible && count) { // IN3, IN4, … behind the last
             const std::string_view last = signature.parameters.back().name;
             const size_t digits = last.find_first_of("0123456789");
-            if (digits != std::string_view::npos && argument.name.text.size() > digits && equalsIgnoringCase(last.substr(0, digits), argument.name.text.substr(0, digits))) {
+            if (digits != std::string_view::npos && argument.name.text.size() > digits &&
+                equalsIgnoringCase(last.substr(0, digits), argument.name.text.substr(0, digits))) {
                 const int first = std::atoi(std::string(last.substr(digits)).c_str());
                 const int number = std::atoi(std::string(argument.name.text.substr(digits)).c_str());
                 if (number > first && number < first + 1000) index = count - 1 + static_cast<size_t>(number - first);
@@ -74,7 +79,9 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
         if (!index) {
             std::vector<std::string> candidates;
             for (const library::Parameter& parameter : signature.parameters) candidates.emplace_back(parameter.name);
-            world.suggest(emit(argument.name.range, Kind::UnknownParameter, {std::string(signature.name), std::string(argument.name.text)}), argument.name.range, argument.name.text, candidates);
+            world.suggest(emit(argument.name.range, Kind::UnknownParameter,
+                               {std::string(signature.name), std::string(argument.name.text)}),
+                          argument.name.range, argument.name.text, candidates);
             out.isGood = false;
             continue;
         }
@@ -83,7 +90,9 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
     for (size_t i = 0; i < out.inputs.size(); ++i) {
         if (out.inputs[i] && out.inputs[i]->value) continue;
         if (!out.isGood) break;
-        emit(e.base->range, Kind::MissingArgument, {i < count ? std::string(signature.parameters[i].name) : "IN" + std::to_string(i + 1), std::string(signature.name)});
+        emit(e.base->range, Kind::MissingArgument,
+             {i < count ? std::string(signature.parameters[i].name) : "IN" + std::to_string(i + 1),
+              std::string(signature.name)});
         out.isGood = false;
     }
     return out;
@@ -98,35 +107,65 @@ bool Checker::accepts(const library::Parameter& parameter, const Operand& operan
     bool good = true;
     switch (parameter.generic) {
     case Generic::Fixed:
-    case Generic::Any: good = !isKind(type, TypeKind::Void); break;
-    case Generic::AnyElementary: good = elementaryType; break;
-    case Generic::AnyMagnitude: good = isNumeric(type) || isTime || family == Family::Date || family == Family::TimeOfDay || family == Family::DateTime || isKind(type, TypeKind::Pointer) || family == Family::Character; break;
+    case Generic::Any:
+        good = !isKind(type, TypeKind::Void);
+        break;
+    case Generic::AnyElementary:
+        good = elementaryType;
+        break;
+    case Generic::AnyMagnitude:
+        good = isNumeric(type) || isTime || family == Family::Date || family == Family::TimeOfDay ||
+               family == Family::DateTime || isKind(type, TypeKind::Pointer) || family == Family::Character;
+        break;
     case Generic::AnyNum:
-    case Generic::AnyReal: good = isNumeric(type); break;
-    case Generic::AnyInt: good = types::isInteger(family); break;
-    case Generic::AnyBit: good = types::isInteger(family) || family == Family::Bool; break;
-    case Generic::AnyText: good = text || family == Family::Character; break;
-    case Generic::AnyDate: good = family == Family::Date || family == Family::DateTime || family == Family::TimeOfDay; break;
-    case Generic::AnyDuration: good = isTime; break;
-    case Generic::AnyNumOrDuration: good = isNumeric(type) || isTime; break;
+    case Generic::AnyReal:
+        good = isNumeric(type);
+        break;
+    case Generic::AnyInt:
+        good = types::isInteger(family);
+        break;
+    case Generic::AnyBit:
+        good = types::isInteger(family) || family == Family::Bool;
+        break;
+    case Generic::AnyText:
+        good = text || family == Family::Character;
+        break;
+    case Generic::AnyDate:
+        good = family == Family::Date || family == Family::DateTime || family == Family::TimeOfDay;
+        break;
+    case Generic::AnyDuration:
+        good = isTime;
+        break;
+    case Generic::AnyNumOrDuration:
+        good = isNumeric(type) || isTime;
+        break;
     }
     if (good) return true;
-    if (isKind(type, TypeKind::Void)) emit(operand.expr->range, Kind::NoValue, {textOf(operand.expr->range)});
-    else emit(operand.expr->range, Kind::OperatorNotForType, {std::string(functionName), nameOf(operand.isFlexible ? smallestType(operand) : type)});
+    if (isKind(type, TypeKind::Void))
+        emit(operand.expr->range, Kind::NoValue, {textOf(operand.expr->range)});
+    else
+        emit(operand.expr->range, Kind::OperatorNotForType,
+             {std::string(functionName), nameOf(operand.isFlexible ? smallestType(operand) : type)});
     return false;
 }
 
-/// Makes the operands from `first` on equal in type; the first of them is returned (for its type), unknown when they do not combine.
+/// Makes the operands from `first` on equal in type; the first of them is returned (for its type), unknown when they do
+/// not combine.
 Operand Checker::makeCommon(std::vector<Operand>& operands, size_t first, const Signature& signature, TypeId hint) {
     Operand common;
     const SourceRange range = operands[first].expr->range;
-    const bool anyText = std::any_of(operands.begin() + static_cast<std::ptrdiff_t>(first), operands.end(), [&](const Operand& o) { return types.isText(o.type()); });
+    const bool anyText = std::any_of(operands.begin() + static_cast<std::ptrdiff_t>(first), operands.end(),
+                                     [&](const Operand& o) { return types.isText(o.type()); });
     if (anyText) {
         TypeId type;
         for (size_t i = first; i < operands.size(); ++i)
-            if (isKind(operands[i].type(), TypeKind::Wstring) && (!type.isValid() || types[operands[i].type()].capacity > types[type].capacity)) type = operands[i].type();
+            if (isKind(operands[i].type(), TypeKind::Wstring) &&
+                (!type.isValid() || types[operands[i].type()].capacity > types[type].capacity))
+                type = operands[i].type();
         for (size_t i = first; i < operands.size() && (!type.isValid() || !isKind(type, TypeKind::Wstring)); ++i)
-            if (types.isText(operands[i].type()) && (!type.isValid() || types[operands[i].type()].capacity > types[type].capacity)) type = operands[i].type();
+            if (types.isText(operands[i].type()) &&
+                (!type.isValid() || types[operands[i].type()].capacity > types[type].capacity))
+                type = operands[i].type();
         for (size_t i = first; i < operands.size(); ++i) {
             if (types.kind(operands[i].type()) != types.kind(type)) operands[i] = converted(operands[i], type);
             if (operands[i].isUnknown()) return unknown(range);
@@ -147,7 +186,8 @@ Operand Checker::makeCommon(std::vector<Operand>& operands, size_t first, const 
         if (world.sameType(strongest->type(), operand.type())) continue;
         const TypeId type = commonType(*strongest, operand);
         if (!type.isValid()) {
-            emit(operand.expr->range, Kind::OperandsDoNotMatch, {std::string(signature.name), nameOf(strongest->type()), nameOf(operand.type())});
+            emit(operand.expr->range, Kind::OperandsDoNotMatch,
+                 {std::string(signature.name), nameOf(strongest->type()), nameOf(operand.type())});
             return unknown(range);
         }
         Operand probe = load(absolutePlace(0, type, -1, range), range);
@@ -164,43 +204,57 @@ Operand Checker::makeCommon(std::vector<Operand>& operands, size_t first, const 
             Operand probe = load(absolutePlace(0, type, -1, range), range);
             const TypeId wider = commonType(probe, operands[i]);
             if (wider.isValid()) type = wider;
-            if (types.family(type) == Family::Real && hint.isValid() && types.family(hint) == Family::Real) type = types.storage(hint);
+            if (types.family(type) == Family::Real && hint.isValid() && types.family(hint) == Family::Real)
+                type = types.storage(hint);
         }
     } else {
-        const bool real = std::any_of(operands.begin() + static_cast<std::ptrdiff_t>(first), operands.end(), [](const Operand& o) { return std::holds_alternative<double>(o.expr->value.data); });
+        const bool real =
+            std::any_of(operands.begin() + static_cast<std::ptrdiff_t>(first), operands.end(),
+                        [](const Operand& o) { return std::holds_alternative<double>(o.expr->value.data); });
         bool hintFits = hint.isValid() && isNumeric(hint) && (!real || types.family(hint) == Family::Real);
         for (size_t i = first; hintFits && i < operands.size(); ++i) hintFits = fits(operands[i].expr->value, hint);
-        if (hintFits) type = types.storage(hint);
-        else if (real) type = elementary(TypeKind::Lreal);
+        if (hintFits)
+            type = types.storage(hint);
+        else if (real)
+            type = elementary(TypeKind::Lreal);
         else {
             type = elementary(TypeKind::Int);
             for (size_t i = first; i < operands.size(); ++i)
-                if (types[smallestType(operands[i])].size > types[type].size || types.kind(smallestType(operands[i])) == TypeKind::Ulint) type = smallestType(operands[i]);
+                if (types[smallestType(operands[i])].size > types[type].size ||
+                    types.kind(smallestType(operands[i])) == TypeKind::Ulint)
+                    type = smallestType(operands[i]);
         }
     }
     for (size_t i = first; i < operands.size(); ++i) {
         Operand& operand = operands[i];
-        if (types.isAggregate(type) || isKind(type, TypeKind::Interface) || isKind(type, TypeKind::Pointer)) operand = converted(operand, type);
-        else operand = operand.isFlexible || !isNumeric(type) ? converted(operand, type) : convertNode(operand, type);
+        if (types.isAggregate(type) || isKind(type, TypeKind::Interface) || isKind(type, TypeKind::Pointer))
+            operand = converted(operand, type);
+        else
+            operand = operand.isFlexible || !isNumeric(type) ? converted(operand, type) : convertNode(operand, type);
         if (operand.isUnknown()) return unknown(range);
     }
     return operands[first];
 }
 
-Operand Checker::operatorCall(const Signature& signature, std::vector<Operand> operands, const syntax::Expr& e, TypeId hint) {
+Operand Checker::operatorCall(const Signature& signature, std::vector<Operand> operands, const syntax::Expr& e,
+                              TypeId hint) {
     const std::string_view name = signature.operatorName;
     const SourceRange at = e.base->range;
     if (operands.size() == 1) {
         if (signature.selector >= 0) {
             const Operand one = constant({elementary(TypeKind::Lint), signature.selector}, e.range, true);
-            return combine(name == "+" ? BinaryOp::Add : BinaryOp::Subtract, signature.name, settled(operands[0], hint), one, e.range, at, hint);
+            return combine(name == "+" ? BinaryOp::Add : BinaryOp::Subtract, signature.name, settled(operands[0], hint),
+                           one, e.range, at, hint);
         }
         if (name == "NOT") return inverted(operands[0].isFlexible ? settled(operands[0], hint) : operands[0], e.range);
         return negated(operands[0], e.range);
     }
     static constexpr std::pair<std::string_view, BinaryOp> kOperators[] = {
-        {"+", BinaryOp::Add}, {"-", BinaryOp::Subtract}, {"*", BinaryOp::Multiply}, {"/", BinaryOp::Divide}, {"MOD", BinaryOp::Modulo}, {"AND", BinaryOp::And}, {"OR", BinaryOp::Or},
-        {"XOR", BinaryOp::Xor}, {"=", BinaryOp::Equal}, {"<>", BinaryOp::NotEqual}, {"<", BinaryOp::Less}, {"<=", BinaryOp::LessEqual}, {">", BinaryOp::Greater}, {">=", BinaryOp::GreaterEqual}};
+        {"+", BinaryOp::Add},       {"-", BinaryOp::Subtract},     {"*", BinaryOp::Multiply},
+        {"/", BinaryOp::Divide},    {"MOD", BinaryOp::Modulo},     {"AND", BinaryOp::And},
+        {"OR", BinaryOp::Or},       {"XOR", BinaryOp::Xor},        {"=", BinaryOp::Equal},
+        {"<>", BinaryOp::NotEqual}, {"<", BinaryOp::Less},         {"<=", BinaryOp::LessEqual},
+        {">", BinaryOp::Greater},   {">=", BinaryOp::GreaterEqual}};
     BinaryOp op = BinaryOp::Add;
     for (const auto& [spelling, code] : kOperators)
         if (spelling == name) op = code;
@@ -214,7 +268,8 @@ Operand Checker::operatorCall(const Signature& signature, std::vector<Operand> o
         return all;
     }
     Operand result = operands[0];
-    for (size_t i = 1; i < operands.size() && !result.isUnknown(); ++i) result = combine(op, signature.name, result, operands[i], e.range, at, hint);
+    for (size_t i = 1; i < operands.size() && !result.isUnknown(); ++i)
+        result = combine(op, signature.name, result, operands[i], e.range, at, hint);
     return result;
 }
 
@@ -229,16 +284,22 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
         if (!arguments.inputs[i] || !arguments.inputs[i]->value) continue;
         const library::Parameter& parameter = signature.parameters[std::min(i, signature.parameters.size() - 1)];
         const bool isFixed = parameter.generic == Generic::Fixed;
-        TypeId wanted = isFixed && parameter.fixed != TypeKind::String && parameter.fixed != TypeKind::Wstring ? elementary(parameter.fixed) : TypeId();
+        TypeId wanted = isFixed && parameter.fixed != TypeKind::String && parameter.fixed != TypeKind::Wstring
+                            ? elementary(parameter.fixed)
+                            : TypeId();
         if (isFixed && parameter.fixed == TypeKind::Wstring) wanted = textType(80, true);
-        if (!isFixed && compares && !operands.empty() && !operands[0].isUnknown() && !operands[0].isFlexible) wanted = operands[0].type();
+        if (!isFixed && compares && !operands.empty() && !operands[0].isUnknown() && !operands[0].isFlexible)
+            wanted = operands[0].type();
         if (!isFixed && passesHint && parameter.generic != Generic::AnyInt) wanted = hint;
         Operand operand = expression(*arguments.inputs[i]->value, wanted);
         if (!operand.isUnknown() && arguments.inputs[i]->negated) operand = inverted(operand, operand.expr->range);
         if (!operand.isUnknown()) {
-            if (isFixed) operand = converted(operand, parameter.fixed == TypeKind::String ? textType(80, false) : wanted);
-            else if (!accepts(parameter, operand, signature.name)) operand = unknown(e.range);
-            else if (parameter.generic == Generic::AnyText && types.family(operand.type()) == Family::Character) operand = convertNode(operand, textType(1, types.storageKind(operand.type()) == TypeKind::Wchar));
+            if (isFixed)
+                operand = converted(operand, parameter.fixed == TypeKind::String ? textType(80, false) : wanted);
+            else if (!accepts(parameter, operand, signature.name))
+                operand = unknown(e.range);
+            else if (parameter.generic == Generic::AnyText && types.family(operand.type()) == Family::Character)
+                operand = convertNode(operand, textType(1, types.storageKind(operand.type()) == TypeKind::Wchar));
         }
         good = good && !operand.isUnknown();
         operands.push_back(operand);
@@ -247,7 +308,9 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
     Operand out;
     if (!signature.operatorName.empty()) {
         out = operatorCall(signature, operands, e, hint);
-        if (!out.isUnknown() && signature.rule == Rule::FixedResult && signature.result != TypeKind::Unknown && out.type() != elementary(signature.result)) out = sameBits(out, elementary(signature.result));
+        if (!out.isUnknown() && signature.rule == Rule::FixedResult && signature.result != TypeKind::Unknown &&
+            out.type() != elementary(signature.result))
+            out = sameBits(out, elementary(signature.result));
         return withEnable(out, arguments, e.range);
     }
     using library::Intrinsic;
@@ -262,7 +325,8 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
             size_t sum = 0;
             for (const Operand& operand : operands) sum += types[operand.type()].capacity;
             const bool wide = isKind(result, TypeKind::Wstring);
-            if (sum > types[result].capacity) result = textType(std::max<size_t>(types[result].capacity, std::min<size_t>(sum, 255)), wide);
+            if (sum > types[result].capacity)
+                result = textType(std::max<size_t>(types[result].capacity, std::min<size_t>(sum, 255)), wide);
         }
         break;
     }
@@ -274,7 +338,8 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
             if (types.kind(operands[1].type()) != types.kind(result)) operands[1] = converted(operands[1], result);
             if (operands[1].isUnknown()) return unknown(e.range);
             const size_t sum = types[result].capacity + types[operands[1].type()].capacity;
-            result = textType(std::max<size_t>(types[result].capacity, std::min<size_t>(sum, 255)), isKind(result, TypeKind::Wstring));
+            result = textType(std::max<size_t>(types[result].capacity, std::min<size_t>(sum, 255)),
+                              isKind(result, TypeKind::Wstring));
         }
         break;
     }
@@ -282,14 +347,19 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
         for (Operand& operand : operands) operand = settled(operand);
         if (code == Intrinsic::Find && types.kind(operands[0].type()) != types.kind(operands[1].type())) {
             Operand& narrow = isKind(operands[0].type(), TypeKind::String) ? operands[0] : operands[1];
-            narrow = convertedText(narrow, isKind(operands[0].type(), TypeKind::Wstring) ? operands[0].type() : operands[1].type());
+            narrow = convertedText(narrow, isKind(operands[0].type(), TypeKind::Wstring) ? operands[0].type()
+                                                                                         : operands[1].type());
             if (narrow.isUnknown()) return unknown(e.range);
         }
-        result = signature.result == TypeKind::String ? textType(1, false) : signature.result == TypeKind::Wstring ? textType(1, true) : elementary(signature.result);
+        result = signature.result == TypeKind::String    ? textType(1, false)
+                 : signature.result == TypeKind::Wstring ? textType(1, true)
+                                                         : elementary(signature.result);
         const bool cuts = code == Intrinsic::Trunc || code == Intrinsic::Floor || code == Intrinsic::Ceil;
         if (cuts) {
-            if (signature.name == "TRUNC" && hint.isValid() && types::isInteger(types.family(hint))) result = types.storage(hint);
-            if (types.family(operands[0].type()) != Family::Real) return withEnable(convertNode(operands[0], result), arguments, e.range);
+            if (signature.name == "TRUNC" && hint.isValid() && types::isInteger(types.family(hint)))
+                result = types.storage(hint);
+            if (types.family(operands[0].type()) != Family::Real)
+                return withEnable(convertNode(operands[0], result), arguments, e.range);
         }
         break;
     }
@@ -300,13 +370,18 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
             if (operand.isFlexible) continue;
             onlyFlexible = false;
             const TypeKind own = types.storageKind(operand.type());
-            const bool wide = own == TypeKind::Lreal || (types::isInteger(types.family(operand.type())) && types::bitsOf(own) > 16);
-            if (wide) kind = TypeKind::Lreal;
-            else if (kind == TypeKind::Unknown) kind = TypeKind::Real;
+            const bool wide =
+                own == TypeKind::Lreal || (types::isInteger(types.family(operand.type())) && types::bitsOf(own) > 16);
+            if (wide)
+                kind = TypeKind::Lreal;
+            else if (kind == TypeKind::Unknown)
+                kind = TypeKind::Real;
         }
-        if (onlyFlexible) kind = hint.isValid() && types.storageKind(hint) == TypeKind::Real ? TypeKind::Real : TypeKind::Lreal;
+        if (onlyFlexible)
+            kind = hint.isValid() && types.storageKind(hint) == TypeKind::Real ? TypeKind::Real : TypeKind::Lreal;
         // an integer argument is computed in the real type that is wanted
-        const bool wholeOnly = std::all_of(operands.begin(), operands.end(), [&](const Operand& o) { return types.family(o.type()) != Family::Real; });
+        const bool wholeOnly = std::all_of(operands.begin(), operands.end(),
+                                           [&](const Operand& o) { return types.family(o.type()) != Family::Real; });
         if (wholeOnly && hint.isValid() && types.family(hint) == Family::Real) kind = types.storageKind(hint);
         result = elementary(kind);
         for (Operand& operand : operands) {
@@ -323,13 +398,15 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
         break;
     }
     case Rule::Compare:
-    case Rule::Special: return unknown(e.range);
+    case Rule::Special:
+        return unknown(e.range);
     }
     if (isExpression && code == Intrinsic::Move) return withEnable(operands[0], arguments, e.range);
     return withEnable(intrinsic(code, result, operands, e.range, signature.selector), arguments, e.range);
 }
 
-Operand Checker::conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e, TypeId hint) {
+Operand Checker::conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e,
+                                TypeId hint) {
     Signature signature;
     signature.name = name;
     signature.parameters.push_back({"IN", {"IN1", "STR", "X"}, Generic::Any});
@@ -349,13 +426,19 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
         emit(operand.expr->range, Kind::NoValue, {textOf(operand.expr->range)});
         return unknown(e.range);
     }
-    const bool isAddress = isKind(operand.type(), TypeKind::Pointer) || isKind(operand.type(), TypeKind::Reference) || isKind(operand.type(), TypeKind::Interface);
+    const bool isAddress = isKind(operand.type(), TypeKind::Pointer) || isKind(operand.type(), TypeKind::Reference) ||
+                           isKind(operand.type(), TypeKind::Interface);
     if (isAddress) operand = sameBits(operand, elementary(TypeKind::Lword));
     if (from.isValid() && !isAddress) {
-        if (operand.isFlexible && conversion.how == How::Convert && types::isInteger(types.family(from)) && !fits(operand.expr->value, from) && std::holds_alternative<int64_t>(operand.expr->value.data)) operand = converted(operand, from);
-        else if (operand.isFlexible) operand = convertNode(operand, types.isText(from) ? smallestType(operand) : from);
-        else if (types.isText(from) && types.isText(operand.type())) operand = convertedText(operand, from);
-        else operand = converted(operand, from);
+        if (operand.isFlexible && conversion.how == How::Convert && types::isInteger(types.family(from)) &&
+            !fits(operand.expr->value, from) && std::holds_alternative<int64_t>(operand.expr->value.data))
+            operand = converted(operand, from);
+        else if (operand.isFlexible)
+            operand = convertNode(operand, types.isText(from) ? smallestType(operand) : from);
+        else if (types.isText(from) && types.isText(operand.type()))
+            operand = convertedText(operand, from);
+        else
+            operand = converted(operand, from);
     } else {
         operand = settled(operand);
     }
@@ -371,11 +454,13 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
         Operand out = convertNode(operand, to);
         out.expr->range = e.range;
         if (out.expr == operand.expr && out.expr->kind != tree::ExprKind::Constant) { // same type: nothing to do
-            if (arguments.eno) return withEnable(intrinsic(library::Intrinsic::Move, to, {operand}, e.range), arguments, e.range);
+            if (arguments.eno)
+                return withEnable(intrinsic(library::Intrinsic::Move, to, {operand}, e.range), arguments, e.range);
         }
         return withEnable(out, arguments, e.range);
     }
-    case How::Truncate: return withEnable(intrinsic(library::Intrinsic::Trunc, to, {operand}, e.range), arguments, e.range);
+    case How::Truncate:
+        return withEnable(intrinsic(library::Intrinsic::Trunc, to, {operand}, e.range), arguments, e.range);
     case How::FromBcd:
     case How::ToBcd: {
         if (!types::isInteger(family)) {
@@ -386,7 +471,9 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
         const std::string upper = foldCase(name);
         const bool open = toBcd && upper.ends_with("_bcd"); // INT_TO_BCD takes the bit string that is wanted
         if (open && hint.isValid() && types.family(hint) == Family::Bits) to = types.storage(hint);
-        return withEnable(intrinsic(toBcd ? library::Intrinsic::ToBcd : library::Intrinsic::BcdTo, to, {operand}, e.range), arguments, e.range);
+        return withEnable(
+            intrinsic(toBcd ? library::Intrinsic::ToBcd : library::Intrinsic::BcdTo, to, {operand}, e.range), arguments,
+            e.range);
     }
     }
     return unknown(e.range);

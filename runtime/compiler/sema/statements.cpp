@@ -30,7 +30,8 @@ void Checker::statements(const syntax::Block& block, std::vector<tree::Stmt*>& o
     for (size_t i = 0; i < block.size(); ++i) {
         const syntax::Stmt& stmt = *block[i];
         if (!flow.isReachable && stmt.kind == StmtKind::Label) flow.isReachable = true;
-        if (!flow.isReachable && !reported && !insideUnreachable && stmt.kind != StmtKind::Empty && stmt.range.file.isValid() && block.back()->range.file == stmt.range.file && !stmt.origin) {
+        if (!flow.isReachable && !reported && !insideUnreachable && stmt.kind != StmtKind::Empty &&
+            stmt.range.file.isValid() && block.back()->range.file == stmt.range.file && !stmt.origin) {
             emit(stmt.range, Kind::UnreachableCode);
             reported = true;
         }
@@ -42,14 +43,22 @@ void Checker::statements(const syntax::Block& block, std::vector<tree::Stmt*>& o
 
 void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     switch (stmt.kind) {
-    case StmtKind::Empty: return;
-    case StmtKind::Assign: return assignment(stmt, out);
-    case StmtKind::Call: return callStatement(stmt, out);
-    case StmtKind::If: return ifStatement(stmt, out);
-    case StmtKind::Case: return caseStatement(stmt, out);
-    case StmtKind::For: return forStatement(stmt, out);
-    case StmtKind::While: return whileStatement(stmt, out);
-    case StmtKind::Repeat: return repeatStatement(stmt, out);
+    case StmtKind::Empty:
+        return;
+    case StmtKind::Assign:
+        return assignment(stmt, out);
+    case StmtKind::Call:
+        return callStatement(stmt, out);
+    case StmtKind::If:
+        return ifStatement(stmt, out);
+    case StmtKind::Case:
+        return caseStatement(stmt, out);
+    case StmtKind::For:
+        return forStatement(stmt, out);
+    case StmtKind::While:
+        return whileStatement(stmt, out);
+    case StmtKind::Repeat:
+        return repeatStatement(stmt, out);
     case StmtKind::Exit:
     case StmtKind::Continue:
         if (loops.empty()) {
@@ -60,26 +69,32 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
             loops.back().hasExit = true;
             loops.back().resultSetAtExit = loops.back().resultSetAtExit && flow.isResultSet;
         }
-        out.push_back(newStmt(stmt.kind == StmtKind::Exit ? tree::StmtKind::Exit : tree::StmtKind::Continue, stmt.range));
+        out.push_back(
+            newStmt(stmt.kind == StmtKind::Exit ? tree::StmtKind::Exit : tree::StmtKind::Continue, stmt.range));
         flow.isReachable = false;
         return;
-    case StmtKind::Return: return returnStatement(stmt, out);
-    case StmtKind::Label: return labelStatement(stmt, out);
-    case StmtKind::Jump: return jumpStatement(stmt, out);
+    case StmtKind::Return:
+        return returnStatement(stmt, out);
+    case StmtKind::Label:
+        return labelStatement(stmt, out);
+    case StmtKind::Jump:
+        return jumpStatement(stmt, out);
     case StmtKind::Block: {
         tree::Stmt* made = newStmt(tree::StmtKind::Block, stmt.range);
         statements(stmt.body, made->body);
         out.push_back(made);
         return;
     }
-    case StmtKind::Il: return; // lowered before
+    case StmtKind::Il:
+        return; // lowered before
     case StmtKind::Run:
     case StmtKind::Assert:
     case StmtKind::Force:
     case StmtKind::Release:
     case StmtKind::Compare: {
         static constexpr const char* kWords[] = {"RUN", "ASSERT", "FORCE", "RELEASE", "COMPARE"};
-        emit(stmt.range, Kind::TestUnknownStatement, {kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)]});
+        emit(stmt.range, Kind::TestUnknownStatement,
+             {kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)]});
         return;
     }
     }
@@ -89,7 +104,8 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
 Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
     Denoted denoted = denote(e, Access::Write);
     switch (denoted.kind) {
-    case Denoted::Kind::Nothing: return denoted;
+    case Denoted::Kind::Nothing:
+        return denoted;
     case Denoted::Kind::Place: {
         if (denoted.isReadOnly) {
             emit(e.range, Kind::NotAssignable, {denoted.whyReadOnly});
@@ -100,17 +116,22 @@ Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
             emit(e.range, Kind::NotAssignable, {textOf(e.range)});
             return {};
         }
-        if (root->kind == tree::PlaceKind::Absolute && scope.unit && scope.unit->self() && scope.unit->self()->kind == UnitKind::Program && !scope.unit->self()->isSimulation && !isExpression) {
+        if (root->kind == tree::PlaceKind::Absolute && scope.unit && scope.unit->self() &&
+            scope.unit->self()->kind == UnitKind::Program && !scope.unit->self()->isSimulation && !isExpression) {
             const image::AreaRange inputs = world.areaOf(image::Area::Input);
             if (root->offset >= inputs.begin && root->offset < inputs.begin + inputs.size) {
-                auto& diagnostic = emit(e.range, Kind::NotAssignable, {textOf(e.range) + " (an input; the next scan overwrites it)"});
+                auto& diagnostic =
+                    emit(e.range, Kind::NotAssignable, {textOf(e.range) + " (an input; the next scan overwrites it)"});
                 diagnostic.severity = diagnostics::Severity::Warning;
             }
         }
-        if (world.options.strict && denoted.variable && denoted.variable->kind == syntax::SectionKind::Input && scope.unit && denoted.variable->owner == scope.unit)
-            emit(e.range, Kind::NotAssignable, {denoted.variable->name + " (an input)"}).severity = diagnostics::Severity::Warning;
+        if (world.options.strict && denoted.variable && denoted.variable->kind == syntax::SectionKind::Input &&
+            scope.unit && denoted.variable->owner == scope.unit)
+            emit(e.range, Kind::NotAssignable, {denoted.variable->name + " (an input)"}).severity =
+                diagnostics::Severity::Warning;
         for (const Variable* variable : loopVariables)
-            if (variable == denoted.variable && denoted.place->type == variable->type) emit(e.range, Kind::LoopVariableWritten, {variable->name});
+            if (variable == denoted.variable && denoted.place->type == variable->type)
+                emit(e.range, Kind::LoopVariableWritten, {variable->name});
         if (type) *type = denoted.place->type;
         return denoted;
     }
@@ -121,11 +142,14 @@ Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
         }
         if (type) *type = world.typeOf(denoted.property->set->variables.front());
         return denoted;
-    default: emit(e.range, Kind::NotAssignable, {textOf(e.range)}); return {};
+    default:
+        emit(e.range, Kind::NotAssignable, {textOf(e.range)});
+        return {};
     }
 }
 
-void Checker::assignTo(const Denoted& target, Operand value, SourceRange range, std::vector<tree::Stmt*>& out, bool isHidden) {
+void Checker::assignTo(const Denoted& target, Operand value, SourceRange range, std::vector<tree::Stmt*>& out,
+                       bool isHidden) {
     if (target.kind == Denoted::Kind::Nothing || value.isUnknown()) return;
     if (target.kind == Denoted::Kind::Property) {
         Unit& set = *target.property->set;
@@ -159,7 +183,8 @@ void Checker::assignTo(const Denoted& target, Operand value, SourceRange range, 
 }
 
 /// A REFERENCE TO gets its variable.
-void Checker::bindReference(tree::Place* raw, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out) {
+void Checker::bindReference(tree::Place* raw, const syntax::Expr& value, SourceRange range,
+                            std::vector<tree::Stmt*>& out) {
     const TypeId type = raw->type;
     const TypeId element = types[type].element;
     const Denoted denoted = denote(value, Access::Address);
@@ -167,10 +192,14 @@ void Checker::bindReference(tree::Place* raw, const syntax::Expr& value, SourceR
     Operand source;
     if (denoted.kind == Denoted::Kind::Place) {
         const TypeId given = denoted.place->type;
-        const bool fitsElement = world.sameType(given, element) || (isKind(given, TypeKind::Block) && types.isDerivedFrom(given, element));
-        if (!fitsElement && (isKind(given, TypeKind::Pointer) && world.sameType(types[given].element, element))) source = sameBits(load(denoted.place, value.range), type);
-        else if (!fitsElement) return mismatch(value.range, given, type);
-        else source = addressOf(denoted.place, type, value.range);
+        const bool fitsElement =
+            world.sameType(given, element) || (isKind(given, TypeKind::Block) && types.isDerivedFrom(given, element));
+        if (!fitsElement && (isKind(given, TypeKind::Pointer) && world.sameType(types[given].element, element)))
+            source = sameBits(load(denoted.place, value.range), type);
+        else if (!fitsElement)
+            return mismatch(value.range, given, type);
+        else
+            source = addressOf(denoted.place, type, value.range);
     } else {
         const Operand other = this->value(denoted, value, type);
         if (other.isUnknown()) return;
@@ -179,20 +208,25 @@ void Checker::bindReference(tree::Place* raw, const syntax::Expr& value, SourceR
     if (!source.isUnknown()) out.push_back(assignStmt(raw, source.expr, range));
 }
 
-void Checker::assignReference(const Denoted& target, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out) {
+void Checker::assignReference(const Denoted& target, const syntax::Expr& value, SourceRange range,
+                              std::vector<tree::Stmt*>& out) {
     tree::Place* place = target.place;
-    if (place && place->kind == tree::PlaceKind::Deref && place->pointer && place->pointer->kind == tree::ExprKind::Load && isKind(place->pointer->type, TypeKind::Reference)) return bindReference(place->pointer->place, value, range, out);
+    if (place && place->kind == tree::PlaceKind::Deref && place->pointer &&
+        place->pointer->kind == tree::ExprKind::Load && isKind(place->pointer->type, TypeKind::Reference))
+        return bindReference(place->pointer->place, value, range, out);
     if (place && isKind(place->type, TypeKind::Pointer)) { // REF= on a pointer: its address
         const Denoted source = denote(value, Access::Address);
         if (source.kind != Denoted::Kind::Place) return;
-        const Operand address = converted(addressOf(source.place, types.pointer(source.place->type), value.range), place->type);
+        const Operand address =
+            converted(addressOf(source.place, types.pointer(source.place->type), value.range), place->type);
         if (!address.isUnknown()) out.push_back(assignStmt(place, address.expr, range));
         return;
     }
     if (place) emit(place->range, Kind::NotAPointer, {textOf(place->range)});
 }
 
-void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, SourceRange range, std::vector<tree::Stmt*>& out) {
+void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, SourceRange range,
+                              std::vector<tree::Stmt*>& out) {
     // constants at once, the rest element by element
     InitialValue initial;
     initial.bytes = types[place->type].initial;
@@ -203,26 +237,33 @@ void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, Sou
     for (const DynamicInit& dynamic : initial.dynamics) {
         if (!dynamic.value) continue;
         Operand part = converted(expression(*dynamic.value, dynamic.type), dynamic.type);
-        if (!part.isUnknown()) out.push_back(assignStmt(fieldPlace(place, dynamic.offset, dynamic.type, dynamic.bit, dynamic.value->range), part.expr, {}));
+        if (!part.isUnknown())
+            out.push_back(assignStmt(fieldPlace(place, dynamic.offset, dynamic.type, dynamic.bit, dynamic.value->range),
+                                     part.expr, {}));
     }
 }
 
-/// What a step names with a qualifier is an ACTION or a BOOL variable (2.6.4.1). A reset of the chart says nothing again.
+/// What a step names with a qualifier is an ACTION or a BOOL variable (2.6.4.1). A reset of the chart says nothing
+/// again.
 bool Checker::isAssociable(const syntax::Stmt& stmt) {
     const syntax::Expr& name = *stmt.target;
     if (!name.name.isValid()) return true;
     const World::Found found = world.lookup(scope, world.key(name.name.text));
     Variable* variable = found.member.variable ? found.member.variable : found.entity.variable;
     const TypeId type = variable ? world.typeOf(*variable) : TypeId();
-    if (variable ? isKind(type, TypeKind::Unknown) || types.storageKind(type) == TypeKind::Bool : found.member.property != nullptr || !found.ambiguous.empty()) return true;
+    if (variable ? isKind(type, TypeKind::Unknown) || types.storageKind(type) == TypeKind::Bool
+                 : found.member.property != nullptr || !found.ambiguous.empty())
+        return true;
     if (stmt.value->kind == syntax::ExprKind::Literal) return false;
     std::vector<std::string> candidates;
     for (Unit* unit = scope.unit ? scope.unit->self() : nullptr; unit; unit = unit->base) {
         for (const Unit* action : unit->actions) candidates.push_back(action->name);
         for (Variable& own : unit->variables)
-            if (!own.name.starts_with("__") && types.storageKind(world.typeOf(own)) == TypeKind::Bool) candidates.push_back(own.name);
+            if (!own.name.starts_with("__") && types.storageKind(world.typeOf(own)) == TypeKind::Bool)
+                candidates.push_back(own.name);
     }
-    world.suggest(emit(name.range, Kind::UnknownAction, {std::string(name.name.text)}), name.range, name.name.text, candidates);
+    world.suggest(emit(name.range, Kind::UnknownAction, {std::string(name.name.text)}), name.range, name.name.text,
+                  candidates);
     return false;
 }
 
@@ -231,20 +272,24 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
     const syntax::Expr& value = *stmt.value;
     if (stmt.op == TokenKind::RefAssign) {
         const Denoted denoted = denote(*stmt.target, Access::Write);
-        if (denoted.kind == Denoted::Kind::Place) assignReference(denoted, value, stmt.range, out);
-        else if (denoted.kind != Denoted::Kind::Nothing) emit(stmt.target->range, Kind::NotAPointer, {textOf(stmt.target->range)});
+        if (denoted.kind == Denoted::Kind::Place)
+            assignReference(denoted, value, stmt.range, out);
+        else if (denoted.kind != Denoted::Kind::Nothing)
+            emit(stmt.target->range, Kind::NotAPointer, {textOf(stmt.target->range)});
         return;
     }
     if (value.kind == syntax::ExprKind::ArrayInit || value.kind == syntax::ExprKind::StructInit) {
         const Denoted to = target(*stmt.target);
-        if (to.kind == Denoted::Kind::Place && types.isAggregate(to.place->type)) return assignAggregate(to.place, value, stmt.range, out);
+        if (to.kind == Denoted::Kind::Place && types.isAggregate(to.place->type))
+            return assignAggregate(to.place, value, stmt.range, out);
         if (to.kind == Denoted::Kind::Place) expression(value, to.place->type);
         return;
     }
     if (stmt.isAssociation) {
         const bool isCall = !stmt.branches.empty(); // what runs where the name is an action of a base
         if (stmt.target->name.isValid())
-            if (const Unit* unit = world.lookup(scope, world.key(stmt.target->name.text)).member.unit; unit && unit->kind == UnitKind::Action) {
+            if (const Unit* unit = world.lookup(scope, world.key(stmt.target->name.text)).member.unit;
+                unit && unit->kind == UnitKind::Action) {
                 if (isCall) statements(stmt.branches[0].body, out);
                 return;
             }
@@ -260,10 +305,12 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
         tree::Expr* when = condition(value);
         flow = after;
         if (to.kind == Denoted::Kind::Nothing || isKind(when->type, TypeKind::Unknown)) return;
-        if (types.storageKind(type) != TypeKind::Bool) return mismatch(stmt.target->range, type, elementary(TypeKind::Bool));
+        if (types.storageKind(type) != TypeKind::Bool)
+            return mismatch(stmt.target->range, type, elementary(TypeKind::Bool));
         tree::Stmt* choice = newStmt(tree::StmtKind::If, stmt.range);
         choice->a = when;
-        assignTo(to, constant({elementary(TypeKind::Bool), int64_t(stmt.op == TokenKind::SetAssign)}, stmt.range), {}, choice->body, true);
+        assignTo(to, constant({elementary(TypeKind::Bool), int64_t(stmt.op == TokenKind::SetAssign)}, stmt.range), {},
+                 choice->body, true);
         out.push_back(choice);
         return;
     }
@@ -272,8 +319,10 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
         flow = after;
         if (to.kind != Denoted::Kind::Place || from.isUnknown()) return;
         const bool goodTarget = isKind(type, TypeKind::Interface) || isKind(type, TypeKind::Pointer);
-        if (isKind(from.type(), TypeKind::Block) && from.expr->kind == tree::ExprKind::Load) from = addressOf(from.expr->place, types.pointer(from.type()), value.range);
-        if (!goodTarget || (!isKind(from.type(), TypeKind::Interface) && !isKind(from.type(), TypeKind::Pointer))) return mismatch(value.range, from.type(), type);
+        if (isKind(from.type(), TypeKind::Block) && from.expr->kind == tree::ExprKind::Load)
+            from = addressOf(from.expr->place, types.pointer(from.type()), value.range);
+        if (!goodTarget || (!isKind(from.type(), TypeKind::Interface) && !isKind(from.type(), TypeKind::Pointer)))
+            return mismatch(value.range, from.type(), type);
         tree::Expr* cast = arena.make<tree::Expr>();
         cast->kind = tree::ExprKind::TryCast;
         cast->type = type;
@@ -302,7 +351,12 @@ void Checker::ifStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& ou
             hasElse = true;
             statements(branch.body, *into);
         } else {
-            const SourceRange range = into == &out ? (stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, branch.condition->range.end)} : stmt.range) : branch.condition->range;
+            const SourceRange range =
+                into == &out
+                    ? (stmt.range.file.isValid() ? SourceRange{stmt.range.file, stmt.range.begin,
+                                                               std::max(stmt.range.begin, branch.condition->range.end)}
+                                                 : stmt.range)
+                    : branch.condition->range;
             tree::Stmt* choice = newStmt(tree::StmtKind::If, range);
             choice->a = condition(*branch.condition);
             statements(branch.body, choice->body);
@@ -325,7 +379,8 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
     const Denoted variable = target(*stmt.target);
     if (variable.kind == Denoted::Kind::Place && variable.variable) ++variable.variable->reads;
     TypeId type = variable.kind == Denoted::Kind::Place ? variable.place->type : elementary(TypeKind::Unknown);
-    if (variable.kind == Denoted::Kind::Property) emit(stmt.target->range, Kind::NotAssignable, {textOf(stmt.target->range)});
+    if (variable.kind == Denoted::Kind::Property)
+        emit(stmt.target->range, Kind::NotAssignable, {textOf(stmt.target->range)});
     const bool known = !isKind(type, TypeKind::Unknown);
     if (known && !types::isInteger(types.family(type))) {
         emit(stmt.target->range, Kind::OperatorNotForType, {"FOR", nameOf(type)});
@@ -336,25 +391,35 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
     Operand from = stmt.from ? expression(*stmt.from, storage) : unknown(stmt.range);
     Operand to = stmt.to ? expression(*stmt.to, storage) : unknown(stmt.range);
     Operand by = stmt.by ? expression(*stmt.by) : constant({elementary(TypeKind::Lint), int64_t(1)}, stmt.range, true);
-    const bool stepNegative = good && by.isConstant() && std::holds_alternative<int64_t>(by.expr->value.data) && by.expr->value.integer() < 0;
+    const bool stepNegative =
+        good && by.isConstant() && std::holds_alternative<int64_t>(by.expr->value.data) && by.expr->value.integer() < 0;
     const bool isSigned = good && types.family(storage) == types::Family::Signed;
     // counted in the variable's type; downwards or beyond an unsigned or narrow type in a wider signed one
     TypeId counted = storage;
     const unsigned width = good ? types::bitsOf(types.storageKind(storage)) : 0;
-    const bool variableStep = good && !by.isUnknown() && !by.isConstant() && !isSigned && types.family(by.type()) == types::Family::Signed;
-    if (good && !isSigned && (stepNegative || variableStep)) counted = elementary(width == 8 ? TypeKind::Int : width == 16 ? TypeKind::Dint : TypeKind::Lint);
+    const bool variableStep =
+        good && !by.isUnknown() && !by.isConstant() && !isSigned && types.family(by.type()) == types::Family::Signed;
+    if (good && !isSigned && (stepNegative || variableStep))
+        counted = elementary(width == 8 ? TypeKind::Int : width == 16 ? TypeKind::Dint : TypeKind::Lint);
     const auto limit = [&](Operand operand, TypeId wanted) {
         if (!good || operand.isUnknown()) return operand;
         if (!isNumeric(operand.type())) return converted(operand, wanted);
-        if (operand.isConstant() && !fits(operand.expr->value, storage) && std::holds_alternative<int64_t>(operand.expr->value.data) && wanted == storage) return converted(operand, wanted); // its message
+        if (operand.isConstant() && !fits(operand.expr->value, storage) &&
+            std::holds_alternative<int64_t>(operand.expr->value.data) && wanted == storage)
+            return converted(operand, wanted); // its message
         // a limit of a wider type is compared as it is
         return operand.isFlexible || operand.isConstant() ? converted(operand, wanted) : converted(operand, wanted);
     };
-    if (by.isConstant() && std::holds_alternative<int64_t>(by.expr->value.data) && by.expr->value.integer() == 0) emit(by.expr->range, Kind::EndlessLoop);
+    if (by.isConstant() && std::holds_alternative<int64_t>(by.expr->value.data) && by.expr->value.integer() == 0)
+        emit(by.expr->range, Kind::EndlessLoop);
     from = limit(from, counted);
     to = limit(to, counted);
     by = good ? converted(by, counted) : by;
-    tree::Stmt* made = newStmt(tree::StmtKind::For, stmt.range.file.isValid() && stmt.to ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, (stmt.by ? stmt.by : stmt.to)->range.end)} : stmt.range);
+    tree::Stmt* made = newStmt(tree::StmtKind::For,
+                               stmt.range.file.isValid() && stmt.to
+                                   ? SourceRange{stmt.range.file, stmt.range.begin,
+                                                 std::max(stmt.range.begin, (stmt.by ? stmt.by : stmt.to)->range.end)}
+                                   : stmt.range);
     if (good) {
         made->place = variable.place;
         made->a = from.expr;
@@ -367,8 +432,11 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
     if (variable.variable) loopVariables.push_back(variable.variable);
     statements(stmt.body, made->body);
     if (variable.variable) loopVariables.pop_back();
-    const bool runs = from.isConstant() && to.isConstant() && by.isConstant() && std::holds_alternative<int64_t>(from.expr->value.data) && std::holds_alternative<int64_t>(to.expr->value.data) &&
-                      (stepNegative ? from.expr->value.integer() >= to.expr->value.integer() : from.expr->value.integer() <= to.expr->value.integer());
+    const bool runs = from.isConstant() && to.isConstant() && by.isConstant() &&
+                      std::holds_alternative<int64_t>(from.expr->value.data) &&
+                      std::holds_alternative<int64_t>(to.expr->value.data) &&
+                      (stepNegative ? from.expr->value.integer() >= to.expr->value.integer()
+                                    : from.expr->value.integer() <= to.expr->value.integer());
     const bool setInside = flow.isResultSet && (!loops.back().hasExit || loops.back().resultSetAtExit);
     loops.pop_back();
     flow.isReachable = before.isReachable;
@@ -377,7 +445,11 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
 }
 
 void Checker::whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
-    tree::Stmt* made = newStmt(tree::StmtKind::While, stmt.range.file.isValid() && stmt.value ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)} : stmt.range);
+    tree::Stmt* made =
+        newStmt(tree::StmtKind::While,
+                stmt.range.file.isValid() && stmt.value
+                    ? SourceRange{stmt.range.file, stmt.range.begin, std::max(stmt.range.begin, stmt.value->range.end)}
+                    : stmt.range);
     if (stmt.value) made->a = condition(*stmt.value);
     const Flow before = flow;
     loops.push_back({});
@@ -396,7 +468,8 @@ void Checker::whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>&
 }
 
 void Checker::repeatStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
-    tree::Stmt* made = newStmt(tree::StmtKind::Repeat, stmt.range.file.isValid() && stmt.value ? stmt.value->range : stmt.range);
+    tree::Stmt* made =
+        newStmt(tree::StmtKind::Repeat, stmt.range.file.isValid() && stmt.value ? stmt.value->range : stmt.range);
     const Flow before = flow;
     loops.push_back({});
     statements(stmt.body, made->body);
@@ -404,7 +477,9 @@ void Checker::repeatStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>
     loops.pop_back();
     const bool set = flow.isResultSet && (!loop.hasExit || loop.resultSetAtExit);
     if (stmt.value) made->a = condition(*stmt.value);
-    if (made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.hasValue() && !made->a->value.isTrue() && !loop.hasExit && !loop.isLeft && flow.isReachable) emit(stmt.value->range, Kind::EndlessLoop);
+    if (made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.hasValue() && !made->a->value.isTrue() &&
+        !loop.hasExit && !loop.isLeft && flow.isReachable)
+        emit(stmt.value->range, Kind::EndlessLoop);
     flow.isReachable = before.isReachable && (flow.isReachable || loop.hasExit || before.isReachable);
     flow.isResultSet = before.isResultSet || set;
     if (made->a) out.push_back(made);
@@ -421,7 +496,8 @@ void Checker::returnStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>
         }
         Variable& result = *unit->resultVariable;
         const Operand value = converted(expression(*stmt.value, result.type), result.type);
-        if (!value.isUnknown()) out.push_back(assignStmt(localPlace(result.local, result.type, stmt.value->range), value.expr, stmt.range));
+        if (!value.isUnknown())
+            out.push_back(assignStmt(localPlace(result.local, result.type, stmt.value->range), value.expr, stmt.range));
         flow.isResultSet = true;
     }
     if (flow.isReachable) returnsSet = returnsSet && flow.isResultSet;
@@ -438,9 +514,11 @@ void Checker::declareLabels(const syntax::Block& block) {
             label.id = tree::LabelId(function->labelCount++);
             label.range = stmt->name.range;
             const NameId id = world.key(stmt->name.text);
-            if (labels.count(id)) emit(stmt->name.range, Kind::DuplicateName, {std::string(stmt->name.text)});
+            if (labels.count(id))
+                emit(stmt->name.range, Kind::DuplicateName, {std::string(stmt->name.text)});
             else {
-                label.symbol = world.addSymbol(SymbolKind::Label, stmt->name.text, scope.unit ? scope.unit->qualified : std::string(), stmt->name.range);
+                label.symbol = world.addSymbol(SymbolKind::Label, stmt->name.text,
+                                               scope.unit ? scope.unit->qualified : std::string(), stmt->name.range);
                 labels.emplace(id, label);
             }
         }
@@ -467,7 +545,8 @@ void Checker::jumpStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     if (it == labels.end()) {
         std::vector<std::string> candidates;
         for (const auto& [id, label] : labels) candidates.emplace_back(world.textOf(label.range));
-        world.suggest(emit(stmt.name.range, Kind::UnknownLabel, {std::string(stmt.name.text)}), stmt.name.range, stmt.name.text, candidates);
+        world.suggest(emit(stmt.name.range, Kind::UnknownLabel, {std::string(stmt.name.text)}), stmt.name.range,
+                      stmt.name.text, candidates);
         return;
     }
     it->second.isUsed = true;

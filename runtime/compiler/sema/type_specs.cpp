@@ -1,5 +1,5 @@
-// Type specifications → TypeIds. A name is resolved when asked for; sizes are completed separately (completeType), so that a
-// pointer may name a type that holds it.
+// Type specifications → TypeIds. A name is resolved when asked for; sizes are completed separately (completeType), so
+// that a pointer may name a type that holds it.
 #include "runtime/compiler/sema/checker.h"
 
 #include "runtime/base/text.h"
@@ -21,15 +21,9 @@ struct ElementaryName {
 constexpr ElementaryName kElementaryNames[] = {
 #define PLC_ELEMENTARY(Name, Spelling, Bytes, Family) {Spelling, TypeKind::Name},
 #include "runtime/types/elementary.def"
-    {"TIME_OF_DAY", TypeKind::Tod},
-    {"DATE_AND_TIME", TypeKind::Dt},
-    {"LTIME_OF_DAY", TypeKind::Ltod},
-    {"LDATE_AND_TIME", TypeKind::Ldt},
-    {"BIT", TypeKind::Bool},
-    {"FLOAT", TypeKind::Real},
-    {"__UXINT", TypeKind::Ulint},
-    {"__XINT", TypeKind::Lint},
-    {"__XWORD", TypeKind::Lword},
+    {"TIME_OF_DAY", TypeKind::Tod},    {"DATE_AND_TIME", TypeKind::Dt}, {"LTIME_OF_DAY", TypeKind::Ltod},
+    {"LDATE_AND_TIME", TypeKind::Ldt}, {"BIT", TypeKind::Bool},         {"FLOAT", TypeKind::Real},
+    {"__UXINT", TypeKind::Ulint},      {"__XINT", TypeKind::Lint},      {"__XWORD", TypeKind::Lword},
 };
 
 } // namespace
@@ -71,7 +65,8 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
         std::string list;
         for (const std::string& where : found.ambiguous) list += (list.empty() ? "" : ", ") + where;
         auto& diagnostic = emit(range, Kind::AmbiguousName, {text, list});
-        for (const std::string& where : found.ambiguous) diagnostic.fixes.push_back({"Write " + where + "." + text, {{range, where + "." + text}}});
+        for (const std::string& where : found.ambiguous)
+            diagnostic.fixes.push_back({"Write " + where + "." + text, {{range, where + "." + text}}});
         return unknown;
     }
     if (found.entity.type) {
@@ -143,22 +138,32 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (!spec) return unknown;
     switch (spec->kind) {
-    case TypeSpecKind::Error: return unknown;
-    case TypeSpecKind::Named: return resolveNamed(spec->path, scope, spec->path.empty() ? spec->range : joined(spec->path.front().range, spec->path.back().range));
+    case TypeSpecKind::Error:
+        return unknown;
+    case TypeSpecKind::Named:
+        return resolveNamed(spec->path, scope,
+                            spec->path.empty() ? spec->range
+                                               : joined(spec->path.front().range, spec->path.back().range));
     case TypeSpecKind::String: {
         const bool wide = !spec->path.empty() && equalsIgnoringCase(spec->path.front().text, "WSTRING");
         int64_t length = 80;
         if (spec->length) {
             const auto given = constantInteger(spec->length, scope);
-            if (given && (*given < 1 || *given > 65535)) emit(spec->length->range, Kind::ConstantOutOfRange, {std::to_string(*given), std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"});
-            else if (given) length = *given;
+            if (given && (*given < 1 || *given > 65535))
+                emit(spec->length->range, Kind::ConstantOutOfRange,
+                     {std::to_string(*given), std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"});
+            else if (given)
+                length = *given;
         }
         return wide ? types.wstring(static_cast<uint32_t>(length)) : types.string(static_cast<uint32_t>(length));
     }
-    case TypeSpecKind::Array: return resolveArray(*spec, scope);
+    case TypeSpecKind::Array:
+        return resolveArray(*spec, scope);
     case TypeSpecKind::OpenArray: {
         const TypeId element = resolveSpec(spec->element, scope);
-        return types.kind(element) == TypeKind::Unknown ? unknown : types.openArray(std::max<size_t>(1, spec->bounds.size()), element);
+        return types.kind(element) == TypeKind::Unknown
+                   ? unknown
+                   : types.openArray(std::max<size_t>(1, spec->bounds.size()), element);
     }
     case TypeSpecKind::Pointer:
     case TypeSpecKind::RefTo: {
@@ -177,9 +182,14 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
     case TypeSpecKind::Union: {
         const auto it = typesBySpec.find(spec);
         if (it != typesBySpec.end()) return it->second;
-        return declareStruct(*spec, std::string(anonymousName.empty() ? (spec->kind == TypeSpecKind::Union ? "UNION" : "STRUCT") : anonymousName), scope);
+        return declareStruct(*spec,
+                             std::string(anonymousName.empty()
+                                             ? (spec->kind == TypeSpecKind::Union ? "UNION" : "STRUCT")
+                                             : anonymousName),
+                             scope);
     }
-    case TypeSpecKind::Subrange: return resolveSubrange(*spec, scope);
+    case TypeSpecKind::Subrange:
+        return resolveSubrange(*spec, scope);
     case TypeSpecKind::Inferred: {
         if (!spec->inferredFrom) return unknown;
         diagnostics::Sink silent;
@@ -205,7 +215,8 @@ TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
             continue;
         }
         if (*high < *low || *low < INT32_MIN || *high > INT32_MAX) {
-            emit(joined(bounds.low->range, bounds.high->range), Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
+            emit(joined(bounds.low->range, bounds.high->range), Kind::ArraySizeInvalid,
+                 {std::to_string(*low), std::to_string(*high)});
             good = false;
             continue;
         }
@@ -227,12 +238,16 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
         emit(spec.range, Kind::OperatorNotForType, {"a subrange", nameOf(base)});
         return base;
     }
-    const auto low = constantInteger(spec.bounds.front().low, scope), high = constantInteger(spec.bounds.front().high, scope);
+    const auto low = constantInteger(spec.bounds.front().low, scope),
+               high = constantInteger(spec.bounds.front().high, scope);
     if (!low || !high) return base;
     const auto [least, greatest] = TypeTable::integerRange(types.storageKind(base));
-    const auto outside = [&](int64_t value) { return value < least || (value > 0 && static_cast<uint64_t>(value) > greatest); };
+    const auto outside = [&](int64_t value) {
+        return value < least || (value > 0 && static_cast<uint64_t>(value) > greatest);
+    };
     if (*low > *high || outside(*low) || outside(*high)) {
-        emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range), Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
+        emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range), Kind::ArraySizeInvalid,
+             {std::to_string(*low), std::to_string(*high)});
         return base;
     }
     return types.subrange(types.storage(base), *low, *high);
@@ -248,7 +263,8 @@ TypeId World::typeOf(Variable& variable) {
         outside.unit = nullptr;
         Variable* target = lookup(outside, variable.id).entity.variable;
         if (!target || !sameType(typeOf(*target), variable.type)) {
-            if (types.kind(variable.type) != TypeKind::Unknown) emit(variable.range, Kind::ExternalNotFound, {variable.name, nameOf(variable.type)});
+            if (types.kind(variable.type) != TypeKind::Unknown)
+                emit(variable.range, Kind::ExternalNotFound, {variable.name, nameOf(variable.type)});
         } else {
             variable.target = target;
             if (variable.isConstant == false) variable.isConstant = target->isConstant;
@@ -259,7 +275,8 @@ TypeId World::typeOf(Variable& variable) {
         variable.type = TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Done;
-    if (variable.symbol.isValid() && !variable.isResult && variable.declaration && variable.section) symbols[variable.symbol.index()].type = variable.type;
+    if (variable.symbol.isValid() && !variable.isResult && variable.declaration && variable.section)
+        symbols[variable.symbol.index()].type = variable.type;
     return variable.type;
 }
 
@@ -275,17 +292,22 @@ bool World::sameType(TypeId a, TypeId b) const {
         case TypeKind::Array:
             if (x.dimensions.size() != y.dimensions.size()) return false;
             for (size_t i = 0; i < x.dimensions.size(); ++i)
-                if (x.dimensions[i].low != y.dimensions[i].low || x.dimensions[i].high != y.dimensions[i].high) return false;
+                if (x.dimensions[i].low != y.dimensions[i].low || x.dimensions[i].high != y.dimensions[i].high)
+                    return false;
             break;
         case TypeKind::OpenArray:
             if (x.dimensions.size() != y.dimensions.size()) return false;
             break;
         case TypeKind::Pointer:
-        case TypeKind::Reference: break;
+        case TypeKind::Reference:
+            break;
         case TypeKind::String:
-        case TypeKind::Wstring: return x.capacity == y.capacity;
-        case TypeKind::Subrange: return x.element == y.element && x.low == y.low && x.high == y.high;
-        default: return false;
+        case TypeKind::Wstring:
+            return x.capacity == y.capacity;
+        case TypeKind::Subrange:
+            return x.element == y.element && x.low == y.low && x.high == y.high;
+        default:
+            return false;
         }
         a = x.element;
         b = y.element;
@@ -337,7 +359,8 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
         completeUnit(*unit, usedAt);
         return true;
     }
-    default: return true;
+    default:
+        return true;
     }
 }
 
@@ -357,7 +380,8 @@ void World::completeAlias(DeclaredType& declared, SourceRange usedAt) {
         type.space = std::move(space);
         type.declaration = range;
         type.comment = std::move(comment);
-        if (const auto it = structsByType.find(behind); it != structsByType.end()) structsByType[declared.type] = it->second;
+        if (const auto it = structsByType.find(behind); it != structsByType.end())
+            structsByType[declared.type] = it->second;
     }
     InitialValue initial;
     initial.bytes = original.initial;
@@ -373,9 +397,13 @@ void World::completeEnum(EnumType& enumeration) {
     const syntax::TypeSpec& spec = *enumeration.spec;
     TypeId base = TypeTable::of(TypeKind::Int);
     if (spec.element || !spec.path.empty()) {
-        const TypeId named = spec.element ? resolveSpec(spec.element, enumeration.scope) : resolveNamed(spec.path, enumeration.scope, spec.range);
-        if (types::isInteger(types.family(named))) base = types.storage(named);
-        else if (types.kind(named) != TypeKind::Unknown) emit(spec.element ? spec.element->range : spec.range, Kind::OperatorNotForType, {"an enumeration", nameOf(named)});
+        const TypeId named = spec.element ? resolveSpec(spec.element, enumeration.scope)
+                                          : resolveNamed(spec.path, enumeration.scope, spec.range);
+        if (types::isInteger(types.family(named)))
+            base = types.storage(named);
+        else if (types.kind(named) != TypeKind::Unknown)
+            emit(spec.element ? spec.element->range : spec.range, Kind::OperatorNotForType,
+                 {"an enumeration", nameOf(named)});
     }
     types.edit(enumeration.type).element = base;
     types.edit(enumeration.type).size = types[base].size;
@@ -388,7 +416,8 @@ void World::completeEnum(EnumType& enumeration) {
             if (const auto value = constantInteger(declared.value, enumeration.scope)) next = *value;
         }
         if (next < least || (next > 0 && static_cast<uint64_t>(next) > greatest))
-            emit(declared.value ? declared.value->range : declared.name.range, Kind::ConstantOutOfRange, {std::to_string(next), nameOf(base)});
+            emit(declared.value ? declared.value->range : declared.name.range, Kind::ConstantOutOfRange,
+                 {std::to_string(next), nameOf(base)});
         types.edit(enumeration.type).enumerators[i].value = next;
         next = static_cast<int64_t>(static_cast<uint64_t>(next) + 1);
     }
@@ -396,9 +425,12 @@ void World::completeEnum(EnumType& enumeration) {
     int64_t first = types[enumeration.type].enumerators.empty() ? 0 : types[enumeration.type].enumerators.front().value;
     if (enumeration.initial) {
         Checker checker(*this, enumeration.scope, sink, arena);
-        const Operand value = checker.converted(checker.expression(*enumeration.initial, enumeration.type), enumeration.type);
-        if (value.isConstant() && std::holds_alternative<int64_t>(value.expr->value.data)) first = value.expr->value.integer();
-        else if (!value.isUnknown()) emit(enumeration.initial->range, Kind::NotConstant);
+        const Operand value =
+            checker.converted(checker.expression(*enumeration.initial, enumeration.type), enumeration.type);
+        if (value.isConstant() && std::holds_alternative<int64_t>(value.expr->value.data))
+            first = value.expr->value.integer();
+        else if (!value.isUnknown())
+            emit(enumeration.initial->range, Kind::NotConstant);
     }
     types::Type& type = types.edit(enumeration.type);
     if (first != 0) {
@@ -416,7 +448,8 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
     if (made.spec->extends) {
         base = resolveSpec(made.spec->extends, made.scope);
         if (types.kind(base) != TypeKind::Struct) {
-            if (types.kind(base) != TypeKind::Unknown) emit(made.spec->extends->range, Kind::NotExtendable, {nameOf(base), made.name});
+            if (types.kind(base) != TypeKind::Unknown)
+                emit(made.spec->extends->range, Kind::NotExtendable, {nameOf(base), made.name});
             base = {};
         } else if (completeType(base, made.spec->extends->range)) {
             fields = types[base].fields;
@@ -426,11 +459,16 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
     const size_t inherited = fields.size();
     for (const syntax::VarDecl* declaration : made.spec->fields) {
         TypeId type = resolveSpec(declaration->type, made.scope);
-        if (!completeType(type, declaration->type ? declaration->type->range : declaration->range)) type = TypeTable::of(TypeKind::Unknown);
-        const bool isBit = declaration->type && declaration->type->kind == TypeSpecKind::Named && declaration->type->path.size() == 1 &&
-                           equalsIgnoringCase(declaration->type->path.front().text, "BIT") && types.kind(type) == TypeKind::Bool;
+        if (!completeType(type, declaration->type ? declaration->type->range : declaration->range))
+            type = TypeTable::of(TypeKind::Unknown);
+        const bool isBit = declaration->type && declaration->type->kind == TypeSpecKind::Named &&
+                           declaration->type->path.size() == 1 &&
+                           equalsIgnoringCase(declaration->type->path.front().text, "BIT") &&
+                           types.kind(type) == TypeKind::Bool;
         for (const syntax::Name& name : declaration->names) {
-            const bool twice = std::any_of(fields.begin(), fields.end(), [&](const types::Field& f) { return equalsIgnoringCase(f.name, name.text); });
+            const bool twice = std::any_of(fields.begin(), fields.end(), [&](const types::Field& f) {
+                return equalsIgnoringCase(f.name, name.text);
+            });
             if (twice) {
                 emit(name.range, Kind::DuplicateName, {std::string(name.text)});
                 continue;
@@ -442,10 +480,12 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
             field.comment = std::string(declaration->comment);
             field.bit = isBit ? 0 : -1;
             for (const syntax::Pragma& pragma : declaration->pragmas)
-                if (pragma.isAttribute && equalsIgnoringCase(pragma.key, "alias")) field.aliases.emplace_back(pragma.value);
+                if (pragma.isAttribute && equalsIgnoringCase(pragma.key, "alias"))
+                    field.aliases.emplace_back(pragma.value);
             fields.push_back(std::move(field));
             declarations.push_back(declaration);
-            made.symbols.push_back(addSymbol(SymbolKind::Variable, name.text, made.name, name.range, declaration->comment));
+            made.symbols.push_back(
+                addSymbol(SymbolKind::Variable, name.text, made.name, name.range, declaration->comment));
             symbols.back().type = type;
         }
     }
@@ -456,14 +496,19 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
     InitialValue initial;
     initial.bytes = types[made.type].initial;
     initial.bytes.resize(types[made.type].size);
-    if (inherited && !types[base].initial.empty()) std::memcpy(initial.bytes.data(), types[base].initial.data(), std::min(initial.bytes.size(), types[base].initial.size()));
-    if (const auto it = typeInitials.find(base); inherited && it != typeInitials.end()) initial.dynamics = it->second.dynamics;
+    if (inherited && !types[base].initial.empty())
+        std::memcpy(initial.bytes.data(), types[base].initial.data(),
+                    std::min(initial.bytes.size(), types[base].initial.size()));
+    if (const auto it = typeInitials.find(base); inherited && it != typeInitials.end())
+        initial.dynamics = it->second.dynamics;
     for (size_t i = inherited; i < types[made.type].fields.size(); ++i) {
         const types::Field field = types[made.type].fields[i];
         const syntax::VarDecl& declaration = *declarations[i - inherited];
-        initialiseDeclared(initial, field.type, field.offset, field.bit, declaration.initial, made.scope, declaration.type);
+        initialiseDeclared(initial, field.type, field.offset, field.bit, declaration.initial, made.scope,
+                           declaration.type);
     }
-    const bool isZero = std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
+    const bool isZero =
+        std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
     types.edit(made.type).initial = isZero ? std::vector<std::byte>{} : initial.bytes;
     typeInitials[made.type].dynamics = std::move(initial.dynamics);
     made.progress = Progress::Done;

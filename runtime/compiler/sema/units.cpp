@@ -16,28 +16,45 @@ namespace {
 
 FieldSection fieldSectionOf(SectionKind kind) {
     switch (kind) {
-    case SectionKind::Input: return FieldSection::Input;
-    case SectionKind::Output: return FieldSection::Output;
-    case SectionKind::InOut: return FieldSection::InOut;
-    default: return FieldSection::Local;
+    case SectionKind::Input:
+        return FieldSection::Input;
+    case SectionKind::Output:
+        return FieldSection::Output;
+    case SectionKind::InOut:
+        return FieldSection::InOut;
+    default:
+        return FieldSection::Local;
     }
 }
 
-bool isParameter(SectionKind kind) { return kind == SectionKind::Input || kind == SectionKind::Output || kind == SectionKind::InOut; }
+bool isParameter(SectionKind kind) {
+    return kind == SectionKind::Input || kind == SectionKind::Output || kind == SectionKind::InOut;
+}
 
 std::string_view sectionName(SectionKind kind) {
     switch (kind) {
-    case SectionKind::Var: return "VAR";
-    case SectionKind::Input: return "VAR_INPUT";
-    case SectionKind::Output: return "VAR_OUTPUT";
-    case SectionKind::InOut: return "VAR_IN_OUT";
-    case SectionKind::Temp: return "VAR_TEMP";
-    case SectionKind::Stat: return "VAR_STAT";
-    case SectionKind::Inst: return "VAR_INST";
-    case SectionKind::Global: return "VAR_GLOBAL";
-    case SectionKind::External: return "VAR_EXTERNAL";
-    case SectionKind::Access: return "VAR_ACCESS";
-    case SectionKind::Config: return "VAR_CONFIG";
+    case SectionKind::Var:
+        return "VAR";
+    case SectionKind::Input:
+        return "VAR_INPUT";
+    case SectionKind::Output:
+        return "VAR_OUTPUT";
+    case SectionKind::InOut:
+        return "VAR_IN_OUT";
+    case SectionKind::Temp:
+        return "VAR_TEMP";
+    case SectionKind::Stat:
+        return "VAR_STAT";
+    case SectionKind::Inst:
+        return "VAR_INST";
+    case SectionKind::Global:
+        return "VAR_GLOBAL";
+    case SectionKind::External:
+        return "VAR_EXTERNAL";
+    case SectionKind::Access:
+        return "VAR_ACCESS";
+    case SectionKind::Config:
+        return "VAR_CONFIG";
     }
     return {};
 }
@@ -82,7 +99,8 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
         }
         field.declaration = variable.range;
         if (variable.name.starts_with("__")) field.isPrivate = true; // made by the lowering of charts and lists
-        if (variable.spec && variable.spec->path.size() == 1 && equalsIgnoringCase(variable.spec->path.front().text, "SFC_STEP")) {
+        if (variable.spec && variable.spec->path.size() == 1 &&
+            equalsIgnoringCase(variable.spec->path.front().text, "SFC_STEP")) {
             field.section = FieldSection::Step;
             if (variable.symbol.isValid()) symbols[variable.symbol.index()].kind = SymbolKind::Step;
         }
@@ -108,20 +126,29 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
     for (Variable& variable : unit.variables) {
         TypeId variableType = typeOf(variable);
         const SourceRange at = variable.spec ? variable.spec->range : variable.range;
-        if (variable.kind != SectionKind::InOut && !completeType(variableType, at)) variable.type = variableType = TypeTable::of(TypeKind::Unknown);
+        if (variable.kind != SectionKind::InOut && !completeType(variableType, at))
+            variable.type = variableType = TypeTable::of(TypeKind::Unknown);
         switch (variable.kind) {
-        case SectionKind::Temp: variable.storage = Storage::Temporary; continue;
-        case SectionKind::External: continue;
-        case SectionKind::Stat: makeStatic(variable); continue;
+        case SectionKind::Temp:
+            variable.storage = Storage::Temporary;
+            continue;
+        case SectionKind::External:
+            continue;
+        case SectionKind::Stat:
+            makeStatic(variable);
+            continue;
         case SectionKind::Var:
         case SectionKind::Input:
         case SectionKind::Output:
         case SectionKind::InOut:
-        case SectionKind::Inst: break;
+        case SectionKind::Inst:
+            break;
         case SectionKind::Global:
         case SectionKind::Access:
         case SectionKind::Config:
-            emit(variable.range, Kind::NotAllowedHere, {std::string(sectionName(variable.kind)), unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION_BLOCK"});
+            emit(variable.range, Kind::NotAllowedHere,
+                 {std::string(sectionName(variable.kind)),
+                  unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION_BLOCK"});
             continue;
         }
         if (variable.isConstant && variable.kind == SectionKind::Var) {
@@ -213,7 +240,8 @@ void World::completeUnit(Unit& unit, SourceRange usedAt) {
         const uint32_t offset = types[unit.type].fields[index].offset;
         if (variable->kind != SectionKind::InOut) setInitial(initial, *variable, offset);
     }
-    const bool isZero = std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
+    const bool isZero =
+        std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
     types.edit(unit.type).initial = isZero ? std::vector<std::byte>{} : std::move(initial.bytes);
     typeInitials[unit.type].dynamics = std::move(initial.dynamics);
     types.edit(unit.type).base = unit.base ? unit.base->type : TypeId();
@@ -234,13 +262,20 @@ void World::completeFunction(Unit& unit) {
     };
     for (Variable& variable : unit.variables) {
         const TypeId type = typeOf(variable);
-        if (variable.kind != SectionKind::InOut && !completeType(type, variable.spec ? variable.spec->range : variable.range)) variable.type = TypeTable::of(TypeKind::Unknown);
-        if (variable.declaration && variable.declaration->edge != syntax::VarEdge::None) emit(variable.range, Kind::NotAllowedHere, {"R_EDGE", "a FUNCTION"});
-        if (variable.section && (variable.section->retain || variable.section->persistent) && unit.kind == UnitKind::Function)
-            emit(variable.range, Kind::NotAllowedHere, {variable.section->retain ? "RETAIN" : "PERSISTENT", "a FUNCTION"});
+        if (variable.kind != SectionKind::InOut &&
+            !completeType(type, variable.spec ? variable.spec->range : variable.range))
+            variable.type = TypeTable::of(TypeKind::Unknown);
+        if (variable.declaration && variable.declaration->edge != syntax::VarEdge::None)
+            emit(variable.range, Kind::NotAllowedHere, {"R_EDGE", "a FUNCTION"});
+        if (variable.section && (variable.section->retain || variable.section->persistent) &&
+            unit.kind == UnitKind::Function)
+            emit(variable.range, Kind::NotAllowedHere,
+                 {variable.section->retain ? "RETAIN" : "PERSISTENT", "a FUNCTION"});
     }
     for (Variable* parameter : unit.parameters) {
-        const tree::LocalKind kind = parameter->kind == SectionKind::Input ? tree::LocalKind::Input : parameter->kind == SectionKind::Output ? tree::LocalKind::Output : tree::LocalKind::InOut;
+        const tree::LocalKind kind = parameter->kind == SectionKind::Input    ? tree::LocalKind::Input
+                                     : parameter->kind == SectionKind::Output ? tree::LocalKind::Output
+                                                                              : tree::LocalKind::InOut;
         addLocal(*parameter, kind);
     }
     unit.result = TypeTable::of(TypeKind::Void);
@@ -254,11 +289,17 @@ void World::completeFunction(Unit& unit) {
         if (isParameter(variable.kind)) continue;
         switch (variable.kind) {
         case SectionKind::External:
-        case SectionKind::Inst: continue;
-        case SectionKind::Stat: makeStatic(variable); continue;
+        case SectionKind::Inst:
+            continue;
+        case SectionKind::Stat:
+            makeStatic(variable);
+            continue;
         case SectionKind::Var:
-        case SectionKind::Temp: break;
-        default: emit(variable.range, Kind::NotAllowedHere, {std::string(sectionName(variable.kind)), "a FUNCTION"}); continue;
+        case SectionKind::Temp:
+            break;
+        default:
+            emit(variable.range, Kind::NotAllowedHere, {std::string(sectionName(variable.kind)), "a FUNCTION"});
+            continue;
         }
         if (variable.isConstant) {
             if (!isFoldable(types, variable.type)) makeStatic(variable);
@@ -270,7 +311,8 @@ void World::completeFunction(Unit& unit) {
             continue;
         }
         addLocal(variable, tree::LocalKind::Local);
-        if (types.kind(variable.type) == TypeKind::Block && unit.kind == UnitKind::Function && !isLibraryFile(variable.range.file))
+        if (types.kind(variable.type) == TypeKind::Block && unit.kind == UnitKind::Function &&
+            !isLibraryFile(variable.range.file))
             emit(variable.range, Kind::TimerInFunction, {variable.name});
     }
     symbols[unit.symbol.index()].type = unit.property ? typeOf(unit.variables.front()) : unit.result;

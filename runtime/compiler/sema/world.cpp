@@ -7,7 +7,8 @@ namespace plc::sema {
 using diagnostics::Kind;
 
 World::World(const SourceSet& theSources, const Options& theOptions)
-    : sources(theSources), options(theOptions), program(std::make_shared<tree::Program>()), types(*(program->types = std::make_shared<types::TypeTable>())), arena(program->arena) {
+    : sources(theSources), options(theOptions), program(std::make_shared<tree::Program>()),
+      types(*(program->types = std::make_shared<types::TypeTable>())), arena(program->arena) {
     functions.emplace_back(); // 0 is reserved
     for (const uint32_t capacity : {80u, 255u}) {
         types.string(capacity);
@@ -17,7 +18,8 @@ World::World(const SourceSet& theSources, const Options& theOptions)
     types.wstring(1);
 }
 
-SymbolId World::addSymbol(SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range, std::string_view comment) {
+SymbolId World::addSymbol(SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range,
+                          std::string_view comment) {
     Symbol& symbol = symbols.emplace_back();
     symbol.kind = kind;
     symbol.name = std::string(name);
@@ -27,10 +29,15 @@ SymbolId World::addSymbol(SymbolKind kind, std::string_view name, std::string_vi
     return SymbolId(symbols.size() - 1);
 }
 
-bool World::isLibraryFile(FileId file) const { return file.isValid() && file.index() < fileOf.size() && fileOf[file.index()] && !fileOf[file.index()]->library.empty(); }
+bool World::isLibraryFile(FileId file) const {
+    return file.isValid() && file.index() < fileOf.size() && fileOf[file.index()] &&
+           !fileOf[file.index()]->library.empty();
+}
 
 bool World::hasSyntaxErrorAt(SourceRange range) const {
-    return std::any_of(syntaxErrors.begin(), syntaxErrors.end(), [&](SourceRange at) { return at.file == range.file && at.begin >= range.begin && at.begin <= range.end + 2; });
+    return std::any_of(syntaxErrors.begin(), syntaxErrors.end(), [&](SourceRange at) {
+        return at.file == range.file && at.begin >= range.begin && at.begin <= range.end + 2;
+    });
 }
 
 void World::refer(SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
@@ -65,10 +72,12 @@ void World::build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
     assignSlots();
     for (size_t i = 0; i < units.size(); ++i) checkInheritance(units[i]);
     for (Variable& variable : globals)
-        if (Unit* unit = unitOf(variable.type); unit && unit->isAbstract && unit->kind == UnitKind::Block) emit(variable.spec ? variable.spec->range : variable.range, Kind::AbstractInstance, {unit->name});
+        if (Unit* unit = unitOf(variable.type); unit && unit->isAbstract && unit->kind == UnitKind::Block)
+            emit(variable.spec ? variable.spec->range : variable.range, Kind::AbstractInstance, {unit->name});
     for (Unit& unit : units)
         for (Variable& variable : unit.variables)
-            if (Unit* of = variable.isInOut() ? nullptr : unitOf(variable.type); of && of->isAbstract && of->kind == UnitKind::Block)
+            if (Unit* of = variable.isInOut() ? nullptr : unitOf(variable.type);
+                of && of->isAbstract && of->kind == UnitKind::Block)
                 emit(variable.spec ? variable.spec->range : variable.range, Kind::AbstractInstance, {of->name});
     layoutGlobals();
     checkBodies();
@@ -83,7 +92,10 @@ void World::build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
     frozen = true;
 }
 
-std::shared_ptr<const Analysis> analyze(const SourceSet& sources, std::vector<std::unique_ptr<syntax::SyntaxFile>> files, std::vector<diagnostics::Diagnostic> syntaxDiagnostics, const Options& options) {
+std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
+                                        std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
+                                        std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
+                                        const Options& options) {
     auto world = std::make_shared<World>(sources, options);
     for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
         const Kind kind = diagnostic.kind;
@@ -97,12 +109,16 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources, std::vector<st
     if (!options.wantProgram)
         for (tree::Function& function : analysis->program->functions) function.body.clear();
     analysis->symbols = std::move(world->symbols);
-    std::stable_sort(world->references.begin(), world->references.end(),
-                     [](const Reference& a, const Reference& b) { return std::tuple(a.range.file, a.range.begin, a.range.end) < std::tuple(b.range.file, b.range.begin, b.range.end); });
+    std::stable_sort(world->references.begin(), world->references.end(), [](const Reference& a, const Reference& b) {
+        return std::tuple(a.range.file, a.range.begin, a.range.end) <
+               std::tuple(b.range.file, b.range.begin, b.range.end);
+    });
     analysis->references = std::move(world->references);
     world->sink.sort();
     analysis->diagnostics = world->sink.take();
-    analysis->hasErrors = std::any_of(analysis->diagnostics.begin(), analysis->diagnostics.end(), [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
+    analysis->hasErrors =
+        std::any_of(analysis->diagnostics.begin(), analysis->diagnostics.end(),
+                    [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
     analysis->scopes = world;
     return analysis;
 }

@@ -1,5 +1,5 @@
-// Everything about one program while it is checked, and what stays of it for expressions (Analysis::scopes): name tables,
-// types, the tree being made. One thread builds it; `freeze` makes it read only.
+// Everything about one program while it is checked, and what stays of it for expressions (Analysis::scopes): name
+// tables, types, the tree being made. One thread builds it; `freeze` makes it read only.
 #pragma once
 #include "runtime/compiler/sema/scopes.h"
 
@@ -9,7 +9,8 @@
 
 namespace plc::sema {
 
-/// A part of an initial value that needs code: an expression assigned, a block's FB_Init called, a type's own initialiser run.
+/// A part of an initial value that needs code: an expression assigned, a block's FB_Init called, a type's own
+/// initialiser run.
 struct DynamicInit {
     uint32_t offset = 0; // from the begin of what is initialised
     int16_t bit = -1;
@@ -51,14 +52,20 @@ public:
 
     // world.cpp
     void build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files);
-    [[nodiscard]] NameId key(std::string_view spelling) { return frozen ? names.find(spelling) : names.intern(spelling); }
+    [[nodiscard]] NameId key(std::string_view spelling) {
+        return frozen ? names.find(spelling) : names.intern(spelling);
+    }
     diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) {
         return (frozen && expressionSink ? *expressionSink : sink).emit(range, kind, std::move(arguments));
     }
-    static thread_local diagnostics::Sink* expressionSink; // of the expression this thread checks against a frozen World
-    SymbolId addSymbol(SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range, std::string_view comment = {});
+    static thread_local diagnostics::Sink*
+        expressionSink; // of the expression this thread checks against a frozen World
+    SymbolId addSymbol(SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range,
+                       std::string_view comment = {});
     void refer(SourceRange range, SymbolId symbol, bool isRead, bool isWrite);
-    [[nodiscard]] std::string_view textOf(SourceRange range) const { return range.file.isValid() ? sources[range.file].slice(range) : std::string_view{}; }
+    [[nodiscard]] std::string_view textOf(SourceRange range) const {
+        return range.file.isValid() ? sources[range.file].slice(range) : std::string_view{};
+    }
     [[nodiscard]] bool isLibraryFile(FileId file) const;
     [[nodiscard]] bool hasSyntaxErrorAt(SourceRange range) const; // in it or just behind it
     tree::Function& function(tree::FunctionId id) { return functions[id.index()]; }
@@ -73,10 +80,14 @@ public:
     void declareVariables(Unit& unit, const std::vector<syntax::VarSection*>& sections);
     void declareImplicitEno(Unit& unit);
     Variable& addVariable(Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas);
-    void declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table);
-    void declareGlobals(const syntax::GlobalList& list, Space& space, const syntax::SyntaxFile& file, std::string_view name);
+    void declareInlineEnums(const syntax::TypeSpec* spec, const Scope& scope,
+                            std::unordered_map<NameId, std::vector<EnumeratorRef>>& table);
+    void declareGlobals(const syntax::GlobalList& list, Space& space, const syntax::SyntaxFile& file,
+                        std::string_view name);
     void declareType(const syntax::TypeDecl& type, Space& space, const syntax::SyntaxFile& file);
-    EnumType* declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope, std::unordered_map<NameId, std::vector<EnumeratorRef>>& table, const std::vector<syntax::Pragma>* attributes);
+    EnumType* declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope,
+                          std::unordered_map<NameId, std::vector<EnumeratorRef>>& table,
+                          const std::vector<syntax::Pragma>* attributes);
     TypeId declareStruct(const syntax::TypeSpec& spec, std::string name, const Scope& scope);
     Space& childSpace(Space& parent, std::string_view name);
     void resolveUsings();
@@ -89,7 +100,9 @@ public:
         GlobalsList* list = nullptr;
         Space* space = nullptr;
         std::vector<std::string> ambiguous; // the namespaces that hold it
-        [[nodiscard]] bool isNothing() const { return !entity && !member && enumerators.empty() && !list && !space && ambiguous.empty(); }
+        [[nodiscard]] bool isNothing() const {
+            return !entity && !member && enumerators.empty() && !list && !space && ambiguous.empty();
+        }
     };
     [[nodiscard]] Member findMember(Unit& unit, NameId id);
     [[nodiscard]] Found lookup(const Scope& scope, NameId id, bool wantsType = false);
@@ -97,7 +110,8 @@ public:
     [[nodiscard]] Found lookupPath(const Scope& scope, const syntax::Path& path);
     [[nodiscard]] std::vector<std::string> visibleNames(const Scope& scope);
     [[nodiscard]] std::vector<std::string> memberNames(TypeId type);
-    void suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name, const std::vector<std::string>& candidates);
+    void suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+                 const std::vector<std::string>& candidates);
 
     // type_specs.cpp
     TypeId resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std::string_view anonymousName = {});
@@ -112,7 +126,10 @@ public:
     TypeId resolveArray(const syntax::TypeSpec& spec, const Scope& scope);
     TypeId resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope);
     [[nodiscard]] std::optional<int64_t> constantInteger(const syntax::Expr* expr, const Scope& scope);
-    [[nodiscard]] Unit* unitOf(TypeId type) const { const auto it = unitsByType.find(type); return it == unitsByType.end() ? nullptr : it->second; }
+    [[nodiscard]] Unit* unitOf(TypeId type) const {
+        const auto it = unitsByType.find(type);
+        return it == unitsByType.end() ? nullptr : it->second;
+    }
     [[nodiscard]] bool sameType(TypeId a, TypeId b) const;
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
 
@@ -138,13 +155,16 @@ public:
     // initial_values.cpp
     InitialValue& typeInitial(TypeId type) { return typeInitials[type]; }
     bool needsConstruction(TypeId type);
-    void initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const std::vector<syntax::Argument>* constructor);
+    void initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
+                    const Scope& scope, const std::vector<syntax::Argument>* constructor);
     static bool hasConstructor(const syntax::TypeSpec* spec);
-    void initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec);
+    void initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
+                            const Scope& scope, const syntax::TypeSpec* spec);
     void writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const types::Value& value);
     void setInitial(InitialValue& out, Variable& variable, uint32_t offset);
     tree::FunctionId initialiserOf(TypeId type);
-    void emitDynamics(Checker& checker, const std::vector<DynamicInit>& dynamics, const std::function<tree::Place*(const DynamicInit&)>& place, std::vector<tree::Stmt*>& out);
+    void emitDynamics(Checker& checker, const std::vector<DynamicInit>& dynamics,
+                      const std::function<tree::Place*(const DynamicInit&)>& place, std::vector<tree::Stmt*>& out);
     void buildInitialiser();
 
     // layout.cpp
@@ -193,13 +213,14 @@ public:
     std::deque<EnumType> enums;
     std::deque<StructType> structs;
     std::deque<GlobalsList> lists;
-    std::deque<Variable> globals;   // globals, program instances, statics
+    std::deque<Variable> globals; // globals, program instances, statics
     std::unordered_map<TypeId, Unit*> unitsByType;
     std::unordered_map<TypeId, EnumType*> enumsByType;
     std::unordered_map<TypeId, StructType*> structsByType;
     std::unordered_map<const syntax::TypeSpec*, EnumType*> enumsBySpec;
     std::unordered_map<const syntax::TypeSpec*, TypeId> typesBySpec; // structures and unions written in a VAR
-    std::unordered_map<TypeId, DeclaredType*> aliasesByType; // TYPE with a default of its own: a copy of the type behind it
+    std::unordered_map<TypeId, DeclaredType*>
+        aliasesByType; // TYPE with a default of its own: a copy of the type behind it
     std::unordered_map<TypeId, TypeId> aliasOf;
     std::map<TypeId, InitialValue> typeInitials;
     std::map<TypeId, tree::FunctionId> initialisers;

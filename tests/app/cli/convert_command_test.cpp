@@ -1,4 +1,5 @@
-// `stepwise convert`: prints the file in the other language, or writes it; says what has no like; wrong use is told as such.
+// `stepwise convert`: prints the file in the other language, or writes it; says what has no like; wrong use is told as
+// such.
 #include "app/cli/command.h"
 
 #include <QTemporaryDir>
@@ -13,8 +14,10 @@
 namespace plc {
 namespace {
 
-const char* const kList = "FUNCTION Sum : INT\nVAR_INPUT a, b : INT; END_VAR\n        LD      a\n        ADD     b\n        ST      Sum\nEND_FUNCTION\n"
-                          "PROGRAM Main\nVAR x, n : INT; END_VAR\nFOR n := 1 TO x DO x := Sum(x, 1); END_FOR\nEND_PROGRAM\n";
+const char* const kList =
+    "FUNCTION Sum : INT\nVAR_INPUT a, b : INT; END_VAR\n        LD      a\n        ADD     b\n        ST      "
+    "Sum\nEND_FUNCTION\n"
+    "PROGRAM Main\nVAR x, n : INT; END_VAR\nFOR n := 1 TO x DO x := Sum(x, 1); END_FOR\nEND_PROGRAM\n";
 
 struct Outcome {
     int exitCode = 0;

@@ -1,4 +1,5 @@
-// `stepwise run`: the CSV on the standard output, into a pipe and on a full disk; Ctrl+C while it waits; the exit codes.
+// `stepwise run`: the CSV on the standard output, into a pipe and on a full disk; Ctrl+C while it waits; the exit
+// codes.
 #include "app/cli/command.h"
 
 #include <QTemporaryDir>
@@ -23,14 +24,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kCounter = "PROGRAM Main\nVAR\n    count : INT;\nEND_VAR\ncount := count + 1;\nEND_PROGRAM\n"
-                             "CONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Slow(INTERVAL := T#10ms, PRIORITY := 1);\n        PROGRAM Main WITH Slow : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n";
+const char* const kCounter =
+    "PROGRAM Main\nVAR\n    count : INT;\nEND_VAR\ncount := count + 1;\nEND_PROGRAM\n"
+    "CONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Slow(INTERVAL := T#10ms, PRIORITY := 1);\n        PROGRAM "
+    "Main WITH Slow : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n";
 
 class RunCommand : public ::testing::Test {
 protected:
     void SetUp() override { write("main.st", kCounter); }
     [[nodiscard]] std::string path(const std::string& name) const { return m_folder.path().toStdString() + "/" + name; }
-    void write(const std::string& name, const std::string& text) const { std::ofstream(path(name), std::ios::binary) << text; }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
     [[nodiscard]] std::string read(const std::string& name) const {
         std::ifstream in(path(name), std::ios::binary);
         std::stringstream text;
@@ -138,7 +143,10 @@ TEST_F(RunCommand, ExitCodesTellWhoseMistakeItWas) {
 
     write("none.st", "FUNCTION F : INT\nF := 1;\nEND_FUNCTION\n");
     EXPECT_EQ(run({path("none.st")}), 1);
-    EXPECT_NE(out.find("There is no PROGRAM") != std::string::npos || err.find("there is no PROGRAM") != std::string::npos, false) << out << err;
+    EXPECT_NE(out.find("There is no PROGRAM") != std::string::npos ||
+                  err.find("there is no PROGRAM") != std::string::npos,
+              false)
+        << out << err;
 
     write("wrong.st", "PROGRAM Main\nx := 1;\nEND_PROGRAM\n");
     EXPECT_EQ(run({path("wrong.st")}), 1);

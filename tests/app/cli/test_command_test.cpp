@@ -55,7 +55,9 @@ protected:
         write("counter/src/main.st", kProgram);
     }
     void TearDown() override { fs::current_path(m_before); }
-    static void write(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+    static void write(const std::string& path, const std::string& text) {
+        std::ofstream(path, std::ios::binary) << text;
+    }
     static Outcome run(std::vector<std::string> words) {
         words.insert(words.begin(), "test");
         std::ostringstream out, err;
@@ -66,7 +68,9 @@ protected:
         std::cerr.rdbuf(oldErr);
         return {exitCode, out.str(), err.str()};
     }
-    static size_t lines(const std::string& text) { return static_cast<size_t>(std::count(text.begin(), text.end(), '\n')); }
+    static size_t lines(const std::string& text) {
+        return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
+    }
     static bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
     QTemporaryDir folder;
     const std::string examples = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples";
@@ -87,7 +91,8 @@ TEST_F(TestCommand, OfTheExamplesIsGreenWithALinePerProject) {
 }
 
 TEST_F(TestCommand, FilterChoosesByTitle) {
-    write("counter/tests/a.st", "TEST 'counts up'\nRUN 3 SCANS;\nASSERT Main.Count = 3;\nEND_TEST\nTEST 'is slow'\nRUN 1 SCANS;\nEND_TEST\n");
+    write("counter/tests/a.st",
+          "TEST 'counts up'\nRUN 3 SCANS;\nASSERT Main.Count = 3;\nEND_TEST\nTEST 'is slow'\nRUN 1 SCANS;\nEND_TEST\n");
     const Outcome one = run({"counter", "--filter", "COUNTS"});
     EXPECT_EQ(one.exitCode, 0);
     EXPECT_TRUE(one.out.ends_with("1 passed, 0 failed\n")) << one.out;
@@ -119,7 +124,8 @@ TEST_F(TestCommand, AFailingAssertionSaysBothValuesScanTimeAndWhereTheRecordingI
 }
 
 TEST_F(TestCommand, JsonAndJunitHoldWhatTheTextHolds) {
-    write("counter/tests/a.st", "TEST 'counts <up> & \"on\"'\nRUN 3 SCANS;\nASSERT Main.Count = 5;\nEND_TEST\nTEST 'good'\nRUN 1 SCANS;\nEND_TEST\n");
+    write("counter/tests/a.st", "TEST 'counts <up> & \"on\"'\nRUN 3 SCANS;\nASSERT Main.Count = 5;\nEND_TEST\nTEST "
+                                "'good'\nRUN 1 SCANS;\nEND_TEST\n");
     const Outcome json = run({"counter", "--format", "json", "--coverage"});
     EXPECT_EQ(json.exitCode, 1);
     const auto parsed = nlohmann::json::parse(json.out, nullptr, false);
@@ -138,8 +144,10 @@ TEST_F(TestCommand, JsonAndJunitHoldWhatTheTextHolds) {
     QString firstName, suite;
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-        if (xml.name() == QLatin1String("testsuite")) suite = xml.attributes().value("failures").toString() + "/" + xml.attributes().value("tests").toString();
-        if (xml.name() == QLatin1String("testcase") && cases++ == 0) firstName = xml.attributes().value("name").toString();
+        if (xml.name() == QLatin1String("testsuite"))
+            suite = xml.attributes().value("failures").toString() + "/" + xml.attributes().value("tests").toString();
+        if (xml.name() == QLatin1String("testcase") && cases++ == 0)
+            firstName = xml.attributes().value("name").toString();
         if (xml.name() == QLatin1String("failure")) ++failures;
     }
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();

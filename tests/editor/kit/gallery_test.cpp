@@ -1,5 +1,5 @@
-// Pictures of the style, the icons and the small widgets, to be looked at (STEPWISE_PICTURES names the folder); and that each
-// theme paints them without leaving anything in the colours of the other one.
+// Pictures of the style, the icons and the small widgets, to be looked at (STEPWISE_PICTURES names the folder); and
+// that each theme paints them without leaving anything in the colours of the other one.
 #include "editor/kit/command_palette.h"
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
@@ -97,9 +97,11 @@ void fillWindow(QMainWindow& window) {
     window.menuBar()->addMenu("&Edit");
     window.menuBar()->addMenu("&View");
     QToolBar* bar = window.addToolBar("Run");
-    for (Icon which : {Icon::Run, Icon::Pause, Icon::Stop, Icon::Step, Icon::Reset}) bar->addAction(icon(which), iconWord(which).toString());
+    for (Icon which : {Icon::Run, Icon::Pause, Icon::Stop, Icon::Step, Icon::Reset})
+        bar->addAction(icon(which), iconWord(which).toString());
     bar->addSeparator();
-    for (Icon which : {Icon::Breakpoint, Icon::Watch, Icon::Force, Icon::Trace}) bar->addAction(icon(which), iconWord(which).toString());
+    for (Icon which : {Icon::Breakpoint, Icon::Watch, Icon::Force, Icon::Trace})
+        bar->addAction(icon(which), iconWord(which).toString());
     bar->actions()[1]->setCheckable(true);
     bar->actions()[1]->setChecked(true);
     bar->actions()[3]->setEnabled(false);
@@ -113,7 +115,12 @@ void fillWindow(QMainWindow& window) {
     tree->setHeaderHidden(true);
     auto* project = new QTreeWidgetItem(tree, {"gravel"});
     project->setIcon(0, icon(Icon::Project));
-    for (auto [which, name] : {std::pair{Icon::Program, "Main"}, {Icon::Block, "Motor"}, {Icon::Function, "Scale"}, {Icon::Type, "Phase"}, {Icon::Globals, "IO"}, {Icon::Task, "Fast"}}) {
+    for (auto [which, name] : {std::pair{Icon::Program, "Main"},
+                               {Icon::Block, "Motor"},
+                               {Icon::Function, "Scale"},
+                               {Icon::Type, "Phase"},
+                               {Icon::Globals, "IO"},
+                               {Icon::Task, "Fast"}}) {
         auto* item = new QTreeWidgetItem(project, {name});
         item->setIcon(0, icon(which));
     }
@@ -188,7 +195,10 @@ TEST(Gallery, IconsSheet) {
         image.fill(colors().window);
         QPainter painter(&image);
         for (size_t i = 0; i < allIcons().size(); ++i)
-            paintIcon(&painter, QRectF(static_cast<double>(i % Columns) * Cell + 12, static_cast<double>(i / Columns) * Cell + 12, 40, 40), allIcons()[i]);
+            paintIcon(&painter,
+                      QRectF(static_cast<double>(i % Columns) * Cell + 12, static_cast<double>(i / Columns) * Cell + 12,
+                             40, 40),
+                      allIcons()[i]);
         painter.end();
         keep(image, choice == ThemeChoice::Dark ? "icons_dark" : "icons_light");
         EXPECT_EQ(image.width(), Columns * Cell);

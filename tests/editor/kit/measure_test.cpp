@@ -26,8 +26,10 @@ TEST(Measure, ExtremesMeanAndRms) {
         std::vector<double> values;
         double minimum, maximum, mean, rms;
     };
-    for (const Row& row : {Row{{5}, 5, 5, 5, 5}, Row{{1, 2, 3}, 1, 3, 2, std::sqrt(14.0 / 3)}, Row{{3, -4}, -4, 3, -0.5, std::sqrt(12.5)},
-                           Row{{0, 0, 0, 0}, 0, 0, 0, 0}, Row{{NaN, 2, NaN, 4}, 2, 4, 3, std::sqrt(10.0)}, Row{{1e9 + 1, 1e9 + 3}, 1e9 + 1, 1e9 + 3, 1e9 + 2, 1e9 + 2}}) {
+    for (const Row& row : {Row{{5}, 5, 5, 5, 5}, Row{{1, 2, 3}, 1, 3, 2, std::sqrt(14.0 / 3)},
+                           Row{{3, -4}, -4, 3, -0.5, std::sqrt(12.5)}, Row{{0, 0, 0, 0}, 0, 0, 0, 0},
+                           Row{{NaN, 2, NaN, 4}, 2, 4, 3, std::sqrt(10.0)},
+                           Row{{1e9 + 1, 1e9 + 3}, 1e9 + 1, 1e9 + 3, 1e9 + 2, 1e9 + 2}}) {
         const Measurement m = measure(listOf(row.values), 0, 100 * Ms);
         EXPECT_EQ(m.minimum, row.minimum);
         EXPECT_EQ(m.maximum, row.maximum);
@@ -85,7 +87,8 @@ TEST(Measure, SecondOrderOvershootsByItsDamping) {
 
 TEST(Measure, FallingStepsAreMeasuredAlike) {
     std::vector<double> up, down;
-    for (int i = 0; i < 100; ++i) up.push_back(i < 10 ? 0 : std::min(1.0, (i - 10) / 9.7)), down.push_back(5 - up.back());
+    for (int i = 0; i < 100; ++i)
+        up.push_back(i < 10 ? 0 : std::min(1.0, (i - 10) / 9.7)), down.push_back(5 - up.back());
     const Measurement a = measure(listOf(up), 0, 99 * Ms), b = measure(listOf(down), 0, 99 * Ms);
     ASSERT_TRUE(a.riseTime && b.riseTime);
     EXPECT_EQ(*a.riseTime, 8 * Ms);

@@ -23,13 +23,15 @@ namespace {
 
 constexpr int64_t Ms = 1'000'000, S = 1'000'000'000;
 
-std::shared_ptr<SampleList> sampled(int count, int64_t step, const std::function<double(double)>& f, PlotValueKind kind = PlotValueKind::Double) {
+std::shared_ptr<SampleList> sampled(int count, int64_t step, const std::function<double(double)>& f,
+                                    PlotValueKind kind = PlotValueKind::Double) {
     auto list = std::make_shared<SampleList>(kind);
     for (int i = 0; i < count; ++i) list->append(i * step, f(static_cast<double>(i) * static_cast<double>(step) / 1e9));
     return list;
 }
 
-PlotCurve curveOf(const QString& name, std::shared_ptr<const SampleSource> source, CurveStyle style, int colour, const QString& unit = {}) {
+PlotCurve curveOf(const QString& name, std::shared_ptr<const SampleSource> source, CurveStyle style, int colour,
+                  const QString& unit = {}) {
     PlotCurve curve;
     curve.id = curve.name = name;
     curve.unit = unit;
@@ -58,20 +60,36 @@ PlotModel showCase() {
     };
     model.curves.push_back(curveOf("Main.setPoint", sampled(1000, 10 * Ms, set), CurveStyle::Hold, 0, "°C"));
     model.curves.push_back(curveOf("Main.pid.i_rAct", sampled(1000, 10 * Ms, actual), CurveStyle::Line, 1, "°C"));
-    auto output = curveOf("Main.pid.q_rOut", sampled(1000, 10 * Ms, [&](double t) { return std::clamp(1.6 * (set(t) - actual(t)) + 30, 0.0, 100.0); }), CurveStyle::Line, 2, "%");
+    auto output = curveOf(
+        "Main.pid.q_rOut",
+        sampled(1000, 10 * Ms, [&](double t) { return std::clamp(1.6 * (set(t) - actual(t)) + 30, 0.0, 100.0); }),
+        CurveStyle::Line, 2, "%");
     output.axis = 1;
     model.curves.push_back(output);
-    auto pwm = curveOf("Main.valve.open", sampled(10'000, Ms, [](double t) { return std::fmod(t, 0.5) < 0.05 + 0.04 * t ? 1.0 : 0.0; }, PlotValueKind::Bool), CurveStyle::Digital, 3);
+    auto pwm = curveOf(
+        "Main.valve.open",
+        sampled(
+            10'000, Ms, [](double t) { return std::fmod(t, 0.5) < 0.05 + 0.04 * t ? 1.0 : 0.0; }, PlotValueKind::Bool),
+        CurveStyle::Digital, 3);
     pwm.chart = 1;
-    auto mode = curveOf("Main.sequence.step", sampled(1000, 10 * Ms, [](double t) { return std::floor(std::fmod(t * 0.6, 4)); }, PlotValueKind::Integer), CurveStyle::Digital, 4);
+    auto mode =
+        curveOf("Main.sequence.step",
+                sampled(
+                    1000, 10 * Ms, [](double t) { return std::floor(std::fmod(t * 0.6, 4)); }, PlotValueKind::Integer),
+                CurveStyle::Digital, 4);
     mode.chart = 1;
     mode.valueNames = {{0, "Idle"}, {1, "Heating"}, {2, "Holding"}, {3, "Cooling"}};
-    auto noise = curveOf("Main.noise", sampled(100'000, Ms / 10, [](double t) { return std::sin(t * 3) + 0.3 * std::sin(t * 1234.5) * std::sin(t * 7777); }), CurveStyle::Line, 5, "mV");
+    auto noise =
+        curveOf("Main.noise",
+                sampled(100'000, Ms / 10,
+                        [](double t) { return std::sin(t * 3) + 0.3 * std::sin(t * 1234.5) * std::sin(t * 7777); }),
+                CurveStyle::Line, 5, "mV");
     noise.chart = 1;
     model.curves.push_back(noise);
     model.curves.push_back(pwm);
     model.curves.push_back(mode);
-    model.markers = {{1 * S, MarkerKind::Event, "Set point written"}, {6'200 * Ms, MarkerKind::Force, "valve.open forced"}};
+    model.markers = {{1 * S, MarkerKind::Event, "Set point written"},
+                     {6'200 * Ms, MarkerKind::Force, "valve.open forced"}};
     model.trigger = 1 * S;
     model.cursorA = 1 * S;
     model.cursorB = 7 * S;
@@ -105,7 +123,8 @@ std::vector<int> inkedRows(const QImage& image, const QRectF& area, int x, const
     std::vector<int> rows;
     for (int y = static_cast<int>(area.top()) + 3; y <= static_cast<int>(area.bottom()) - 3; ++y) {
         const QColor pixel = image.pixelColor(x, y);
-        if (isNear(pixel, color) || !(isNear(pixel, colors().plotGround, 120) || isNear(pixel, colors().plotGap, 120))) rows.push_back(y);
+        if (isNear(pixel, color) || !(isNear(pixel, colors().plotGround, 120) || isNear(pixel, colors().plotGap, 120)))
+            rows.push_back(y);
     }
     return rows;
 }
@@ -139,9 +158,9 @@ TEST(PlotRenderer, PanesAlignAndNothingOverlaps) {
             EXPECT_LT(panes[i].area.bottom(), size.height());
         }
         for (const LegendEntry& a : drawn.renderer.legend()) {
-            for (const LegendEntry& b : drawn.renderer.legend())
-                EXPECT_TRUE(&a == &b || !a.rect.intersects(b.rect));
-            for (const PlotPane& pane : panes) EXPECT_FALSE(a.rect.intersects(pane.area)) << "a legend entry lies over a chart";
+            for (const LegendEntry& b : drawn.renderer.legend()) EXPECT_TRUE(&a == &b || !a.rect.intersects(b.rect));
+            for (const PlotPane& pane : panes)
+                EXPECT_FALSE(a.rect.intersects(pane.area)) << "a legend entry lies over a chart";
             EXPECT_TRUE(QRectF(QPointF(), QSizeF(size)).contains(a.rect));
         }
     }
@@ -154,7 +173,8 @@ TEST(PlotRenderer, EachSampleIsDrawnWhereItIs) {
     model.to = 1 * S;
     model.charts[0].axes[0].mode = AxisMode::Fixed;
     model.charts[0].axes[0].fixed = {0, 100};
-    model.curves.push_back(curveOf("v", sampled(11, 100 * Ms, [](double t) { return 10 + t * 80; }), CurveStyle::Line, 1));
+    model.curves.push_back(
+        curveOf("v", sampled(11, 100 * Ms, [](double t) { return 10 + t * 80; }), CurveStyle::Line, 1));
     Drawn drawn;
     draw(drawn, model);
     const PlotPane& pane = drawn.renderer.panes()[0];
@@ -177,7 +197,9 @@ TEST(PlotRenderer, HeldValuesJumpVertically) {
     model.charts[0].axes[0].fixed = {0, 100};
     // Few samples go through the painter, many through the column raster: both must be steps.
     for (int count : {3, 1001}) {
-        model.curves = {curveOf("v", sampled(count, 1 * S / (count - 1), [](double t) { return t < 0.5 ? 20.0 : 80.0; }), CurveStyle::Hold, 1)};
+        model.curves = {curveOf("v",
+                                sampled(count, 1 * S / (count - 1), [](double t) { return t < 0.5 ? 20.0 : 80.0; }),
+                                CurveStyle::Hold, 1)};
         Drawn drawn;
         draw(drawn, model);
         const PlotPane& pane = drawn.renderer.panes()[0];
@@ -196,8 +218,10 @@ TEST(PlotRenderer, HeldValuesJumpVertically) {
             EXPECT_NEAR(rows.back(), map.yOf(80), 3) << count;
         }
         size_t tallest = 0;
-        for (int x = jump - 2; x <= jump + 2; ++x) tallest = std::max(tallest, inkedRows(drawn.image, pane.area, x, model.curves[0].color).size());
-        EXPECT_GT(static_cast<double>(tallest), 0.9 * (map.yOf(20) - map.yOf(80))) << "the jump itself is drawn, " << count;
+        for (int x = jump - 2; x <= jump + 2; ++x)
+            tallest = std::max(tallest, inkedRows(drawn.image, pane.area, x, model.curves[0].color).size());
+        EXPECT_GT(static_cast<double>(tallest), 0.9 * (map.yOf(20) - map.yOf(80)))
+            << "the jump itself is drawn, " << count;
     }
 }
 
@@ -209,14 +233,16 @@ TEST(PlotRenderer, OneSpikeAmongMillionsIsSeen) {
     model.charts[0].axes[0].mode = AxisMode::Fixed;
     model.charts[0].axes[0].fixed = {0, 100};
     for (CurveStyle style : {CurveStyle::Line, CurveStyle::Hold}) {
-        model.curves = {curveOf("v", sampled(1'000'000, 1'000, [](double t) { return t == 0.7 ? 95.0 : 10.0; }), style, 1)};
+        model.curves = {
+            curveOf("v", sampled(1'000'000, 1'000, [](double t) { return t == 0.7 ? 95.0 : 10.0; }), style, 1)};
         Drawn drawn;
         draw(drawn, model);
         const PlotPane& pane = drawn.renderer.panes()[0];
         const PlotMapping map = drawn.renderer.mapping(model, pane);
         const int x = static_cast<int>(map.xOf(700 * Ms));
         size_t tallest = 0;
-        for (int c = x - 1; c <= x + 1; ++c) tallest = std::max(tallest, inkedRows(drawn.image, pane.area, c, model.curves[0].color).size());
+        for (int c = x - 1; c <= x + 1; ++c)
+            tallest = std::max(tallest, inkedRows(drawn.image, pane.area, c, model.curves[0].color).size());
         EXPECT_GT(static_cast<double>(tallest), 0.9 * (map.yOf(10) - map.yOf(95)));
     }
 }
@@ -239,9 +265,16 @@ TEST(PlotRenderer, NoLineCrossesAGap) {
             draw(drawn, model);
             const PlotPane& pane = drawn.renderer.panes()[0];
             const PlotMapping map = drawn.renderer.mapping(model, pane);
-            EXPECT_TRUE(inkedRows(drawn.image, pane.area.adjusted(0, 40, 0, 0), static_cast<int>(map.xOf(500 * Ms)), model.curves[0].color).empty()) << step;
-            EXPECT_FALSE(inkedRows(drawn.image, pane.area, static_cast<int>(map.xOf(300 * Ms)), model.curves[0].color).empty()) << step;
-            EXPECT_FALSE(inkedRows(drawn.image, pane.area, static_cast<int>(map.xOf(700 * Ms)), model.curves[0].color).empty()) << step;
+            EXPECT_TRUE(inkedRows(drawn.image, pane.area.adjusted(0, 40, 0, 0), static_cast<int>(map.xOf(500 * Ms)),
+                                  model.curves[0].color)
+                            .empty())
+                << step;
+            EXPECT_FALSE(
+                inkedRows(drawn.image, pane.area, static_cast<int>(map.xOf(300 * Ms)), model.curves[0].color).empty())
+                << step;
+            EXPECT_FALSE(
+                inkedRows(drawn.image, pane.area, static_cast<int>(map.xOf(700 * Ms)), model.curves[0].color).empty())
+                << step;
         }
 }
 
@@ -259,7 +292,8 @@ TEST(PlotRenderer, ZoomedFarInALineKeepsItsSlope) {
     const PlotPane& pane = drawn.renderer.panes()[0];
     const PlotMapping map = drawn.renderer.mapping(model, pane);
     for (int64_t dt : {-50, 0, 50}) {
-        const auto rows = inkedRows(drawn.image, pane.area, static_cast<int>(map.xOf(500 * Ms + dt)), model.curves[0].color);
+        const auto rows =
+            inkedRows(drawn.image, pane.area, static_cast<int>(map.xOf(500 * Ms + dt)), model.curves[0].color);
         ASSERT_FALSE(rows.empty()) << dt;
         EXPECT_NEAR((rows.front() + rows.back()) / 2.0, map.yOf(500'000 + static_cast<double>(dt) * 1e-3), 4) << dt;
     }
@@ -290,13 +324,20 @@ TEST(FillColumns, CoversExactlyWhatIsAsked) {
     std::vector<ColumnSpan> all(20, ColumnSpan{-5, 50});
     fillColumns(image, QRect(8, 6, 20, 9), all, 1, Qt::red);
     for (int y = 0; y < 20; ++y)
-        for (int x = 0; x < 40; ++x) EXPECT_EQ(qAlpha(image.pixel(x, y)), QRect(8, 6, 20, 9).contains(x, y) ? 255 : 0) << x << ',' << y;
+        for (int x = 0; x < 40; ++x)
+            EXPECT_EQ(qAlpha(image.pixel(x, y)), QRect(8, 6, 20, 9).contains(x, y) ? 255 : 0) << x << ',' << y;
 }
 
 TEST(PlotScale, TicksAreRoundAndWithinTheLimits) {
-    struct Row { double low, high; int most; std::vector<const char*> labels; };
-    for (const Row& row : {Row{0, 10, 5, {"0", "2", "4", "6", "8", "10"}}, Row{-1, 1, 4, {"−1.0", "−0.5", "0.0", "0.5", "1.0"}},
-                           Row{0.1, 0.35, 5, {"0.10", "0.15", "0.20", "0.25", "0.30", "0.35"}}, Row{0, 2e7, 2, {"0", "1e+07", "2e+07"}}}) {
+    struct Row {
+        double low, high;
+        int most;
+        std::vector<const char*> labels;
+    };
+    for (const Row& row :
+         {Row{0, 10, 5, {"0", "2", "4", "6", "8", "10"}}, Row{-1, 1, 4, {"−1.0", "−0.5", "0.0", "0.5", "1.0"}},
+          Row{0.1, 0.35, 5, {"0.10", "0.15", "0.20", "0.25", "0.30", "0.35"}},
+          Row{0, 2e7, 2, {"0", "1e+07", "2e+07"}}}) {
         const auto ticks = numberTicks(row.low, row.high, row.most);
         ASSERT_EQ(ticks.size(), row.labels.size()) << row.low << ".." << row.high;
         for (size_t i = 0; i < ticks.size(); ++i) EXPECT_EQ(ticks[i].label.toStdString(), row.labels[i]);
@@ -305,11 +346,18 @@ TEST(PlotScale, TicksAreRoundAndWithinTheLimits) {
 }
 
 TEST(PlotScale, TimesReadInTheUnitOfTheirSpan) {
-    struct Row { int64_t from, to; int most; const char* unit; const char* first; const char* last; };
+    struct Row {
+        int64_t from, to;
+        int most;
+        const char* unit;
+        const char* first;
+        const char* last;
+    };
     constexpr int64_t Min = 60 * S, H = 60 * Min;
-    for (const Row& row : {Row{0, 10 * S, 5, "s", "0", "10"}, Row{1'234'567'000, 1'234'569'000, 4, "ms", "1234.5670", "1234.5690"},
-                           Row{0, 20 * Min, 4, "min:s", "0:00", "20:00"}, Row{0, 3 * H, 3, "h:min:s", "0:00:00", "3:00:00"},
-                           Row{-1 * S, 4 * S, 5, "s", "−1", "4"}, Row{0, 800, 4, "µs", "0.0", "0.8"}}) {
+    for (const Row& row :
+         {Row{0, 10 * S, 5, "s", "0", "10"}, Row{1'234'567'000, 1'234'569'000, 4, "ms", "1234.5670", "1234.5690"},
+          Row{0, 20 * Min, 4, "min:s", "0:00", "20:00"}, Row{0, 3 * H, 3, "h:min:s", "0:00:00", "3:00:00"},
+          Row{-1 * S, 4 * S, 5, "s", "−1", "4"}, Row{0, 800, 4, "µs", "0.0", "0.8"}}) {
         const TimeTicks ticks = timeTicks(row.from, row.to, 0, row.most);
         EXPECT_EQ(ticks.unit.toStdString(), row.unit) << row.to;
         ASSERT_FALSE(ticks.ticks.empty()) << row.to;
@@ -320,9 +368,19 @@ TEST(PlotScale, TimesReadInTheUnitOfTheirSpan) {
 }
 
 TEST(PlotScale, ValuesAndDurationsReadShort) {
-    for (const auto& [value, text] : {std::pair{1.5, "1.5"}, {0.0, "0"}, {-2.0, "−2"}, {123456.789, "123457"}, {0.00123456789, "0.00123457"}, {1e12, "1e+12"}})
+    for (const auto& [value, text] : {std::pair{1.5, "1.5"},
+                                      {0.0, "0"},
+                                      {-2.0, "−2"},
+                                      {123456.789, "123457"},
+                                      {0.00123456789, "0.00123457"},
+                                      {1e12, "1e+12"}})
         EXPECT_EQ(valueText(value).toStdString(), text);
-    for (const auto& [time, text] : {std::pair<int64_t, const char*>{500, "500 ns"}, {1'500, "1.5 µs"}, {12'500'000, "12.5 ms"}, {3'200'000'000, "3.2 s"}, {125 * S, "2 min 5 s"}, {-2 * Ms, "−2 ms"}})
+    for (const auto& [time, text] : {std::pair<int64_t, const char*>{500, "500 ns"},
+                                     {1'500, "1.5 µs"},
+                                     {12'500'000, "12.5 ms"},
+                                     {3'200'000'000, "3.2 s"},
+                                     {125 * S, "2 min 5 s"},
+                                     {-2 * Ms, "−2 ms"}})
         EXPECT_EQ(durationText(time).toStdString(), text);
     EXPECT_EQ(momentText(1'000'000'001).toStdString(), "1.000000001 s");
     EXPECT_EQ(frequencyText(20 * Ms).toStdString(), "50 Hz");
@@ -330,12 +388,15 @@ TEST(PlotScale, ValuesAndDurationsReadShort) {
 
 TEST(MeasureTable, GivesBothCursorsAndLeavesEmptyColumnsOut) {
     PlotModel model;
-    model.curves = {curveOf("ramp", sampled(11, 100 * Ms, [](double t) { return t * 10; }), CurveStyle::Line, 0, "bar")};
+    model.curves = {
+        curveOf("ramp", sampled(11, 100 * Ms, [](double t) { return t * 10; }), CurveStyle::Line, 0, "bar")};
     model.cursorA = 200 * Ms;
     model.cursorB = 800 * Ms;
     const MeasureTable table = measureTable(model);
     ASSERT_EQ(table.rows.size(), 1u);
-    auto cell = [&](const char* header) { return table.rows[0].cells.value(table.headers.indexOf(header)).toStdString(); };
+    auto cell = [&](const char* header) {
+        return table.rows[0].cells.value(table.headers.indexOf(header)).toStdString();
+    };
     EXPECT_EQ(cell("Channel"), "ramp [bar]");
     EXPECT_EQ(cell("At A"), "2");
     EXPECT_EQ(cell("At B"), "8");
@@ -380,7 +441,8 @@ TEST(PlotExport, CsvHasEverySampleExactly) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     writeCsv(model, 0, 40 * Ms, buffer);
-    EXPECT_EQ(buffer.data().toStdString(), "time [s],a [m],b\n0,0,\n0.01,0.1,\n0.015,0.1,\"Open, half\"\n0.02,0.2,\"Open, half\"\n0.03,0.3,-3\n0.04,0.4,-3\n");
+    EXPECT_EQ(buffer.data().toStdString(), "time [s],a [m],b\n0,0,\n0.01,0.1,\n0.015,0.1,\"Open, "
+                                           "half\"\n0.02,0.2,\"Open, half\"\n0.03,0.3,-3\n0.04,0.4,-3\n");
 }
 
 TEST(PlotExport, WritesEveryKindOfPictureAndRefusesOthers) {
@@ -404,7 +466,8 @@ TEST(PlotExport, WritesEveryKindOfPictureAndRefusesOthers) {
             keep(drawn, "svg");
             int64_t differing = 0;
             for (int y = 0; y < drawn.height(); ++y)
-                for (int x = 0; x < drawn.width(); ++x) differing += !isNear(drawn.pixelColor(x, y), pixels.pixelColor(x, y), 200);
+                for (int x = 0; x < drawn.width(); ++x)
+                    differing += !isNear(drawn.pixelColor(x, y), pixels.pixelColor(x, y), 200);
             EXPECT_LT(static_cast<double>(differing), 0.03 * drawn.width() * drawn.height());
         }
         EXPECT_LT(bytes.size(), 3'000'000) << "buckets, not samples";

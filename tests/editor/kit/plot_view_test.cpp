@@ -43,11 +43,13 @@ protected:
         return QPointF(map.xOf(time), map.yOf(value)).toPoint();
     }
     void wheel(const QPoint& point, int steps, Qt::KeyboardModifiers modifiers = {}) {
-        QWheelEvent event(point, view.mapToGlobal(point), {}, QPoint(0, 120 * steps), Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+        QWheelEvent event(point, view.mapToGlobal(point), {}, QPoint(0, 120 * steps), Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
         QApplication::sendEvent(&view, &event);
         view.grab();
     }
-    void drag(const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers modifiers = {}) {
+    void drag(const QPoint& from, const QPoint& to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers modifiers = {}) {
         QTest::mousePress(&view, button, modifiers, from);
         QMouseEvent move(QEvent::MouseMove, to, view.mapToGlobal(to), Qt::NoButton, button, modifiers);
         QApplication::sendEvent(&view, &move);

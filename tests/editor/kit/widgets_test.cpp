@@ -35,8 +35,8 @@ TEST(FuzzyMatch, PrefersWordBeginningsAndTouchingLetters) {
         const char* better;
         const char* worse;
     };
-    for (const Row& row : {Row{"sa", "Save all", "Reset task"}, Row{"so", "Step over", "Also this one"}, Row{"run", "Run", "Prune entry"},
-                           Row{"mpid", "Main.pid", "ManPowerInside.d"}}) {
+    for (const Row& row : {Row{"sa", "Save all", "Reset task"}, Row{"so", "Step over", "Also this one"},
+                           Row{"run", "Run", "Prune entry"}, Row{"mpid", "Main.pid", "ManPowerInside.d"}}) {
         const auto better = fuzzyMatch(QString(row.pattern), QString(row.better));
         const auto worse = fuzzyMatch(QString(row.pattern), QString(row.worse));
         ASSERT_TRUE(better && worse) << row.pattern;
@@ -88,9 +88,12 @@ TEST(Theme, TextCanBeReadOnItsGroundInBothThemes) {
         return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
     };
     for (const ThemeColors* c : {&lightColors(), &darkColors()}) {
-        for (const QColor& ground : {c->base, c->window, c->raised, c->alternate, c->selection}) EXPECT_GE(contrast(c->text, ground), 7);
-        for (const QColor& ink : {c->muted, c->good, c->warning, c->bad, c->online, c->forced}) EXPECT_GE(contrast(ink, c->base), 4.5) << ink.name().toStdString();
-        for (const QColor& curve : c->curves) EXPECT_GE(contrast(curve, c->plotGround), 3) << curve.name().toStdString();
+        for (const QColor& ground : {c->base, c->window, c->raised, c->alternate, c->selection})
+            EXPECT_GE(contrast(c->text, ground), 7);
+        for (const QColor& ink : {c->muted, c->good, c->warning, c->bad, c->online, c->forced})
+            EXPECT_GE(contrast(ink, c->base), 4.5) << ink.name().toStdString();
+        for (const QColor& curve : c->curves)
+            EXPECT_GE(contrast(curve, c->plotGround), 3) << curve.name().toStdString();
         EXPECT_GE(contrast(c->onAccent, c->accent), 4.5);
     }
 }
@@ -104,7 +107,8 @@ TEST(CommandPalette, TypedLettersFindAndReturnRunsTheAction) {
     QAction* dead = debug->addAction("Step out");
     dead->setEnabled(false);
     CommandPalette palette(&window);
-    QSignalSpy ranOver(over, &QAction::triggered), ranSave(save, &QAction::triggered), ranDead(dead, &QAction::triggered);
+    QSignalSpy ranOver(over, &QAction::triggered), ranSave(save, &QAction::triggered),
+        ranDead(dead, &QAction::triggered);
     window.resize(800, 600);
     window.show();
     palette.open();
@@ -264,8 +268,11 @@ namespace {
 class FewVariables : public VariableProvider {
 public:
     std::vector<VariableNode> children(const QString& path) const override {
-        if (path.isEmpty()) return {{"Main", "Main", "Main", "", Icon::Program, true}, {"GVL", "GVL", "", "", Icon::Globals, true, false}};
-        if (path == "Main") return {{"pid", "Main.pid", "FB_PID", "the loop", Icon::Block, true}, {"run", "Main.run", "BOOL", ""}};
+        if (path.isEmpty())
+            return {{"Main", "Main", "Main", "", Icon::Program, true},
+                    {"GVL", "GVL", "", "", Icon::Globals, true, false}};
+        if (path == "Main")
+            return {{"pid", "Main.pid", "FB_PID", "the loop", Icon::Block, true}, {"run", "Main.run", "BOOL", ""}};
         if (path == "Main.pid") return {{"q", "Main.pid.q", "REAL", ""}};
         if (path == "GVL") return {{"limit", "GVL.limit", "REAL", ""}};
         return {};
@@ -315,7 +322,8 @@ TEST(Canvas, ZoomKeepsThePointUnderThePointerAndExports) {
     canvas.centerOn(400, 300);
     const QPoint pointer(120, 90);
     const QPointF before = canvas.mapToScene(pointer);
-    QWheelEvent wheel(pointer, canvas.viewport()->mapToGlobal(pointer), {}, QPoint(0, 120), Qt::NoButton, Qt::ControlModifier, Qt::NoScrollPhase, false);
+    QWheelEvent wheel(pointer, canvas.viewport()->mapToGlobal(pointer), {}, QPoint(0, 120), Qt::NoButton,
+                      Qt::ControlModifier, Qt::NoScrollPhase, false);
     QApplication::sendEvent(canvas.viewport(), &wheel);
     EXPECT_NEAR(canvas.zoom(), 1.2, 1e-9);
     const QPointF after = canvas.mapToScene(pointer);

@@ -1,4 +1,5 @@
-// A recording made of functions of the scan: what a trace reads, without compiler and controller. For tests, one thread.
+// A recording made of functions of the scan: what a trace reads, without compiler and controller. For tests, one
+// thread.
 #pragma once
 
 #include "editor/trace/recording.h"
@@ -39,8 +40,9 @@ public:
                           [f](const history::ScanStamp& s) { return f(static_cast<double>(s.time.count()) / 1e9); }};
     }
     void addBool(const std::string& name, std::function<bool(double)> f) {
-        channels[name] = {ChannelType{.kind = history::ColumnKind::Bit, .isBool = true, .name = "BOOL"},
-                          [f](const history::ScanStamp& s) { return f(static_cast<double>(s.time.count()) / 1e9) ? 1.0 : 0.0; }};
+        channels[name] = {
+            ChannelType{.kind = history::ColumnKind::Bit, .isBool = true, .name = "BOOL"},
+            [f](const history::ScanStamp& s) { return f(static_cast<double>(s.time.count()) / 1e9) ? 1.0 : 0.0; }};
     }
 
     std::pair<Position, Position> extent() const override { return {oldest, scans.size()}; }
@@ -71,10 +73,12 @@ public:
         }
         return out;
     }
-    std::optional<Position> find(const std::string& text, Position from, history::History::Direction direction) const override {
+    std::optional<Position> find(const std::string& text, Position from,
+                                 history::History::Direction direction) const override {
         return seek(from, direction, [&](Position p) { return truth(text, p) && !(p > oldest && truth(text, p - 1)); });
     }
-    std::optional<Position> findChange(const std::string& text, Position from, history::History::Direction direction) const override {
+    std::optional<Position> findChange(const std::string& text, Position from,
+                                       history::History::Direction direction) const override {
         const auto& value = channels.at(text).value;
         return seek(from, direction, [&](Position p) { return p > oldest && value(scans[p]) != value(scans[p - 1]); });
     }
@@ -83,7 +87,8 @@ public:
 
 private:
     bool truth(const std::string& text, Position p) const { return channels.at(text).value(scans[p]).value_or(0) != 0; }
-    template <class Match> std::optional<Position> seek(Position from, history::History::Direction direction, Match&& match) const {
+    template <class Match>
+    std::optional<Position> seek(Position from, history::History::Direction direction, Match&& match) const {
         if (direction == history::History::Direction::Forward) {
             for (Position p = from + 1; p < scans.size(); ++p)
                 if (match(p)) return p;

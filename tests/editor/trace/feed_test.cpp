@@ -15,12 +15,16 @@ constexpr int64_t Ms = 1'000'000;
 
 class FeedTest : public ::testing::Test {
 protected:
-    FeedTest() { recording.addReal("sine", [](double t) { return std::sin(t * 20); }); }
+    FeedTest() {
+        recording.addReal("sine", [](double t) { return std::sin(t * 20); });
+    }
 
     std::vector<kit::PlotSample> all(const std::string& expression) {
         std::vector<kit::PlotSample> out;
         const auto source = feed.source(expression);
-        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) { out.insert(out.end(), block.begin(), block.end()); });
+        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+            out.insert(out.end(), block.begin(), block.end());
+        });
         return out;
     }
     FakeRecording recording;
@@ -39,7 +43,8 @@ TEST_F(FeedTest, EveryScanArrivesExactly) {
     ASSERT_EQ(samples.size(), 30'005u);
     for (size_t i = 0; i < samples.size(); ++i) {
         ASSERT_EQ(samples[i].time, static_cast<int64_t>(i) * Ms);
-        ASSERT_EQ(samples[i].value, static_cast<double>(static_cast<float>(std::sin(static_cast<double>(samples[i].time) / 1e9 * 20))));
+        ASSERT_EQ(samples[i].value,
+                  static_cast<double>(static_cast<float>(std::sin(static_cast<double>(samples[i].time) / 1e9 * 20))));
     }
 }
 
@@ -94,7 +99,8 @@ TEST_F(FeedTest, TheConditionLeavesGapsWhereItDoesNotHold) {
 }
 
 TEST_F(FeedTest, WhereThePathDidNotExistIsAGap) {
-    recording.channels["young"] = {ChannelType{}, [](const history::ScanStamp& s) { return s.scan >= 40 ? std::optional(1.0) : std::nullopt; }};
+    recording.channels["young"] = {
+        ChannelType{}, [](const history::ScanStamp& s) { return s.scan >= 40 ? std::optional(1.0) : std::nullopt; }};
     recording.run(100);
     feed.setExpressions({"young"});
     feed.pumpAll();
@@ -126,7 +132,8 @@ TEST_F(FeedTest, WhatLeftTheHistoryBeforeItWasReadIsAGap) {
 }
 
 TEST_F(FeedTest, GoingBackReplacesTheFuture) {
-    recording.channels["branch"] = {ChannelType{}, [](const history::ScanStamp& s) { return s.position >= 100 ? 2.0 : 1.0; }};
+    recording.channels["branch"] = {ChannelType{},
+                                    [](const history::ScanStamp& s) { return s.position >= 100 ? 2.0 : 1.0; }};
     recording.run(100);
     feed.setExpressions({"branch"});
     feed.pumpAll();
@@ -188,13 +195,25 @@ TriggerSetup trigger(TriggerEdge edge, TriggerMode mode, int64_t after) { return
 
 TEST(TriggerMachine, FiresAtItsEdges) {
     using V = std::vector<int64_t>;
-    struct Row { TriggerEdge edge; TriggerMode mode; int64_t after; const char* signal; V shots; };
-    for (const Row& row : {Row{TriggerEdge::Rising, TriggerMode::Single, 2, "__##__##____", {2}}, Row{TriggerEdge::Rising, TriggerMode::Repeated, 2, "__##__##____", {2, 6}},
-                           Row{TriggerEdge::Falling, TriggerMode::Repeated, 0, "__##__##__", {4, 8}}, Row{TriggerEdge::Both, TriggerMode::Repeated, 2, "_#_#_____", {1, 3}},
-                           Row{TriggerEdge::Level, TriggerMode::Repeated, 3, "__#########", {2, 5}}, Row{TriggerEdge::Rising, TriggerMode::Single, 1, "####__", {}},
-                           Row{TriggerEdge::Level, TriggerMode::Single, 1, "####__", {0}}, Row{TriggerEdge::Rising, TriggerMode::Single, 1, "_?##__", {}},
-                           Row{TriggerEdge::Rising, TriggerMode::Off, 1, "_##__", {}}, Row{TriggerEdge::Rising, TriggerMode::Single, 50, "_#___", {}}})
-        EXPECT_EQ(shots(trigger(row.edge, row.mode, row.after), row.signal), row.shots) << row.signal << " edge " << static_cast<int>(row.edge);
+    struct Row {
+        TriggerEdge edge;
+        TriggerMode mode;
+        int64_t after;
+        const char* signal;
+        V shots;
+    };
+    for (const Row& row : {Row{TriggerEdge::Rising, TriggerMode::Single, 2, "__##__##____", {2}},
+                           Row{TriggerEdge::Rising, TriggerMode::Repeated, 2, "__##__##____", {2, 6}},
+                           Row{TriggerEdge::Falling, TriggerMode::Repeated, 0, "__##__##__", {4, 8}},
+                           Row{TriggerEdge::Both, TriggerMode::Repeated, 2, "_#_#_____", {1, 3}},
+                           Row{TriggerEdge::Level, TriggerMode::Repeated, 3, "__#########", {2, 5}},
+                           Row{TriggerEdge::Rising, TriggerMode::Single, 1, "####__", {}},
+                           Row{TriggerEdge::Level, TriggerMode::Single, 1, "####__", {0}},
+                           Row{TriggerEdge::Rising, TriggerMode::Single, 1, "_?##__", {}},
+                           Row{TriggerEdge::Rising, TriggerMode::Off, 1, "_##__", {}},
+                           Row{TriggerEdge::Rising, TriggerMode::Single, 50, "_#___", {}}})
+        EXPECT_EQ(shots(trigger(row.edge, row.mode, row.after), row.signal), row.shots)
+            << row.signal << " edge " << static_cast<int>(row.edge);
 }
 
 TEST(TriggerMachine, ShowsItsStateAndCanBeArmedAgain) {

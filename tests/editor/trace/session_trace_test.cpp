@@ -1,5 +1,5 @@
-// The trace over real programs: every sample is the value at that scan's end, the window may be late, going back, an online
-// change and files keep the story straight; names complete from the compiled program.
+// The trace over real programs: every sample is the value at that scan's end, the window may be late, going back, an
+// online change and files keep the story straight; names complete from the compiled program.
 #include "editor/kit/plot_view.h"
 #include "editor/trace/program_variables.h"
 #include "editor/trace/session_recording.h"
@@ -77,7 +77,10 @@ std::vector<kit::PlotSample> samplesOf(const TraceFeed& feed, const std::string&
     std::vector<kit::PlotSample> out;
     const auto source = feed.source(expression);
     EXPECT_TRUE(source) << expression << ": " << feed.problem(expression);
-    if (source) source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) { out.insert(out.end(), block.begin(), block.end()); });
+    if (source)
+        source->visit(INT64_MIN, INT64_MAX, [&](std::span<const kit::PlotSample> block) {
+            out.insert(out.end(), block.begin(), block.end());
+        });
     return out;
 }
 
@@ -100,7 +103,8 @@ TEST(SessionTrace, EverySampleIsWhatTheProgramWroteDown) {
         feed.pump(std::chrono::milliseconds(2));
     }
     feed.pumpAll();
-    const auto level = samplesOf(feed, "Main.level"), pulse = samplesOf(feed, "Main.pulse"), phase = samplesOf(feed, "Main.phase");
+    const auto level = samplesOf(feed, "Main.level"), pulse = samplesOf(feed, "Main.pulse"),
+               phase = samplesOf(feed, "Main.phase");
     const auto twice = samplesOf(feed, "Main.level * 2.0 + 1.0");
     ASSERT_EQ(level.size(), 2000u);
     ASSERT_EQ(twice.size(), 2000u);
@@ -134,7 +138,8 @@ TEST(SessionTrace, ARunningPlcLosesNoScanWhileTheWindowIsBusy) {
         view.tick();
     }
     session.pause();
-    while (session.status().state == controller::State::Running) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (session.status().state == controller::State::Running)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     const uint64_t scans = session.status().scans;
     for (int i = 0; i < 50 && view.plot()->model().curves[1].source->countIn(0, INT64_MAX) < scans; ++i) view.tick();
     const auto source = view.plot()->model().curves[1].source;
@@ -188,12 +193,14 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
         view.tick();
     }
     session.pause();
-    while (session.status().state == controller::State::Running) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (session.status().state == controller::State::Running)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     QTest::qWait(50);
     const session::Status status = session.status();
     ASSERT_GT(status.scans, 200u);
     EXPECT_EQ(recording.statistics().scans, status.scans);
-    for (int i = 0; i < 100 && view.plot()->model().curves[0].source->countIn(0, INT64_MAX) < status.scans; ++i) view.tick();
+    for (int i = 0; i < 100 && view.plot()->model().curves[0].source->countIn(0, INT64_MAX) < status.scans; ++i)
+        view.tick();
     const auto source = view.plot()->model().curves[0].source;
     ASSERT_EQ(source->countIn(0, INT64_MAX), status.scans) << "every executed scan";
     double expected = 0;
@@ -208,7 +215,8 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
         if (mark.kind == static_cast<int>(controller::EventKind::SkippedScans)) marked += std::stoull(mark.text);
     EXPECT_EQ(marked, status.skippedScans);
     bool shown = false;
-    for (const kit::PlotMarker& marker : view.plot()->model().markers) shown = shown || (marker.kind == kit::MarkerKind::SkippedScans && marker.text.contains("skipped"));
+    for (const kit::PlotMarker& marker : view.plot()->model().markers)
+        shown = shown || (marker.kind == kit::MarkerKind::SkippedScans && marker.text.contains("skipped"));
     EXPECT_TRUE(shown);
     view.setRecording(nullptr);
 }
@@ -230,14 +238,16 @@ END_PROGRAM
     runScans(session, 2);
     const auto text = renderTrace(recording, out);
     ASSERT_TRUE(text) << text.error().message;
-    for (const char* exact : {"9007199254740995", "9007199254740999", "18446744073709551615", "17280000000.000002", "2000000002", "2026-01-02-03:04:05"})
+    for (const char* exact : {"9007199254740995", "9007199254740999", "18446744073709551615", "17280000000.000002",
+                              "2000000002", "2026-01-02-03:04:05"})
         EXPECT_NE(text->find(exact), std::string::npos) << exact << "\n" << *text;
     EXPECT_NE(text->find("−18446744073709551614"), std::string::npos) << "the difference over the turn\n" << *text;
     QFile csv(out.csv);
     ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
     const QList<QByteArray> lines = csv.readAll().split('\n');
     ASSERT_GE(lines.size(), 4);
-    EXPECT_TRUE(lines[1].contains(",9007199254740995,18446744073709551615,17280000000.000002,2000000002,")) << lines[1].constData();
+    EXPECT_TRUE(lines[1].contains(",9007199254740995,18446744073709551615,17280000000.000002,2000000002,"))
+        << lines[1].constData();
     EXPECT_TRUE(lines[3].contains(",9007199254740999,1,17280000000.000004,2000000004,")) << lines[3].constData();
 }
 
@@ -262,7 +272,8 @@ TEST(SessionTrace, GoingBackShowsTheNewBranch) {
     runScans(session, 300);
     feed.pumpAll();
     ASSERT_TRUE(session.resumeFrom(99));
-    ASSERT_TRUE(session.controller().write("Main.n", types::Value{session.program()->layout.find("Main.n")->type, int64_t(5000)}));
+    ASSERT_TRUE(session.controller().write(
+        "Main.n", types::Value{session.program()->layout.find("Main.n")->type, int64_t(5000)}));
     runScans(session, 50);
     feed.pumpAll();
     const auto n = samplesOf(feed, "Main.n");
@@ -312,8 +323,10 @@ TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
         feed->setExpressions({"Main.level", "Main.phase", "Main.pulse AND Main.n > 100"});
         feed->pumpAll();
     }
-    for (const char* expression : {"Main.level", "Main.phase", "Main.pulse AND Main.n > 100"}) EXPECT_EQ(samplesOf(a, expression), samplesOf(b, expression)) << expression;
-    EXPECT_EQ(live.find("Main.n = 123", 0, history::History::Direction::Forward), (*opened)->find("Main.n = 123", 0, history::History::Direction::Forward));
+    for (const char* expression : {"Main.level", "Main.phase", "Main.pulse AND Main.n > 100"})
+        EXPECT_EQ(samplesOf(a, expression), samplesOf(b, expression)) << expression;
+    EXPECT_EQ(live.find("Main.n = 123", 0, history::History::Direction::Forward),
+              (*opened)->find("Main.n = 123", 0, history::History::Direction::Forward));
     EXPECT_FALSE((*opened)->typeOf("Main.nothing"));
     EXPECT_FALSE(FileRecording::open(folder.filePath("missing.rec").toStdString()));
 

@@ -19,7 +19,12 @@ TraceSetup full() {
     s.hasTable = true;
     s.cursorA = 1'250'000'000;
     s.trigger = {"Main.run", TriggerEdge::Falling, TriggerMode::Single, 500'000'000, 2'000'000'000, {}};
-    s.charts = {ChartSetup{"Upper", 2, {AxisSetup{"Temperature", "°C", ScaleMode::Fixed, -10, 120.5, false, {}}, AxisSetup{"", "%", ScaleMode::Fit, 0, 100, true, {}}}, {}}, ChartSetup{}};
+    s.charts = {ChartSetup{"Upper",
+                           2,
+                           {AxisSetup{"Temperature", "°C", ScaleMode::Fixed, -10, 120.5, false, {}},
+                            AxisSetup{"", "%", ScaleMode::Fit, 0, 100, true, {}}},
+                           {}},
+                ChartSetup{}};
     s.channels[0].axis = 1;
     s.channels[0].color = "#c2255c";
     s.channels[0].style = ChannelStyle::Line;
@@ -96,11 +101,16 @@ TEST(TraceSetup, NumbersAreShort) {
 }
 
 TEST(TraceSetup, RefusesWhatDoesNotFitAndNamesThePlace) {
-    struct Row { const char* text; const char* part; };
-    for (const Row& row : {Row{"{", "not JSON"}, Row{"[]", "object"}, Row{R"({"channels": [{"chart": 1}]})", "channels[0]: \"expression\""},
-                           Row{R"({"channels": [{"expression": "a", "style": "dotted"}]})", "one of automatic, line, hold, digital"},
-                           Row{R"({"span": "long"})", "\"span\""}, Row{R"({"version": 99})", "newer"}, Row{R"({"charts": 5})", "\"charts\" must be a list"},
-                           Row{R"({"every": 0})", "\"every\""}}) {
+    struct Row {
+        const char* text;
+        const char* part;
+    };
+    for (const Row& row :
+         {Row{"{", "not JSON"}, Row{"[]", "object"},
+          Row{R"({"channels": [{"chart": 1}]})", "channels[0]: \"expression\""},
+          Row{R"({"channels": [{"expression": "a", "style": "dotted"}]})", "one of automatic, line, hold, digital"},
+          Row{R"({"span": "long"})", "\"span\""}, Row{R"({"version": 99})", "newer"},
+          Row{R"({"charts": 5})", "\"charts\" must be a list"}, Row{R"({"every": 0})", "\"every\""}}) {
         const auto setup = readSetup(row.text, "file");
         ASSERT_FALSE(setup) << row.text;
         EXPECT_NE(setup.error().message.find(row.part), std::string::npos) << setup.error().message;

@@ -195,13 +195,15 @@ TEST_F(TraceViewTest, MarksOfTheRecordingAreShown) {
     type("Main.sine");
     using plc::controller::EventKind;
     recording.markList.push_back({0, history::Nanoseconds(0), static_cast<int>(EventKind::Started), "started"});
-    recording.markList.push_back({500, history::Nanoseconds(500 * Ms), static_cast<int>(EventKind::Force), "valve forced"});
+    recording.markList.push_back(
+        {500, history::Nanoseconds(500 * Ms), static_cast<int>(EventKind::Force), "valve forced"});
     recording.markList.push_back({600, history::Nanoseconds(600 * Ms), static_cast<int>(EventKind::Write), "button"});
     view.tick();
     ASSERT_EQ(view.plot()->model().markers.size(), 1u) << "writes would bury the rest";
     EXPECT_EQ(view.plot()->model().markers[0].kind, kit::MarkerKind::Force);
     recording.goBackTo(300);
-    recording.markList.push_back({1000, history::Nanoseconds(301 * Ms), static_cast<int>(EventKind::WentBack), "went back"});
+    recording.markList.push_back(
+        {1000, history::Nanoseconds(301 * Ms), static_cast<int>(EventKind::WentBack), "went back"});
     runFor(5);
     ASSERT_EQ(view.plot()->model().markers.size(), 1u) << "the abandoned future's marks have left";
     EXPECT_EQ(view.plot()->model().markers[0].kind, kit::MarkerKind::Branch);
@@ -265,8 +267,10 @@ TEST_F(TraceViewTest, DoubleClickActivatesThatScan) {
     view.plot()->setRange(0, 1 * S);
     view.grab();
     QSignalSpy activated(&view, &TraceView::positionActivated);
-    const kit::PlotMapping map = view.plot()->renderer().mapping(view.plot()->model(), view.plot()->renderer().panes()[0]);
-    QTest::mouseDClick(view.plot(), Qt::LeftButton, {}, QPoint(static_cast<int>(map.xOf(400 * Ms)), static_cast<int>(map.area.center().y())));
+    const kit::PlotMapping map =
+        view.plot()->renderer().mapping(view.plot()->model(), view.plot()->renderer().panes()[0]);
+    QTest::mouseDClick(view.plot(), Qt::LeftButton, {},
+                       QPoint(static_cast<int>(map.xOf(400 * Ms)), static_cast<int>(map.area.center().y())));
     ASSERT_EQ(activated.count(), 1);
     EXPECT_NEAR(static_cast<double>(activated[0][0].toULongLong()), 400, 3);
     view.showPosition(400);
@@ -307,7 +311,8 @@ protected:
         slider.resize(900, 36);
         slider.setRecording(&recording);
         slider.show();
-        QObject::connect(&slider, &TimeSlider::positionChanged, [this](std::optional<Position> p) { told.push_back(p); });
+        QObject::connect(&slider, &TimeSlider::positionChanged,
+                         [this](std::optional<Position> p) { told.push_back(p); });
     }
     FakeRecording recording;
     TimeSlider slider;
@@ -333,7 +338,8 @@ TEST_F(TimeSliderTest, KeysStepByScanAndEndGoesLive) {
 
 TEST_F(TimeSliderTest, ClickingTheBarGoesToThatTime) {
     TimeBar* bar = slider.bar();
-    QTest::mouseClick(bar, Qt::LeftButton, {}, QPoint(static_cast<int>(std::lround(bar->xOf(500 * Ms))), bar->height() / 2));
+    QTest::mouseClick(bar, Qt::LeftButton, {},
+                      QPoint(static_cast<int>(std::lround(bar->xOf(500 * Ms))), bar->height() / 2));
     ASSERT_TRUE(slider.position());
     EXPECT_NEAR(static_cast<double>(*slider.position()), 500, 3);
     EXPECT_TRUE(slider.positionText().contains("scan"));
@@ -390,7 +396,8 @@ TEST_F(TimeSliderTest, ResumeNamesThePosition) {
 }
 
 TEST_F(TimeSliderTest, PictureOfTheSlider) {
-    recording.markList.push_back({300, history::Nanoseconds(300 * Ms), static_cast<int>(plc::controller::EventKind::Force), "forced"});
+    recording.markList.push_back(
+        {300, history::Nanoseconds(300 * Ms), static_cast<int>(plc::controller::EventKind::Force), "forced"});
     recording.oldest = 150;
     recording.goBackTo(600);
     recording.run(200);

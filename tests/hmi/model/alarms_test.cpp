@@ -16,12 +16,15 @@ AlarmFile file() {
       "alarms": [
         {"id": "12004", "condition": "Motor.overload", "class": "fault", "priority": 1, "text": "@load", "values": {"i": "Motor.current"}, "onDelay": 2, "offDelay": 1},
         {"id": "door", "condition": "Door.open", "class": "hint", "priority": 3, "text": "@door", "acknowledge": false}
-      ]})", QStringLiteral("alarms.json"));
+      ]})",
+                                                QStringLiteral("alarms.json"));
     EXPECT_TRUE(parsed);
     return *parsed;
 }
 
-AlarmInstant at(int seconds) { return {static_cast<quint64>(seconds), static_cast<quint64>(seconds), Nanoseconds(seconds * 1s)}; }
+AlarmInstant at(int seconds) {
+    return {static_cast<quint64>(seconds), static_cast<quint64>(seconds), Nanoseconds(seconds * 1s)};
+}
 
 struct AlarmRun {
     AlarmBook book;
@@ -29,7 +32,8 @@ struct AlarmRun {
     void step(int second, Condition overload, Condition door = Condition::False) {
         const Condition conditions[] = {overload, door};
         book.step(at(second), conditions, [&](size_t, const AlarmInstant& when) {
-            return std::vector<std::pair<QString, Value>>{{QStringLiteral("i"), Value::ofReal(static_cast<double>(when.scan) + 0.5)}};
+            return std::vector<std::pair<QString, Value>>{
+                {QStringLiteral("i"), Value::ofReal(static_cast<double>(when.scan) + 0.5)}};
         });
     }
     AlarmState state() const { return book.lifeCycle().state(0); }
@@ -44,12 +48,24 @@ TEST(AlarmLife, GoesThroughDelaysReturnAndAcknowledgement) {
         bool acknowledge;
         AlarmState expected;
     } rows[] = {
-        {0, on, false, AlarmState::Normal},          {1, off, false, AlarmState::Normal},         {2, on, false, AlarmState::Normal},
-        {3, on, false, AlarmState::Normal},          {4, on, false, AlarmState::Unacknowledged},  {5, off, false, AlarmState::Unacknowledged},
-        {6, off, false, AlarmState::Returned},       {7, off, true, AlarmState::Normal},          {8, on, false, AlarmState::Normal},
-        {10, on, true, AlarmState::Acknowledged},    {11, Condition::Unknown, false, AlarmState::Acknowledged}, {12, off, false, AlarmState::Acknowledged},
-        {13, off, false, AlarmState::Normal},        {14, on, false, AlarmState::Normal},         {16, on, false, AlarmState::Unacknowledged},
-        {17, off, false, AlarmState::Unacknowledged}, {18, off, false, AlarmState::Returned},     {19, on, false, AlarmState::Returned},
+        {0, on, false, AlarmState::Normal},
+        {1, off, false, AlarmState::Normal},
+        {2, on, false, AlarmState::Normal},
+        {3, on, false, AlarmState::Normal},
+        {4, on, false, AlarmState::Unacknowledged},
+        {5, off, false, AlarmState::Unacknowledged},
+        {6, off, false, AlarmState::Returned},
+        {7, off, true, AlarmState::Normal},
+        {8, on, false, AlarmState::Normal},
+        {10, on, true, AlarmState::Acknowledged},
+        {11, Condition::Unknown, false, AlarmState::Acknowledged},
+        {12, off, false, AlarmState::Acknowledged},
+        {13, off, false, AlarmState::Normal},
+        {14, on, false, AlarmState::Normal},
+        {16, on, false, AlarmState::Unacknowledged},
+        {17, off, false, AlarmState::Unacknowledged},
+        {18, off, false, AlarmState::Returned},
+        {19, on, false, AlarmState::Returned},
         {21, on, false, AlarmState::Unacknowledged},
     };
     for (const auto& row : rows) {
@@ -100,19 +116,30 @@ TEST(AlarmBook, PastEntriesFollowTheLanguageBecauseOnlyValuesAreStored) {
     EXPECT_EQ(past[0].returned->scan, 5u);
     LanguageSettings settings;
     settings.languages = QStringList{"en", "da"};
-    const TextCatalog texts(*TextTable::parse("key,comment,en,da\nload,,Overload at {i:%.1f} A,\"Overbelastet ved {i:%.1f} A\"\n", QString()), settings);
+    const TextCatalog texts(
+        *TextTable::parse("key,comment,en,da\nload,,Overload at {i:%.1f} A,\"Overbelastet ved {i:%.1f} A\"\n",
+                          QString()),
+        settings);
     EXPECT_EQ(AlarmBook::render(past[0], texts, QStringLiteral("en")).toStdString(), "Overload at 2.5 A");
     EXPECT_EQ(AlarmBook::render(past[0], texts, QStringLiteral("da")).toStdString(), "Overbelastet ved 2,5 A");
 }
 
 TEST(AlarmStore, KeepsKindTimeAndValuesOnDisk) {
-    const QString path = QDir::tempPath() + QStringLiteral("/stepwise_alarm_test_%1.sqlite").arg(QCoreApplication::applicationPid());
+    const QString path =
+        QDir::tempPath() + QStringLiteral("/stepwise_alarm_test_%1.sqlite").arg(QCoreApplication::applicationPid());
     QFile::remove(path);
     {
         AlarmStore store;
         ASSERT_TRUE(store.open(path));
-        const AlarmRecord records[] = {{0, QStringLiteral("a"), AlarmEventKind::Raised, at(1), 7, {{QStringLiteral("x"), Value::ofReal(0.1)}, {QStringLiteral("t"), Value::ofInstant(ValueKind::Time, 5)}}, {}},
-                                       {0, QStringLiteral("a"), AlarmEventKind::Acknowledged, at(2), 8, {}, QStringLiteral("operator")}};
+        const AlarmRecord records[] = {
+            {0,
+             QStringLiteral("a"),
+             AlarmEventKind::Raised,
+             at(1),
+             7,
+             {{QStringLiteral("x"), Value::ofReal(0.1)}, {QStringLiteral("t"), Value::ofInstant(ValueKind::Time, 5)}},
+             {}},
+            {0, QStringLiteral("a"), AlarmEventKind::Acknowledged, at(2), 8, {}, QStringLiteral("operator")}};
         ASSERT_TRUE(store.append(records));
     }
     AlarmStore store;
@@ -129,7 +156,8 @@ TEST(AlarmStore, KeepsKindTimeAndValuesOnDisk) {
 }
 
 TEST(AlarmFile, LoadingAndSavingChangesNoByte) {
-    const std::string text = "{\n  \"version\": 1,\n  \"classes\": [\n    {\n      \"name\": \"fault\"\n    }\n  ],\n  \"alarms\": [\n    {\n      \"id\": \"a\",\n      \"condition\": \"x\",\n"
+    const std::string text = "{\n  \"version\": 1,\n  \"classes\": [\n    {\n      \"name\": \"fault\"\n    }\n  ],\n  "
+                             "\"alarms\": [\n    {\n      \"id\": \"a\",\n      \"condition\": \"x\",\n"
                              "      \"note\": [1]\n    }\n  ],\n  \"later\": true\n}\n";
     Result<AlarmFile> parsed = AlarmFile::parse(text, QString());
     ASSERT_TRUE(parsed);

@@ -56,16 +56,19 @@ Panel parsed(const std::string& text) {
 TEST(PanelFile, LoadingAndSavingChangesNoByteAndKeepsWhatItDoesNotKnow) { EXPECT_EQ(parsed(kFile).write(), kFile); }
 
 TEST(PanelFile, WritesWholeNumbersWithoutFractionAndKnownFieldsInOrder) {
-    const std::string text = parsed(R"({"elements":[{"kind":"lamp","rect":[1.0,2.50,3,4e0],"id":"a","extra":1}],"title":"x"})").write();
-    EXPECT_EQ(text, "{\n  \"title\": \"x\",\n  \"elements\": [\n    {\n      \"id\": \"a\",\n      \"extra\": 1,\n      \"kind\": \"lamp\",\n"
+    const std::string text =
+        parsed(R"({"elements":[{"kind":"lamp","rect":[1.0,2.50,3,4e0],"id":"a","extra":1}],"title":"x"})").write();
+    EXPECT_EQ(text, "{\n  \"title\": \"x\",\n  \"elements\": [\n    {\n      \"id\": \"a\",\n      \"extra\": 1,\n     "
+                    " \"kind\": \"lamp\",\n"
                     "      \"rect\": [1, 2.5, 3, 4]\n    }\n  ]\n}\n");
     EXPECT_EQ(parsed(text).write(), text);
 }
 
 TEST(PanelFile, RefusesWhatIsNoPanelWithAReason) {
-    for (const auto& [text, word] : {std::pair{"{\n\n  broken", "JSON"}, std::pair{"[]", "object"}, std::pair{R"({"version": 2})", "newer"},
-                                     std::pair{R"({"elements": {}})", "list"}, std::pair{R"({"elements": [1]})", "Element 1"},
-                                     std::pair{R"({"elements": [{"id":"a"},{"id":"a"}]})", "\"a\""}}) {
+    for (const auto& [text, word] :
+         {std::pair{"{\n\n  broken", "JSON"}, std::pair{"[]", "object"}, std::pair{R"({"version": 2})", "newer"},
+          std::pair{R"({"elements": {}})", "list"}, std::pair{R"({"elements": [1]})", "Element 1"},
+          std::pair{R"({"elements": [{"id":"a"},{"id":"a"}]})", "\"a\""}}) {
         const Result<Panel> panel = Panel::parse(text, QStringLiteral("p.panel.json"));
         ASSERT_FALSE(panel) << text;
         EXPECT_NE(panel.error().message.find(word), std::string::npos) << panel.error().message;
@@ -84,10 +87,15 @@ TEST(ElementTable, GivesEveryKindATitleASizeAndItsOwnKey) {
         EXPECT_GT(one.properties.size(), descriptorOf(ElementKind::Unknown).properties.size() - 1) << one.key;
         QSet<QString> names;
         for (const PropertyDescriptor& property : one.properties) {
-            EXPECT_FALSE(names.contains(QString::fromStdString(std::string(property.key)))) << one.key << '.' << property.key;
+            EXPECT_FALSE(names.contains(QString::fromStdString(std::string(property.key))))
+                << one.key << '.' << property.key;
             names += QString::fromStdString(std::string(property.key));
-            if (property.type == PropertyType::Records) { EXPECT_FALSE(recordFields(property.hint).empty()) << property.key; }
-            if (property.type == PropertyType::Choice) { EXPECT_GT(property.choices().size(), 1u) << property.key; }
+            if (property.type == PropertyType::Records) {
+                EXPECT_FALSE(recordFields(property.hint).empty()) << property.key;
+            }
+            if (property.type == PropertyType::Choice) {
+                EXPECT_GT(property.choices().size(), 1u) << property.key;
+            }
         }
     }
     EXPECT_GE(keys.size(), 43);
@@ -105,23 +113,42 @@ TEST(PanelEdit, TwoHundredRandomEditsUndoneGiveTheFirstFileByteForByte) {
             switch (pick(7)) {
             case 0: {
                 const ElementDescriptor& kind = elementDescriptors()[pick(elementDescriptors().size())];
-                const Element element = Element::make(kind.kind, panel.freeId(kind.key), QRectF(QPointF(double(pick(700)), double(pick(400))), kind.size));
-                document.perform(QStringLiteral("insert"), {InsertElement{static_cast<int>(pick(elements.size() + 1)), element.fields()}});
+                const Element element = Element::make(kind.kind, panel.freeId(kind.key),
+                                                      QRectF(QPointF(double(pick(700)), double(pick(400))), kind.size));
+                document.perform(QStringLiteral("insert"),
+                                 {InsertElement{static_cast<int>(pick(elements.size() + 1)), element.fields()}});
                 break;
             }
-            case 1: if (elements.size() > 2) document.perform(QStringLiteral("remove"), removeElements(panel, {some})); break;
-            case 2: document.perform(QStringLiteral("move"), moveBy(panel, {some}, QPointF(double(pick(40)), 3)), pick(2) ? 5 : 0); break;
-            case 3: if (!some.isEmpty()) document.perform(QStringLiteral("order"), {MoveElement{some, static_cast<int>(pick(elements.size()))}}); break;
+            case 1:
+                if (elements.size() > 2) document.perform(QStringLiteral("remove"), removeElements(panel, {some}));
+                break;
+            case 2:
+                document.perform(QStringLiteral("move"), moveBy(panel, {some}, QPointF(double(pick(40)), 3)),
+                                 pick(2) ? 5 : 0);
+                break;
+            case 3:
+                if (!some.isEmpty())
+                    document.perform(QStringLiteral("order"),
+                                     {MoveElement{some, static_cast<int>(pick(elements.size()))}});
+                break;
             case 4:
                 if (const Element* element = panel.find(some)) {
-                    const PropertyDescriptor& property = element->descriptor().properties[pick(element->descriptor().properties.size() - 2) + 2];
-                    const Json values[] = {property.fallback, Json("text"), Json(double(pick(100)) / 8), Json(true), Json::array({1, 2.0})};
+                    const PropertyDescriptor& property =
+                        element->descriptor().properties[pick(element->descriptor().properties.size() - 2) + 2];
+                    const Json values[] = {property.fallback, Json("text"), Json(double(pick(100)) / 8), Json(true),
+                                           Json::array({1, 2.0})};
                     document.perform(QStringLiteral("set"), setProperty(panel, some, property.key, values[pick(5)]));
-                    if (pick(8) == 0) document.perform(QStringLiteral("unknown"), {SetField{some, "future", Json(int(pick(9))), {}}});
+                    if (pick(8) == 0)
+                        document.perform(QStringLiteral("unknown"), {SetField{some, "future", Json(int(pick(9))), {}}});
                 }
                 break;
-            case 5: document.perform(QStringLiteral("resize"), resizeTo(panel, some, QRectF(0, 0, 10 + double(pick(300)), 10 + double(pick(300))))); break;
-            case 6: document.perform(QStringLiteral("panel"), setProperty(panel, {}, "theme", pick(2) ? "dark" : "light")); break;
+            case 5:
+                document.perform(QStringLiteral("resize"),
+                                 resizeTo(panel, some, QRectF(0, 0, 10 + double(pick(300)), 10 + double(pick(300)))));
+                break;
+            case 6:
+                document.perform(QStringLiteral("panel"), setProperty(panel, {}, "theme", pick(2) ? "dark" : "light"));
+                break;
             }
         }
         const std::string last = document.panel().write();
@@ -136,7 +163,9 @@ TEST(PanelEdit, TwoHundredRandomEditsUndoneGiveTheFirstFileByteForByte) {
 TEST(PanelEdit, ADragOfManyStepsIsOneUndoStep) {
     PanelDocument document(parsed(kFile));
     const int gesture = document.newGesture();
-    for (int i = 0; i < 10; ++i) document.perform(QStringLiteral("drag"), moveBy(document.panel(), {QStringLiteral("group1")}, QPointF(5, 1)), gesture);
+    for (int i = 0; i < 10; ++i)
+        document.perform(QStringLiteral("drag"), moveBy(document.panel(), {QStringLiteral("group1")}, QPointF(5, 1)),
+                         gesture);
     EXPECT_EQ(document.panel().find(QStringLiteral("lamp1"))->rect().x(), 66);
     EXPECT_EQ(document.undoStack().count(), 1);
     document.undoStack().undo();
@@ -162,7 +191,9 @@ TEST(PanelWalk, FindsEveryBindingAndTextAlsoInRecords) {
     EXPECT_EQ(texts.join(u' ').toStdString(), "@main.start");
     Panel changed = panel;
     const Edit edit = rewrite(panel, [](const ElementId&, const Found& found) -> std::optional<QString> {
-        return found.text.startsWith(QStringLiteral("Main.")) ? std::optional(QStringLiteral("Plant.") + found.text.mid(5)) : std::nullopt;
+        return found.text.startsWith(QStringLiteral("Main."))
+                   ? std::optional(QStringLiteral("Plant.") + found.text.mid(5))
+                   : std::nullopt;
     });
     const Edit inverse = applyTo(changed, edit);
     EXPECT_EQ(toQString(changed.find(QStringLiteral("button1"))->at("when")[0]["if"]).toStdString(), "Plant.fault");

@@ -15,22 +15,27 @@ TextTable table(const std::string& bytes) {
 
 const std::string kCsv = "\xEF\xBB\xBFkey,comment,en,da,ar,zh-CN\r\n"
                          "start,,Start,Start,\xD8\xA8\xD8\xAF\xD8\xA1,\xE5\x90\xAF\xE5\x8A\xA8\r\n"
-                         "temp,\"live, value\",\"{temp:%.1f} \xC2\xB0""C \"\"hot\"\"\",{temp:%.1f} grader,,\r\n"
+                         "temp,\"live, value\",\"{temp:%.1f} \xC2\xB0"
+                         "C \"\"hot\"\"\",{temp:%.1f} grader,,\r\n"
                          "State.0,,Idle,Klar,,\r\n"
                          "State.1,,\"Two\nlines\",,,\r\n";
 
 TEST(TextCsv, LoadingAndSavingChangesNoByte) { EXPECT_EQ(table(kCsv).write(), kCsv); }
 
 TEST(TextCsv, ReadsSemicolonsAndTabsWithOrWithoutBom) {
-    for (const char* text : {"key;comment;en\na;;x, y\n", "key\tcomment\ten\r\na\t\tx, y", "\xEF\xBB\xBFkey,comment,en\ra,,\"x, y\""})
+    for (const char* text :
+         {"key;comment;en\na;;x, y\n", "key\tcomment\ten\r\na\t\tx, y", "\xEF\xBB\xBFkey,comment,en\ra,,\"x, y\""})
         EXPECT_EQ(table(text).text(QStringLiteral("a"), QStringLiteral("en")).toStdString(), "x, y") << text;
 }
 
 TEST(TextCsv, RefusesWithTheLine) {
-    for (const auto& [text, place] : {std::pair{"key,comment,en\na,,b\nc,,\xFFz\n", "texts.csv:3"}, std::pair{"key,comment,en\na,,\"b\nc,,d\n", "texts.csv:2"},
-                                      std::pair{"key,comment,en\na,,\"b\"c\n", "texts.csv:2"}, std::pair{"key,comment,en\na,,b\na,,c\n", "texts.csv:3"},
-                                      std::pair{"name,text\na,b\n", "texts.csv:1"}, std::pair{"key,comment,en\na,,b,c\n", "texts.csv:2"},
-                                      std::pair{"key,comment,en\n\"a\n\nb\",,1\n,,c\n", "texts.csv:5"}}) {
+    for (const auto& [text, place] :
+         {std::pair{"key,comment,en\na,,b\nc,,\xFFz\n", "texts.csv:3"},
+          std::pair{"key,comment,en\na,,\"b\nc,,d\n", "texts.csv:2"},
+          std::pair{"key,comment,en\na,,\"b\"c\n", "texts.csv:2"},
+          std::pair{"key,comment,en\na,,b\na,,c\n", "texts.csv:3"}, std::pair{"name,text\na,b\n", "texts.csv:1"},
+          std::pair{"key,comment,en\na,,b,c\n", "texts.csv:2"},
+          std::pair{"key,comment,en\n\"a\n\nb\",,1\n,,c\n", "texts.csv:5"}}) {
         const Result<TextTable> parsed = TextTable::parse(text, QStringLiteral("texts.csv"));
         ASSERT_FALSE(parsed) << text;
         EXPECT_EQ(parsed.error().place, place);
@@ -42,7 +47,9 @@ TEST(TextCatalog, AsksTheLanguageItsParentAndTheFallbackChain) {
     settings.languages = QStringList{"en", "da", "zh-CN", "de-AT"};
     settings.fallback = QStringList{"da"};
     const TextCatalog catalog(table("key,comment,en,da,de\na,,A,B,C\nb,,A,B,\nc,,A,,\nd,,,,\n"), settings);
-    const auto text = [&](const char* key, const char* tag) { return catalog.text(QLatin1String(key), QLatin1String(tag)).toStdString(); };
+    const auto text = [&](const char* key, const char* tag) {
+        return catalog.text(QLatin1String(key), QLatin1String(tag)).toStdString();
+    };
     EXPECT_EQ(text("@a", "de-AT"), "C");
     EXPECT_EQ(text("@b", "de-AT"), "B");
     EXPECT_EQ(text("@c", "de-AT"), "A");
@@ -56,7 +63,9 @@ TEST(TextCatalog, FillsPlaceholdersAsTheLanguageWritesNumbers) {
     LanguageSettings settings;
     settings.languages = QStringList{"en", "da"};
     const TextCatalog catalog(table(kCsv), settings);
-    const auto value = [](const QString& name) { return name == QStringLiteral("temp") ? Value::ofReal(21.26) : Value(); };
+    const auto value = [](const QString& name) {
+        return name == QStringLiteral("temp") ? Value::ofReal(21.26) : Value();
+    };
     EXPECT_EQ(catalog.fill(QStringLiteral("@temp"), QStringLiteral("en"), value).toStdString(), "21.3 °C \"hot\"");
     EXPECT_EQ(catalog.fill(QStringLiteral("@temp"), QStringLiteral("da"), value).toStdString(), "21,3 grader");
     EXPECT_EQ(catalog.fill(QStringLiteral("{{x}} {temp}"), QStringLiteral("en"), value).toStdString(), "{x} 21.26");
@@ -88,7 +97,9 @@ TEST(TextFormat, KnowsPrintfAndTheFormOfTheBook) {
         {Value::none({}), "%d", "en", "– –"},
     };
     for (const auto& row : rows)
-        EXPECT_EQ(formatValue(row.value, QString::fromUtf8(row.format), localeOf(QLatin1String(row.tag))).toStdString(), row.shown) << row.format;
+        EXPECT_EQ(formatValue(row.value, QString::fromUtf8(row.format), localeOf(QLatin1String(row.tag))).toStdString(),
+                  row.shown)
+            << row.format;
 }
 
 TEST(TextFormat, DatesFollowTheLanguage) {
@@ -101,7 +112,8 @@ TEST(TextFormat, DatesFollowTheLanguage) {
 }
 
 TEST(Language, UnitsFollowTheLanguageAndBack) {
-    const LanguageSettings settings = LanguageSettings::fromJson(Json::parse(R"({"languages":["en-US","da"],"units":{"en-US":{"°C":"°F"}}})"));
+    const LanguageSettings settings =
+        LanguageSettings::fromJson(Json::parse(R"({"languages":["en-US","da"],"units":{"en-US":{"°C":"°F"}}})"));
     const UnitView view = settings.unitFor(QStringLiteral("en-US"), QStringLiteral("°C"));
     EXPECT_EQ(view.unit.toStdString(), "°F");
     EXPECT_DOUBLE_EQ(view.shown(100), 212);
@@ -120,7 +132,9 @@ TEST(Language, TheVariableIsAPositionOrATag) {
 }
 
 TEST(Language, TheTextsOfThePanelItselfFollowTheLanguageAndTheTable) {
-    const auto said = [](const TextCatalog& texts, const char* tag) { return systemText(texts, SystemText::Cancel, QLatin1String(tag)).toStdString(); };
+    const auto said = [](const TextCatalog& texts, const char* tag) {
+        return systemText(texts, SystemText::Cancel, QLatin1String(tag)).toStdString();
+    };
     LanguageSettings settings;
     settings.languages = QStringList{"de-AT", "da", "pl", "ar"};
     TextCatalog texts(TextTable(), settings);
@@ -146,7 +160,8 @@ TEST(Language, PseudoTextIsLongerAccentedAndKeepsPlaceholders) {
 
 TEST(TextTable, GivesATypedTextItsKey) {
     TextTable texts = table("key,comment,en\nmain.start_pump,,Start pump\n");
-    EXPECT_EQ(texts.newKeyFor(QStringLiteral("main"), QStringLiteral("Start pump!")).toStdString(), "main.start_pump_2");
+    EXPECT_EQ(texts.newKeyFor(QStringLiteral("main"), QStringLiteral("Start pump!")).toStdString(),
+              "main.start_pump_2");
     EXPECT_EQ(texts.keyOfText(QStringLiteral("en"), QStringLiteral("Start pump")).toStdString(), "main.start_pump");
     EXPECT_EQ(texts.newKeyFor(QStringLiteral("main"), QStringLiteral("{t:%.1f} °C")).toStdString(), "main.c");
     EXPECT_TRUE(texts.renameKey(QStringLiteral("main.start_pump"), QStringLiteral("pump.start")));

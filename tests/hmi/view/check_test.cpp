@@ -35,43 +35,59 @@ TEST(PanelCheck, EachRuleHasAProjectThatBreaksIt) {
     } rows[] = {
         {"good", R"({"id":"a","kind":"text","rect":[0,0,200,40],"text":"@k"})", "k,,Hello,Hallo\n", ""},
         {"missing key", R"({"id":"a","kind":"text","rect":[0,0,200,40],"text":"@gone"})", "", "H1001"},
-        {"missing translation", R"({"id":"a","kind":"text","rect":[0,0,200,40],"text":"@k"})", "k,,Hello,\n", "H1002/de"},
+        {"missing translation", R"({"id":"a","kind":"text","rect":[0,0,200,40],"text":"@k"})", "k,,Hello,\n",
+         "H1002/de"},
         {"orphan key", "", "k,,Hello,Hallo\n", "H1003"},
-        {"placeholders differ", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"@k","values":{"t":"x"}})", "k,,T {t},T\n", "H1004/de"},
-        {"value missing", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"@k"})", "k,,T {t},T {t}\n", "H1005/de H1005/en"},
+        {"placeholders differ", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"@k","values":{"t":"x"}})",
+         "k,,T {t},T\n", "H1004/de"},
+        {"value missing", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"@k"})", "k,,T {t},T {t}\n",
+         "H1005/de H1005/en"},
         {"open brace", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"@k"})", "k,,T {t,T\n", "H1006/en"},
-        {"too long", R"({"id":"a","kind":"button","rect":[0,0,100,50],"text":"@k"})", "k,,Stop,Notausschalterverriegelung\n", "H1007/de"},
+        {"too long", R"({"id":"a","kind":"button","rect":[0,0,100,50],"text":"@k"})",
+         "k,,Stop,Notausschalterverriegelung\n", "H1007/de"},
         {"hard-coded", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"Hello"})", "", "H1008"},
         {"a sign is no text", R"({"id":"a","kind":"text","rect":[0,0,300,40],"text":"-> 5"})", "", ""},
         {"unknown kind", R"({"id":"a","kind":"hologram","rect":[0,0,300,40]})", "", "H1011"},
-        {"unknown panel", R"({"id":"a","kind":"button","rect":[0,0,100,50],"text":"","action":"panel","panel":"other"})", "", "H1013"},
-        {"language button", R"({"id":"a","kind":"button","rect":[0,0,100,50],"text":"","action":"language","tag":"fr"})", "", "H1016"},
+        {"unknown panel",
+         R"({"id":"a","kind":"button","rect":[0,0,100,50],"text":"","action":"panel","panel":"other"})", "", "H1013"},
+        {"language button",
+         R"({"id":"a","kind":"button","rect":[0,0,100,50],"text":"","action":"language","tag":"fr"})", "", "H1016"},
         {"outside", R"({"id":"a","kind":"lamp","rect":[5000,0,100,50]})", "", "H1017"},
         {"bad format", R"({"id":"a","kind":"number","rect":[0,0,100,50],"format":"%q"})", "", "H1018"},
         {"empty list", R"({"id":"a","kind":"combo","rect":[0,0,100,50],"list":"State"})", "", "H1001"},
-        {"list", R"({"id":"a","kind":"combo","rect":[0,0,200,50],"list":"State"})", "State.0,,Off,Aus\nState.1,,On,Ein\n", ""},
-        {"list too long", R"({"id":"a","kind":"combo","rect":[0,0,100,50],"list":"State"})", "State.0,,Off,Ausgeschaltet und verriegelt\n", "H1007/de"},
+        {"list", R"({"id":"a","kind":"combo","rect":[0,0,200,50],"list":"State"})",
+         "State.0,,Off,Aus\nState.1,,On,Ein\n", ""},
+        {"list too long", R"({"id":"a","kind":"combo","rect":[0,0,100,50],"list":"State"})",
+         "State.0,,Off,Ausgeschaltet und verriegelt\n", "H1007/de"},
     };
-    for (const auto& row : rows) EXPECT_EQ(kinds(checkPanels(project(row.elements, header + row.rows))), row.expected) << row.name;
+    for (const auto& row : rows)
+        EXPECT_EQ(kinds(checkPanels(project(row.elements, header + row.rows))), row.expected) << row.name;
 }
 
 TEST(PanelCheck, AsksTheFrontEndForEveryBindingWithTheTypeItNeeds) {
-    CheckInput input = project(R"({"id":"a","kind":"lamp","rect":[0,0,50,50],"value":"Mian.on","visible":"Main.s = Step#Fill","when":[{"if":"Main.fault"}]},
-                                  {"id":"t","kind":"table","rect":[0,0,300,200],"columns":[{"value":"Main.r[#].v"},{"value":"Main.times[#] + T#10s"}]})", "key,comment,en,de\n");
+    CheckInput input = project(
+        R"({"id":"a","kind":"lamp","rect":[0,0,50,50],"value":"Mian.on","visible":"Main.s = Step#Fill","when":[{"if":"Main.fault"}]},
+                                  {"id":"t","kind":"table","rect":[0,0,300,200],"columns":[{"value":"Main.r[#].v"},{"value":"Main.times[#] + T#10s"}]})",
+        "key,comment,en,de\n");
     QStringList asked;
     input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) -> QString {
-        asked += expression + u':' + QString::fromStdString(std::string(wanted)) + (isTarget ? QStringLiteral("!") : QString());
-        return expression.startsWith(QStringLiteral("Mian")) ? QStringLiteral("There is no Mian; did you mean Main?") : QString();
+        asked += expression + u':' + QString::fromStdString(std::string(wanted)) +
+                 (isTarget ? QStringLiteral("!") : QString());
+        return expression.startsWith(QStringLiteral("Mian")) ? QStringLiteral("There is no Mian; did you mean Main?")
+                                                             : QString();
     };
     const std::vector<Finding> found = checkPanels(input);
     EXPECT_EQ(kinds(found), "H1012");
     EXPECT_EQ(found[0].property.toStdString(), "value");
-    EXPECT_EQ(found[0].text().toStdString(), "hmi/main.panel.json: a.value: error H1012: There is no Mian; did you mean Main?");
-    EXPECT_EQ(asked.join(u' ').toStdString(), "Main.s = Step#Fill:bool Main.fault:bool Mian.on:bool Main.r[1].v:any! Main.times[1] + T#10s:any!");
+    EXPECT_EQ(found[0].text().toStdString(),
+              "hmi/main.panel.json: a.value: error H1012: There is no Mian; did you mean Main?");
+    EXPECT_EQ(asked.join(u' ').toStdString(),
+              "Main.s = Step#Fill:bool Main.fault:bool Mian.on:bool Main.r[1].v:any! Main.times[1] + T#10s:any!");
 }
 
 TEST(PanelCheck, MeasuresThePseudoLanguageToo) {
-    CheckInput input = project(R"({"id":"a","kind":"button","rect":[0,0,70,44],"text":"@k"})", "key,comment,en,de\nk,,Start,Start\n");
+    CheckInput input =
+        project(R"({"id":"a","kind":"button","rect":[0,0,70,44],"text":"@k"})", "key,comment,en,de\nk,,Start,Start\n");
     EXPECT_EQ(kinds(checkPanels(input)), "");
     input.languages = QStringList{kPseudoTag};
     EXPECT_EQ(kinds(checkPanels(input)), "H1007/qps-ploc");
@@ -86,9 +102,13 @@ TEST(PanelCheck, AMissingFontIsAnError) {
 }
 
 TEST(PanelCheck, ChecksAlarmsAndTheListsThatShowThem) {
-    CheckInput input = project(R"({"id":"l","kind":"alarmList","rect":[0,0,300,200]})", "key,comment,en,de\nload,,Overload,Der Motor wurde wegen Überlast abgeschaltet und bleibt aus\n");
+    CheckInput input =
+        project(R"({"id":"l","kind":"alarmList","rect":[0,0,300,200]})",
+                "key,comment,en,de\nload,,Overload,Der Motor wurde wegen Überlast abgeschaltet und bleibt aus\n");
     input.hasAlarms = true;
-    input.alarms = *AlarmFile::parse(R"({"classes":[{"name":"fault"}],"alarms":[{"id":"a","condition":"x","class":"hint","text":"@load"},{"id":"b","text":"@gone"}]})", QString());
+    input.alarms = *AlarmFile::parse(
+        R"({"classes":[{"name":"fault"}],"alarms":[{"id":"a","condition":"x","class":"hint","text":"@load"},{"id":"b","text":"@gone"}]})",
+        QString());
     EXPECT_EQ(kinds(checkPanels(input)), "H1001 H1007/de H1012 H1015");
 }
 

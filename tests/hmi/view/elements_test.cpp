@@ -1,4 +1,5 @@
-// Every element kind is enumerated: saved, loaded, drawn, bound. A kind that is added to elements.def is tested at once.
+// Every element kind is enumerated: saved, loaded, drawn, bound. A kind that is added to elements.def is tested at
+// once.
 #include "gallery.h"
 
 #include <QDir>
@@ -28,7 +29,9 @@ QImage empty() {
     return scene.picture();
 }
 
-Element made(const ElementDescriptor& kind) { return Element::make(kind.kind, QStringLiteral("e1"), QRectF(QPointF(40, 40), kind.size)); }
+Element made(const ElementDescriptor& kind) {
+    return Element::make(kind.kind, QStringLiteral("e1"), QRectF(QPointF(40, 40), kind.size));
+}
 
 TEST(EveryKind, IsDrawnWithItsDefaultsInEveryTheme) {
     for (const char* theme : {"light", "dark", "contrast"}) {
@@ -46,7 +49,9 @@ TEST(EveryKind, IsDrawnWithItsDefaultsInEveryTheme) {
                 for (int x = area.left(); x < area.right(); ++x) painted += picture.pixel(x, y) != ground;
             EXPECT_GT(painted, 40) << theme << ' ' << toUtf8(view->element().id());
         }
-        if (qEnvironmentVariableIsSet("STEPWISE_PICTURES")) picture.save(qEnvironmentVariable("STEPWISE_PICTURES") + QStringLiteral("/elements_%1.png").arg(QLatin1String(theme)));
+        if (qEnvironmentVariableIsSet("STEPWISE_PICTURES"))
+            picture.save(qEnvironmentVariable("STEPWISE_PICTURES") +
+                         QStringLiteral("/elements_%1.png").arg(QLatin1String(theme)));
     }
 }
 
@@ -58,15 +63,31 @@ TEST(EveryKind, IsSavedAndLoadedByteForByteWithEveryPropertySet) {
             if (property.key == "id" || property.key == "kind" || property.key == "rect") continue;
             Json value = property.fallback;
             switch (property.type) {
-            case PropertyType::Bool: value = !property.fallback.get<bool>(); break;
-            case PropertyType::Number: value = 12.5; break;
-            case PropertyType::Integer: value = 3; break;
+            case PropertyType::Bool:
+                value = !property.fallback.get<bool>();
+                break;
+            case PropertyType::Number:
+                value = 12.5;
+                break;
+            case PropertyType::Integer:
+                value = 3;
+                break;
             case PropertyType::Choice:
-            case PropertyType::Symbol: value = std::string(property.choices().back()); break;
-            case PropertyType::Records: value = Json::array({Json{{std::string(recordFields(property.hint).front().key), "x"}}}); break;
-            case PropertyType::Bindings: value = Json{{"a", "Main.a"}}; break;
-            case PropertyType::Points: value = Json::array({Json::array({0, 0.25}), Json::array({1, 1})}); break;
-            default: value = "Main.x"; break;
+            case PropertyType::Symbol:
+                value = std::string(property.choices().back());
+                break;
+            case PropertyType::Records:
+                value = Json::array({Json{{std::string(recordFields(property.hint).front().key), "x"}}});
+                break;
+            case PropertyType::Bindings:
+                value = Json{{"a", "Main.a"}};
+                break;
+            case PropertyType::Points:
+                value = Json::array({Json::array({0, 0.25}), Json::array({1, 1})});
+                break;
+            default:
+                value = "Main.x";
+                break;
             }
             element.set(property.key, value);
         }
@@ -95,7 +116,8 @@ TEST(EveryKind, AsksTheValueSourceForEachOfItsBindings) {
                 const std::string name = "Main." + std::string(property.key);
                 if (property.type == PropertyType::Expression || property.type == PropertyType::Target) {
                     // The cell target is a pattern that is written, never read.
-                    if (!(kind.kind == ElementKind::CellGrid && property.key == "target")) expected += QString::fromStdString(name);
+                    if (!(kind.kind == ElementKind::CellGrid && property.key == "target"))
+                        expected += QString::fromStdString(name);
                     element.set(property.key, name);
                 }
                 if (property.type != PropertyType::Records) continue;
@@ -112,7 +134,8 @@ TEST(EveryKind, AsksTheValueSourceForEachOfItsBindings) {
             drawn(element, &values);
         }
         expected += QStringLiteral("Main.inText");
-        for (const QString& one : expected) EXPECT_TRUE(values.boundExpressions().contains(one)) << kind.key << ' ' << toUtf8(one);
+        for (const QString& one : expected)
+            EXPECT_TRUE(values.boundExpressions().contains(one)) << kind.key << ' ' << toUtf8(one);
     }
 }
 
@@ -127,13 +150,16 @@ TEST(EveryKind, LooksDifferentWhenItsValueChanges) {
         element.set(property, "Main.v");
         if (kind.property("y")) element.set("y", "Main.v");
         if (kind.kind == ElementKind::LightTower) element.set("lights", Json::array({Json{{"value", "Main.v"}}}));
-        if (kind.kind == ElementKind::DateTime) values.set(QStringLiteral("Main.v"), Value::ofInstant(ValueKind::DateTime, 0));
+        if (kind.kind == ElementKind::DateTime)
+            values.set(QStringLiteral("Main.v"), Value::ofInstant(ValueKind::DateTime, 0));
         const std::string_view hint = kind.property(property)->hint;
         const auto valueOf = [&](int step) {
-            if (hint == "array") return Value::ofArray({Value::ofInteger(10), Value::ofInteger(step * 40), Value::ofInteger(70)});
+            if (hint == "array")
+                return Value::ofArray({Value::ofInteger(10), Value::ofInteger(step * 40), Value::ofInteger(70)});
             if (kind.kind == ElementKind::DateTime) return Value::ofInstant(ValueKind::DateTime, step * 3600000000000);
-            if (hint == "bool" ) return Value::ofBool(step == 1);
-            if (kind.kind == ElementKind::TextEntry) return Value::ofText(step ? QStringLiteral("abc") : QStringLiteral("xyz"));
+            if (hint == "bool") return Value::ofBool(step == 1);
+            if (kind.kind == ElementKind::TextEntry)
+                return Value::ofText(step ? QStringLiteral("abc") : QStringLiteral("xyz"));
             if (kind.kind == ElementKind::MaskedEntry) return Value::ofInteger(step ? 1 : 1234);
             return Value::ofInteger(step ? 2 : 0);
         };
@@ -159,7 +185,9 @@ TEST(EveryKind, ShowsWhenABindingHasNoValue) {
 TEST(Appearance, TheFirstTrueConditionDecides) {
     HeldValues values;
     Element element = made(descriptorOf(ElementKind::Rectangle));
-    element.set("when", Json::parse(R"([{"if":"A","color":"#ff0000"},{"if":"B","color":"#00ff00"},{"if":"C","visible":false}])"));
+    element.set(
+        "when",
+        Json::parse(R"([{"if":"A","color":"#ff0000"},{"if":"B","color":"#00ff00"},{"if":"C","visible":false}])"));
     const auto colorAt = [&](bool a, bool b, bool c) {
         values.set(QStringLiteral("A"), Value::ofBool(a));
         values.set(QStringLiteral("B"), Value::ofBool(b));
@@ -169,7 +197,8 @@ TEST(Appearance, TheFirstTrueConditionDecides) {
     EXPECT_EQ(colorAt(true, true, true), "#ff0000");
     EXPECT_EQ(colorAt(false, true, true), "#00ff00");
     EXPECT_EQ(colorAt(false, false, true), empty().pixelColor(100, 80).name().toStdString());
-    EXPECT_EQ(colorAt(false, false, false), PanelTheme::of(PanelThemeKind::Light).color("surface").name().toStdString());
+    EXPECT_EQ(colorAt(false, false, false),
+              PanelTheme::of(PanelThemeKind::Light).color("surface").name().toStdString());
 }
 
 TEST(Appearance, MovesAndRotatesByExpressionAndRepaintsBothPlaces) {

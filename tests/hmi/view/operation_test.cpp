@@ -19,23 +19,37 @@ struct Desk {
     explicit Desk(const std::string& elements) {
         LanguageSettings settings;
         settings.languages = QStringList{"en", "de"};
-        texts = TextCatalog(*TextTable::parse("key,comment,en,de\nMode.0,,Off,Aus\nMode.1,,Manual,Hand\nMode.2,,Automatic,Automatik\n", QString()), settings);
-        Result<Panel> panel = Panel::parse("{\"size\": [640, 400], \"elements\": [" + elements + "]}", QStringLiteral("p"));
+        texts = TextCatalog(
+            *TextTable::parse("key,comment,en,de\nMode.0,,Off,Aus\nMode.1,,Manual,Hand\nMode.2,,Automatic,Automatik\n",
+                              QString()),
+            settings);
+        Result<Panel> panel =
+            Panel::parse("{\"size\": [640, 400], \"elements\": [" + elements + "]}", QStringLiteral("p"));
         EXPECT_TRUE(panel) << panel.error().text();
         view.scene().setTexts(&texts);
         view.scene().setValues(&values);
         view.scene().setPanel(*panel);
         QObject::connect(&view.scene(), &PanelScene::writeRequested, &view, [this](const WriteRequest& write) {
             const char* const kinds[] = {"write", "press", "release"};
-            log += QStringLiteral("%1 %2 %3").arg(QLatin1String(kinds[static_cast<int>(write.kind)]), write.target, write.value.toLiteral());
+            log += QStringLiteral("%1 %2 %3")
+                       .arg(QLatin1String(kinds[static_cast<int>(write.kind)]), write.target, write.value.toLiteral());
         });
-        QObject::connect(&view.scene(), &PanelScene::confirmRequested, &view, [this](const ConfirmRequest& confirm) { log += u'?' + confirm.question; });
+        QObject::connect(&view.scene(), &PanelScene::confirmRequested, &view,
+                         [this](const ConfirmRequest& confirm) { log += u'?' + confirm.question; });
         QObject::connect(&view.scene(), &PanelScene::entryRequested, &view, [this](const EntryRequest& entry) {
-            log += QStringLiteral("entry %1 %2..%3 %4").arg(entry.target).arg(entry.minimum.value_or(-1)).arg(entry.maximum.value_or(-1)).arg(entry.unit);
+            log += QStringLiteral("entry %1 %2..%3 %4")
+                       .arg(entry.target)
+                       .arg(entry.minimum.value_or(-1))
+                       .arg(entry.maximum.value_or(-1))
+                       .arg(entry.unit);
         });
-        QObject::connect(&view.scene(), &PanelScene::choiceRequested, &view, [this](const ChoiceRequest& choice) { log += QStringLiteral("choice ") + choice.texts.join(u'|'); });
-        QObject::connect(&view.scene(), &PanelScene::panelRequested, &view, [this](const QString& name) { log += QStringLiteral("panel ") + name; });
-        QObject::connect(&view.scene(), &PanelScene::languageRequested, &view, [this](const QString& tag) { log += QStringLiteral("language ") + tag; });
+        QObject::connect(&view.scene(), &PanelScene::choiceRequested, &view, [this](const ChoiceRequest& choice) {
+            log += QStringLiteral("choice ") + choice.texts.join(u'|');
+        });
+        QObject::connect(&view.scene(), &PanelScene::panelRequested, &view,
+                         [this](const QString& name) { log += QStringLiteral("panel ") + name; });
+        QObject::connect(&view.scene(), &PanelScene::languageRequested, &view,
+                         [this](const QString& tag) { log += QStringLiteral("language ") + tag; });
         view.resize(640, 400);
         view.show();
         view.frame();
@@ -134,9 +148,11 @@ TEST(Operation, ASliderWritesStepsAndAlwaysTheLastValue) {
 }
 
 TEST(Operation, TheCellGridAndTheTableWriteTheirElements) {
-    Desk desk(R"({"id":"g","kind":"cellGrid","rect":[0,0,200,100],"rows":2,"columns":2,"value":"G","action":"toggle","target":"G[#]"},
+    Desk desk(
+        R"({"id":"g","kind":"cellGrid","rect":[0,0,200,100],"rows":2,"columns":2,"value":"G","action":"toggle","target":"G[#]"},
                  {"id":"t","kind":"table","rect":[0,150,300,200],"count":50,"columns":[{"title":"a","value":"R[#].v"},{"title":"b","value":"R[#].on"}]})");
-    desk.values.set(QStringLiteral("G"), Value::ofArray({Value::ofBool(false), Value::ofBool(false), Value::ofBool(true), Value::ofBool(false)}));
+    desk.values.set(QStringLiteral("G"), Value::ofArray({Value::ofBool(false), Value::ofBool(false),
+                                                         Value::ofBool(true), Value::ofBool(false)}));
     desk.values.set(QStringLiteral("R[3].on"), Value::ofBool(false));
     desk.view.frame();
     desk.click(50, 75);
@@ -157,16 +173,31 @@ TEST(Operation, AnIndexIsPutInOnlyWhereItStandsForOne) {
     const struct {
         const char *expression, *expected;
     } rows[] = {
-        {"G[#]", "G[7]"},           {"G[ # ].v", "G[ 7 ].v"},       {"G[#r, #c]", "G[2, 3]"},      {"G[#-1]", "G[7-1]"},         {"G[2 * #r + #c]", "G[2 * 2 + 3]"},
-        {"T > T#10s", "T > T#10s"}, {"16#FF", "16#FF"},             {"x = INT#5", "x = INT#5"},    {"G[16#0F]", "G[16#0F]"},     {"G[Index#red]", "G[Index#red]"},
-        {"#local", "#local"},       {"G[#row].v", "G[#row].v"},     {"s = 'a[#]'", "s = 'a[#]'"},  {"G[#] = T#1s", "G[7] = T#1s"}, {"G[H[#]].v > DINT#3", "G[H[7]].v > DINT#3"},
-        {"M = Mode#running", "M = Mode#running"}, {"M = Mode#closed", "M = Mode#closed"},
+        {"G[#]", "G[7]"},
+        {"G[ # ].v", "G[ 7 ].v"},
+        {"G[#r, #c]", "G[2, 3]"},
+        {"G[#-1]", "G[7-1]"},
+        {"G[2 * #r + #c]", "G[2 * 2 + 3]"},
+        {"T > T#10s", "T > T#10s"},
+        {"16#FF", "16#FF"},
+        {"x = INT#5", "x = INT#5"},
+        {"G[16#0F]", "G[16#0F]"},
+        {"G[Index#red]", "G[Index#red]"},
+        {"#local", "#local"},
+        {"G[#row].v", "G[#row].v"},
+        {"s = 'a[#]'", "s = 'a[#]'"},
+        {"G[#] = T#1s", "G[7] = T#1s"},
+        {"G[H[#]].v > DINT#3", "G[H[7]].v > DINT#3"},
+        {"M = Mode#running", "M = Mode#running"},
+        {"M = Mode#closed", "M = Mode#closed"},
     };
-    for (const auto& row : rows) EXPECT_EQ(withIndex(QLatin1String(row.expression), 7, 2, 3).toStdString(), row.expected);
+    for (const auto& row : rows)
+        EXPECT_EQ(withIndex(QLatin1String(row.expression), 7, 2, 3).toStdString(), row.expected);
 }
 
 TEST(Frames, OnlyWhatChangedIsPaintedAndNothingWhenNothingChanged) {
-    Desk desk(R"({"id":"a","kind":"lamp","rect":[10,10,50,50],"value":"A"},{"id":"b","kind":"number","rect":[300,300,100,40],"value":"B","format":"%.0f"})");
+    Desk desk(
+        R"({"id":"a","kind":"lamp","rect":[10,10,50,50],"value":"A"},{"id":"b","kind":"number","rect":[300,300,100,40],"value":"B","format":"%.0f"})");
     desk.values.set(QStringLiteral("A"), Value::ofBool(false));
     desk.values.set(QStringLiteral("B"), Value::ofReal(5));
     desk.view.frame();
@@ -193,7 +224,8 @@ TEST(Language, ASelectorBeginsWhereReadingBegins) {
 }
 
 TEST(Language, SwitchesAtOnceEveryTextOfThePanel) {
-    Desk desk(R"({"id":"d","kind":"combo","rect":[0,0,180,44],"target":"M","list":"Mode"},{"id":"f","kind":"combo","rect":[0,100,180,44],"target":"M","list":"Mode","language":"en"})");
+    Desk desk(
+        R"({"id":"d","kind":"combo","rect":[0,0,180,44],"target":"M","list":"Mode"},{"id":"f","kind":"combo","rect":[0,100,180,44],"target":"M","list":"Mode","language":"en"})");
     desk.values.set(QStringLiteral("M"), Value::ofInteger(1));
     const QImage english = desk.view.scene().picture();
     desk.view.scene().setLanguage(QStringLiteral("de"));

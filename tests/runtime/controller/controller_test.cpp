@@ -35,7 +35,9 @@ struct Recorder final : ScanObserver {
     std::vector<Scan> scans;
     std::vector<Event> events;
     int programs = 0;
-    void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) override { scans.push_back({scan, time.count(), {image.begin(), image.end()}}); }
+    void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) override {
+        scans.push_back({scan, time.count(), {image.begin(), image.end()}});
+    }
     void programChanged(std::shared_ptr<const image::CompiledProgram>) override { ++programs; }
     void eventHappened(const Event& event) override { events.push_back(event); }
 };
@@ -54,7 +56,9 @@ struct Plain {
 };
 constexpr uint32_t kCount = 112, kOrder = 120, kMode = 128;
 
-void append(std::byte* image, int digit) { at<uint64_t>(image, kOrder) = at<uint64_t>(image, kOrder) * 10 + static_cast<unsigned>(digit); } // wraps in long runs
+void append(std::byte* image, int digit) {
+    at<uint64_t>(image, kOrder) = at<uint64_t>(image, kOrder) * 10 + static_cast<unsigned>(digit);
+} // wraps in long runs
 void countUp(RuntimeContext*, std::byte* image, uint32_t) {
     ++at<int32_t>(image, kCount);
     image[80] |= std::byte{1};
@@ -187,7 +191,7 @@ TEST(Controller, AFaultStopsWithPlaceMessageAndCallPathAndMakesOutputsSafe) {
     EXPECT_EQ(fault.calls[1].range, (SourceRange{file, 11, 15}));
     EXPECT_EQ(controller.read("order")->integer(), 424); // the second task did not run after the fault
     EXPECT_FALSE(controller.read("lamp")->isTrue());
-    EXPECT_EQ(recorder.scans.back().number, 1u);                                // the image at the fault is the last record
+    EXPECT_EQ(recorder.scans.back().number, 1u); // the image at the fault is the last record
     EXPECT_EQ(valueAt<uint8_t>(recorder.scans.back().image, 80) & 1, 1);
     EXPECT_TRUE(controller.scan()); // nothing of the PLC runs
     EXPECT_EQ(controller.read("order")->integer(), 424);
@@ -217,7 +221,9 @@ TEST(Controller, AnEndlessLoopEndsInVirtualTimeByItsBudgetAndInRealTimeByTheCloc
         EXPECT_FALSE(isRealTime ? controller.scan(0ns) : controller.scan());
         ASSERT_TRUE(controller.fault());
         EXPECT_EQ(controller.fault()->code, FaultCode::Watchdog);
-        EXPECT_NE(controller.fault()->message.find(isRealTime ? "watchdog of T#2ms" : "more than 1000 loop passes"), std::string::npos) << controller.fault()->message;
+        EXPECT_NE(controller.fault()->message.find(isRealTime ? "watchdog of T#2ms" : "more than 1000 loop passes"),
+                  std::string::npos)
+            << controller.fault()->message;
     }
 }
 
@@ -308,7 +314,8 @@ TEST(Controller, WritesThatDoNotFitAreRefusedInWords) {
         {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.0}, ""},
         {"real", integer(TypeKind::Int, 3), ""},
         {"small", integer(TypeKind::Int, 12), "12 lies outside 0..10"},
-        {"text", Value{plain.made.types().string(80), std::string("abcdef")}, "the text has 6 characters, the variable holds 5"},
+        {"text", Value{plain.made.types().string(80), std::string("abcdef")},
+         "the text has 6 characters, the variable holds 5"},
         {"text", Value{{}, std::string("abc")}, ""},
         {"delay", integer(TypeKind::Time, 5), ""},
         {"delay", integer(TypeKind::Int, 5), "5 does not fit a variable of type TIME"},
@@ -403,16 +410,19 @@ TEST(Controller, ResetsKeepWhatTheirKindKeeps) {
     recipe.retain = recipe.persistent = true;
     types::Field kept = HandMade::field("kept", TypeKind::Int);
     kept.retain = true;
-    const types::TypeId block = plain.made.structure("Counter", {HandMade::field("lost", TypeKind::Int), kept}, TypeKind::Block);
+    const types::TypeId block =
+        plain.made.structure("Counter", {HandMade::field("lost", TypeKind::Int), kept}, TypeKind::Block);
     plain.made.add("counters", plain.made.types().array({types::Dimension{1, 2}}, block));
     plain.made.task("main", plain.made.function("Main", &countUp), 10ms);
     Controller controller(plain.made.finish());
     const auto fill = [&] {
-        for (const char* path : {"count", "hours", "recipe", "counters[2].lost", "counters[2].kept"}) EXPECT_TRUE(controller.write(path, integer(TypeKind::Int, 9)));
+        for (const char* path : {"count", "hours", "recipe", "counters[2].lost", "counters[2].kept"})
+            EXPECT_TRUE(controller.write(path, integer(TypeKind::Int, 9)));
     };
     const auto values = [&] {
         std::string text;
-        for (const char* path : {"count", "hours", "recipe", "counters[2].lost", "counters[2].kept"}) text += std::to_string(controller.read(path)->integer());
+        for (const char* path : {"count", "hours", "recipe", "counters[2].lost", "counters[2].kept"})
+            text += std::to_string(controller.read(path)->integer());
         return text;
     };
     fill();
@@ -444,7 +454,8 @@ TEST(Controller, ResumingFromARecordedScanGivesTheSameImagesAgain) {
         Controller other(controller.sharedProgram());
         again.scans.clear();
         other.addObserver(again);
-        other.resumeFrom(controller.sharedProgram(), first.scans[from].image, first.scans[from].number, Nanoseconds(first.scans[from].time));
+        other.resumeFrom(controller.sharedProgram(), first.scans[from].image, first.scans[from].number,
+                         Nanoseconds(first.scans[from].time));
         EXPECT_EQ(other.state(), State::Paused);
         other.start();
         for (size_t i = from + 1; i < 60; ++i) (void)other.scan();
@@ -453,7 +464,9 @@ TEST(Controller, ResumingFromARecordedScanGivesTheSameImagesAgain) {
             const Recorder::Scan& b = again.scans[i - from - 1];
             ASSERT_EQ(a.number, b.number);
             ASSERT_EQ(a.time, b.time);
-            ASSERT_TRUE(std::equal(a.image.begin(), a.image.begin() + controller.program().layout.dataEnd, b.image.begin())) << "scan " << i << " after resuming from " << from;
+            ASSERT_TRUE(
+                std::equal(a.image.begin(), a.image.begin() + controller.program().layout.dataEnd, b.image.begin()))
+                << "scan " << i << " after resuming from " << from;
         }
     }
 }

@@ -15,9 +15,14 @@ protected:
     LayoutTest() {
         types::Field alias = HandMade::field("RESET", TypeKind::Bool);
         alias.aliases = {"R"};
-        const types::TypeId point = made.structure("Point", {HandMade::field("x", TypeKind::Int), HandMade::field("y", TypeKind::Lreal)});
+        const types::TypeId point =
+            made.structure("Point", {HandMade::field("x", TypeKind::Int), HandMade::field("y", TypeKind::Lreal)});
         const types::TypeId grid = made.types().array({Dimension{1, 3}, Dimension{0, 1}}, point);
-        const types::TypeId motor = made.structure("Motor", {HandMade::field("speed", TypeKind::Real), alias, HandMade::field("points", grid), HandMade::field("name", made.types().string(10))}, TypeKind::Block);
+        const types::TypeId motor =
+            made.structure("Motor",
+                           {HandMade::field("speed", TypeKind::Real), alias, HandMade::field("points", grid),
+                            HandMade::field("name", made.types().string(10))},
+                           TypeKind::Block);
         made.add("Main", motor, Area::Program);
         made.add("Speed", TypeKind::Word).list = "GVL";
         made.add("Speed", TypeKind::Int).list = "Other";
@@ -91,16 +96,20 @@ TEST_F(LayoutTest, PathAtGoesBackToEveryLeaf) {
     const Layout& layout = program->layout;
     size_t leaves = 0;
     for (const Root& root : layout.roots) {
-        layout.forEachLeaf(Layout::pathOf(root), {root.type, root.offset, root.bit}, [&](const std::string& path, const Place& place) {
-            const Result<Place> again = layout.find(path);
-            EXPECT_TRUE(again && *again == place) << path;
-            if (place.bit < 0) { EXPECT_EQ(layout.pathAt(place.offset), path); }
-            ++leaves;
-            return true;
-        });
+        layout.forEachLeaf(Layout::pathOf(root), {root.type, root.offset, root.bit},
+                           [&](const std::string& path, const Place& place) {
+                               const Result<Place> again = layout.find(path);
+                               EXPECT_TRUE(again && *again == place) << path;
+                               if (place.bit < 0) {
+                                   EXPECT_EQ(layout.pathAt(place.offset), path);
+                               }
+                               ++leaves;
+                               return true;
+                           });
     }
     EXPECT_EQ(leaves, 3u + 12u + 4u);
-    const types::TypeId point = (*layout.types)[(*layout.types)[layout.roots[0].type].findField("points")->type].element;
+    const types::TypeId point =
+        (*layout.types)[(*layout.types)[layout.roots[0].type].findField("points")->type].element;
     const Result<Place> element = layout.find("Main.points[3,1]");
     ASSERT_TRUE(element);
     EXPECT_EQ(layout.pathAt(element->offset, point), "Main.points[3,1]");

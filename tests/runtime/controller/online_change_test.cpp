@@ -36,7 +36,9 @@ std::shared_ptr<image::CompiledProgram> version(const std::function<void(HandMad
     return made.finish();
 }
 Value number(TypeKind kind, int64_t value) { return {TypeTable::of(kind), value}; }
-TypeId ints(HandMade& made, int64_t low, int64_t high) { return made.types().array({Dimension{low, high}}, TypeTable::of(TypeKind::Int)); }
+TypeId ints(HandMade& made, int64_t low, int64_t high) {
+    return made.types().array({Dimension{low, high}}, TypeTable::of(TypeKind::Int));
+}
 TypeId enumeration(HandMade& made, const std::string& name, std::vector<std::string> names) {
     const TypeId id = made.types().declare(TypeKind::Enum, name);
     types::Type& type = made.types().edit(id);
@@ -134,8 +136,10 @@ TEST_F(OnlineChange, ArraysKeepTheIndicesBothHave) {
 TEST_F(OnlineChange, NewMembersInTheMiddleOfABlockAndRenamedOnesAreSafe) {
     const auto declare = [](bool isNew) {
         return [isNew](HandMade& m) {
-            const TypeId timer = m.structure("TON", {HandMade::field("Q", TypeKind::Bool), HandMade::field("ET", TypeKind::Time)}, TypeKind::Block);
-            const TypeId other = m.structure("TOF", {HandMade::field("Q", TypeKind::Bool), HandMade::field("ET", TypeKind::Time)}, TypeKind::Block);
+            const TypeId timer = m.structure(
+                "TON", {HandMade::field("Q", TypeKind::Bool), HandMade::field("ET", TypeKind::Time)}, TypeKind::Block);
+            const TypeId other = m.structure(
+                "TOF", {HandMade::field("Q", TypeKind::Bool), HandMade::field("ET", TypeKind::Time)}, TypeKind::Block);
             std::vector<Field> fields{HandMade::field("speed", TypeKind::Int)};
             if (isNew) fields.push_back(HandMade::field("extra", timer));
             fields.push_back(HandMade::field("delay", timer));
@@ -158,7 +162,8 @@ TEST_F(OnlineChange, NewMembersInTheMiddleOfABlockAndRenamedOnesAreSafe) {
     EXPECT_EQ(value("motors[1].renamed"), 0);
     EXPECT_EQ(report.kept, (Paths{"motors[1].speed", "motors[1].delay", "motors[2].speed", "motors[2].delay"}));
     EXPECT_EQ(report.lost, (Paths{"motors[1].swapped", "motors[1].name", "motors[2].swapped", "motors[2].name"}));
-    EXPECT_EQ(report.initialised, (Paths{"motors[1].extra", "motors[1].swapped", "motors[1].renamed", "motors[2].extra", "motors[2].swapped", "motors[2].renamed"}));
+    EXPECT_EQ(report.initialised, (Paths{"motors[1].extra", "motors[1].swapped", "motors[1].renamed", "motors[2].extra",
+                                         "motors[2].swapped", "motors[2].renamed"}));
 }
 
 TEST_F(OnlineChange, EnumsGoByNameTextsAndSubrangesByWhatFits) {
@@ -201,7 +206,8 @@ TEST_F(OnlineChange, ReferencesFollowWhatTheyPointedToOrBecomeNull) {
             const TypeId running = m.types().declare(TypeKind::Interface, "IRunning");
             Field slot = HandMade::field("io", TypeKind::Int);
             slot.section = FieldSection::InOut;
-            const TypeId motor = m.structure("Motor", {HandMade::field("speed", TypeKind::Int), slot}, TypeKind::Block, 8);
+            const TypeId motor =
+                m.structure("Motor", {HandMade::field("speed", TypeKind::Int), slot}, TypeKind::Block, 8);
             m.types().edit(motor).interfaces = {running};
             m.types().edit(motor).blockNumber = isNew ? 5 : 3;
             if (isNew) m.add("before", ints(m, 0, 99));
@@ -215,7 +221,9 @@ TEST_F(OnlineChange, ReferencesFollowWhatTheyPointedToOrBecomeNull) {
             m.add("bytes", m.types().pointer(TypeTable::of(TypeKind::Byte)));
             m.add("none", m.types().pointer(motor));
             m.add("wild", m.types().pointer(motor));
-            for (int i = 1; i <= (isNew ? 2 : 3); ++i) m.initial<uint32_t>(m.layout().roots[isNew ? 1 : 0].offset + uint32_t(i - 1) * m.types()[motor].size, isNew ? 5 : 3);
+            for (int i = 1; i <= (isNew ? 2 : 3); ++i)
+                m.initial<uint32_t>(m.layout().roots[isNew ? 1 : 0].offset + uint32_t(i - 1) * m.types()[motor].size,
+                                    isNew ? 5 : 3);
         };
     };
     begin(declare(false));
@@ -240,8 +248,10 @@ TEST_F(OnlineChange, ReferencesFollowWhatTheyPointedToOrBecomeNull) {
     EXPECT_EQ(value("none"), 0);
     EXPECT_EQ(value("wild"), 0);
     EXPECT_EQ(value("motors[2].speed"), 77);
-    EXPECT_EQ(plc::testing::valueAt<uint64_t>(plc->image(), static_cast<uint32_t>(offsetOf("motors[2]")) + 16), offsetOf("motors[1].speed"));
-    EXPECT_EQ(plc::testing::valueAt<uint32_t>(plc->image(), static_cast<uint32_t>(offsetOf("motors[2]"))), 5u); // the new block number
+    EXPECT_EQ(plc::testing::valueAt<uint64_t>(plc->image(), static_cast<uint32_t>(offsetOf("motors[2]")) + 16),
+              offsetOf("motors[1].speed"));
+    EXPECT_EQ(plc::testing::valueAt<uint32_t>(plc->image(), static_cast<uint32_t>(offsetOf("motors[2]"))),
+              5u); // the new block number
     EXPECT_EQ(report.nulled, (Paths{"toLost", "toGone", "wild"}));
 }
 
@@ -295,7 +305,8 @@ TEST_F(OnlineChange, AProgramWhoseInitialValuesFaultIsRefusedAndTheOldOneGoesOn)
 TEST_F(OnlineChange, RandomChangesKeepEveryValueOfSamePathAndType) {
     const char* given = std::getenv("STEPWISE_SEED");
     const unsigned start = given ? static_cast<unsigned>(std::atoi(given)) : std::random_device()();
-    const TypeKind kinds[] = {TypeKind::Bool, TypeKind::Sint, TypeKind::Int, TypeKind::Dint, TypeKind::Lint, TypeKind::Word, TypeKind::Time};
+    const TypeKind kinds[] = {TypeKind::Bool, TypeKind::Sint, TypeKind::Int, TypeKind::Dint,
+                              TypeKind::Lint, TypeKind::Word, TypeKind::Time};
     for (unsigned run = 0; run < 60; ++run) {
         SCOPED_TRACE("seed " + std::to_string(start) + " run " + std::to_string(run));
         std::mt19937 dice(start + run);
@@ -305,13 +316,16 @@ TEST_F(OnlineChange, RandomChangesKeepEveryValueOfSamePathAndType) {
                 for (int f = 0; f < 6; ++f) {
                     if (dice() % 4 == 0) continue;
                     Field field = HandMade::field("f" + std::to_string(f), kinds[dice() % 7]);
-                    if (dice() % 3 == 0) field.type = m.types().array({Dimension{int64_t(dice() % 3), int64_t(3 + dice() % 3)}}, field.type);
+                    if (dice() % 3 == 0)
+                        field.type =
+                            m.types().array({Dimension{int64_t(dice() % 3), int64_t(3 + dice() % 3)}}, field.type);
                     fields.push_back(field);
                 }
                 std::shuffle(fields.begin(), fields.end(), dice);
                 if (fields.empty()) continue;
                 const TypeId block = m.structure("B" + std::to_string(b), fields, TypeKind::Block);
-                m.add("v" + std::to_string(b), dice() % 2 ? block : m.types().array({Dimension{1, int64_t(1 + dice() % 3)}}, block));
+                m.add("v" + std::to_string(b),
+                      dice() % 2 ? block : m.types().array({Dimension{1, int64_t(1 + dice() % 3)}}, block));
             }
         };
         begin(declare);
@@ -319,10 +333,11 @@ TEST_F(OnlineChange, RandomChangesKeepEveryValueOfSamePathAndType) {
         const auto leaves = [&](auto visit) {
             const image::Layout& layout = plc->program().layout;
             for (const image::Root& root : layout.roots)
-                layout.forEachLeaf(image::Layout::pathOf(root), {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
-                    visit(path, layout.types->kind(place.type));
-                    return true;
-                });
+                layout.forEachLeaf(image::Layout::pathOf(root), {root.type, root.offset, root.bit},
+                                   [&](const std::string& path, const image::Place& place) {
+                                       visit(path, layout.types->kind(place.type));
+                                       return true;
+                                   });
         };
         leaves([&](const std::string& path, TypeKind kind) {
             const int64_t number = kind == TypeKind::Bool ? dice() % 2 : dice() % 127;
@@ -342,7 +357,8 @@ TEST_F(OnlineChange, RandomChangesKeepEveryValueOfSamePathAndType) {
 
 class RetainFile : public OnlineChange {
 protected:
-    RetainFile() : file((std::filesystem::temp_directory_path() / ("retain_test_" + std::to_string(::getpid()))).string()) {}
+    RetainFile()
+        : file((std::filesystem::temp_directory_path() / ("retain_test_" + std::to_string(::getpid()))).string()) {}
     ~RetainFile() override { std::filesystem::remove(file); }
     static std::function<void(HandMade&)> declare(bool isNew) {
         return [isNew](HandMade& m) {
@@ -350,7 +366,10 @@ protected:
             m.add("plain", TypeKind::Int);
             m.add("retyped", isNew ? TypeKind::Dint : TypeKind::Int).retain = true;
             m.add("text", m.types().string(10)).persistent = true;
-            m.add("colour", enumeration(m, "Colour", isNew ? std::vector<std::string>{"Green", "Red"} : std::vector<std::string>{"Red", "Green"})).retain = true;
+            m.add("colour", enumeration(m, "Colour",
+                                        isNew ? std::vector<std::string>{"Green", "Red"}
+                                              : std::vector<std::string>{"Red", "Green"}))
+                .retain = true;
             m.add("list", ints(m, 1, isNew ? 3 : 2)).retain = true;
             if (!isNew) m.add("gone", TypeKind::Int).retain = true;
         };

@@ -71,7 +71,9 @@ protected:
         HandMade made;
         file = made.program().sources.add("main.st", kText);
         const types::TypeId b = made.structure("B", {HandMade::field("k", TypeKind::Int)}, TypeKind::Block);
-        const types::TypeId main = made.structure("Main", {HandMade::field("n", TypeKind::Dint), HandMade::field("a", b), HandMade::field("b", b)}, TypeKind::Block);
+        const types::TypeId main = made.structure(
+            "Main", {HandMade::field("n", TypeKind::Dint), HandMade::field("a", b), HandMade::field("b", b)},
+            TypeKind::Block);
         made.add("Main", main, Area::Program);
         made.function("Main", &mainBody, main);
         made.function("B", nullptr, b);
@@ -86,7 +88,8 @@ protected:
         program = made.finish();
         plc = std::make_unique<Controller>(program);
         debugger = std::make_unique<Debugger>(
-            *plc, [this](const std::string& text, const std::string& instance) { return condition(text, instance); }, [this](const Halt& halt) { return halted(halt); });
+            *plc, [this](const std::string& text, const std::string& instance) { return condition(text, instance); },
+            [this](const Halt& halt) { return halted(halt); });
         plc->start();
     }
     /// "NAME = NUMBER" seen from the instance.
@@ -134,7 +137,8 @@ protected:
 };
 
 TEST_F(DebuggerTest, ALineStandsForTheFirstStatementOnOrAfterIt) {
-    for (const auto& [line, expected] : {std::pair{1u, 1u}, {2u, 1u}, {3u, 2u}, {4u, 3u}, {5u, 3u}, {6u, 5u}, {9u, 6u}}) {
+    for (const auto& [line, expected] :
+         {std::pair{1u, 1u}, {2u, 1u}, {3u, 2u}, {4u, 3u}, {5u, 3u}, {6u, 5u}, {9u, 6u}}) {
         const SitesOfLine found = sitesOfLine(*program, file, line);
         ASSERT_EQ(found.sites, std::vector<uint32_t>{expected}) << "line " << line;
     }

@@ -18,12 +18,15 @@ struct Fixture : testing::Test {
     std::shared_ptr<types::TypeTable> table = std::make_shared<types::TypeTable>();
     std::vector<std::byte> image = std::vector<std::byte>(512);
     CodeBuilder code;
-    TypeId boolean = of(TypeKind::Bool), integer = of(TypeKind::Int), dint = of(TypeKind::Dint), lint = of(TypeKind::Lint), real = of(TypeKind::Real);
+    TypeId boolean = of(TypeKind::Bool), integer = of(TypeKind::Int), dint = of(TypeKind::Dint),
+           lint = of(TypeKind::Lint), real = of(TypeKind::Real);
 
     static TypeId of(TypeKind kind) { return types::TypeTable::of(kind); }
     template <class T> void put(uint32_t offset, T value) { std::memcpy(image.data() + offset, &value, sizeof value); }
     void constant(TypeId type, int64_t value) { code.constant(*table, {type, value}); }
-    void load(TypeId type, uint32_t offset, int bit = -1) { code.load(*table, {type, offset, static_cast<int16_t>(bit)}); }
+    void load(TypeId type, uint32_t offset, int bit = -1) {
+        code.load(*table, {type, offset, static_cast<int16_t>(bit)});
+    }
     Expression finish(TypeId type) { return Expression("test", table, code.finish(), type); }
     std::string shown(TypeId type) {
         const Outcome outcome = finish(type).evaluate(image);
@@ -52,9 +55,11 @@ TEST_F(Fixture, EveryScalarIsRead) {
         TypeKind kind;
         double expected;
     };
-    for (const auto& [kind, expected] : {Row{TypeKind::Sint, -1}, Row{TypeKind::Usint, 255}, Row{TypeKind::Int, -1}, Row{TypeKind::Uint, 65535}, Row{TypeKind::Dint, -1},
-                                         Row{TypeKind::Udint, 4294967295.0}, Row{TypeKind::Lint, -1}, Row{TypeKind::Ulint, 18446744073709551616.0}, Row{TypeKind::Bool, 1},
-                                         Row{TypeKind::Byte, 255}, Row{TypeKind::Time, -1}, Row{TypeKind::Wchar, 65535}}) {
+    for (const auto& [kind, expected] :
+         {Row{TypeKind::Sint, -1}, Row{TypeKind::Usint, 255}, Row{TypeKind::Int, -1}, Row{TypeKind::Uint, 65535},
+          Row{TypeKind::Dint, -1}, Row{TypeKind::Udint, 4294967295.0}, Row{TypeKind::Lint, -1},
+          Row{TypeKind::Ulint, 18446744073709551616.0}, Row{TypeKind::Bool, 1}, Row{TypeKind::Byte, 255},
+          Row{TypeKind::Time, -1}, Row{TypeKind::Wchar, 65535}}) {
         code = {};
         load(of(kind), 64);
         EXPECT_EQ(finish(of(kind)).number(image), expected) << types::spelling(kind);
@@ -75,8 +80,10 @@ TEST_F(Fixture, ArithmeticIsThatOfItsType) {
         int16_t a, b;
         const char* expected;
     };
-    for (const auto& [op, a, b, expected] : {Row{BinaryOp::Add, 32767, 1, "-32768"}, Row{BinaryOp::Multiply, 300, 300, "24464"}, Row{BinaryOp::Divide, -7, 2, "-3"},
-                                             Row{BinaryOp::Modulo, -7, 2, "-1"}, Row{BinaryOp::Divide, 1, 0, "division by zero"}, Row{BinaryOp::And, 6, 3, "2"}}) {
+    for (const auto& [op, a, b, expected] :
+         {Row{BinaryOp::Add, 32767, 1, "-32768"}, Row{BinaryOp::Multiply, 300, 300, "24464"},
+          Row{BinaryOp::Divide, -7, 2, "-3"}, Row{BinaryOp::Modulo, -7, 2, "-1"},
+          Row{BinaryOp::Divide, 1, 0, "division by zero"}, Row{BinaryOp::And, 6, 3, "2"}}) {
         code = {};
         constant(integer, a);
         constant(integer, b);
@@ -152,7 +159,8 @@ TEST_F(Fixture, AnInOutIsFollowed) {
 
 TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
     for (int16_t i = 0; i < 6; ++i) put<int16_t>(200 + 2 * static_cast<uint32_t>(i), static_cast<int16_t>(10 + i));
-    for (const auto& [offset, value] : {std::pair{64u, 200}, {72u, 1}, {80u, 2}, {88u, 0}, {96u, 2}}) put<int64_t>(offset, value);
+    for (const auto& [offset, value] : {std::pair{64u, 200}, {72u, 1}, {80u, 2}, {88u, 0}, {96u, 2}})
+        put<int64_t>(offset, value);
     const auto element = [&](int64_t i, int64_t k) {
         code = {};
         code.offset(64);
@@ -170,7 +178,8 @@ TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
     EXPECT_EQ(element(1, 0), "IN_OUT without a variable");
     put<int64_t>(64, 200);
     put<int64_t>(80, int64_t{1} << 40);
-    EXPECT_EQ(element(int64_t{1} << 40, 0), "reference to no variable") << "broken bounds must not lead out of the image";
+    EXPECT_EQ(element(int64_t{1} << 40, 0), "reference to no variable")
+        << "broken bounds must not lead out of the image";
 }
 
 TEST_F(Fixture, TextsCompareAndJoin) {

@@ -32,13 +32,18 @@ void expectSame(const Column& column, const Rows& rows, int64_t from, int64_t to
     column.buckets(from, to, buckets);
     for (size_t i = 0; i < parts; ++i) {
         const int64_t a = from + static_cast<int64_t>((to - from) / parts * i + (to - from) % parts * i / parts);
-        const int64_t b = from + static_cast<int64_t>((to - from) / parts * (i + 1) + (to - from) % parts * (i + 1) / parts);
+        const int64_t b =
+            from + static_cast<int64_t>((to - from) / parts * (i + 1) + (to - from) % parts * (i + 1) / parts);
         const ColumnBucket want = slowBucket(rows, a, b);
         ASSERT_EQ(buckets[i].count, want.count) << "part " << i << " of " << parts << " over " << from << ".." << to;
         ASSERT_EQ(buckets[i].isNumber, want.isNumber);
         if (want.count == 0) continue;
-        if (!std::isnan(want.first)) { ASSERT_EQ(buckets[i].first, want.first); }
-        if (!std::isnan(want.last)) { ASSERT_EQ(buckets[i].last, want.last); }
+        if (!std::isnan(want.first)) {
+            ASSERT_EQ(buckets[i].first, want.first);
+        }
+        if (!std::isnan(want.last)) {
+            ASSERT_EQ(buckets[i].last, want.last);
+        }
         if (!want.isNumber) continue;
         ASSERT_EQ(buckets[i].minimum, want.minimum);
         ASSERT_EQ(buckets[i].maximum, want.maximum);
@@ -74,18 +79,20 @@ TEST_P(ColumnAgainstVector, BucketsAndSearchesAgree) {
         const int64_t from = static_cast<int64_t>(random() % static_cast<uint64_t>(time)) - 500;
         const int64_t to = from + 1 + static_cast<int64_t>(random() % static_cast<uint64_t>(time));
         expectSame(*column, rows, from, to, 1 + random() % 40);
-        const auto it = std::lower_bound(rows.begin(), rows.end(), from, [](const ColumnRow& row, int64_t t) { return row.time < t; });
+        const auto it = std::lower_bound(rows.begin(), rows.end(), from,
+                                         [](const ColumnRow& row, int64_t t) { return row.time < t; });
         EXPECT_EQ(column->rowAtOrAfter(from), static_cast<uint64_t>(it - rows.begin()));
     }
     expectSame(*column, rows, 1'000, time, 1);
     expectSame(*column, rows, 1'000, time, 5'000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, ColumnAgainstVector,
-                         ::testing::Values(Shape{"Bit", ColumnKind::Bit, false, false}, Shape{"Int16", ColumnKind::Int16, true, false},
-                                           Shape{"Int32", ColumnKind::Int32, false, false}, Shape{"Int64", ColumnKind::Int64, true, false},
-                                           Shape{"Float", ColumnKind::Float, true, true}, Shape{"Double", ColumnKind::Double, false, true}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, ColumnAgainstVector,
+    ::testing::Values(Shape{"Bit", ColumnKind::Bit, false, false}, Shape{"Int16", ColumnKind::Int16, true, false},
+                      Shape{"Int32", ColumnKind::Int32, false, false}, Shape{"Int64", ColumnKind::Int64, true, false},
+                      Shape{"Float", ColumnKind::Float, true, true}, Shape{"Double", ColumnKind::Double, false, true}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Column, RefusesTimesThatDoNotGrow) {
     auto column = Column::make(ColumnKind::Double);
@@ -99,8 +106,12 @@ TEST(Column, RefusesTimesThatDoNotGrow) {
 TEST(Column, GivesTheRowInForceAtAnyTime) {
     auto column = Column::make(ColumnKind::Int32);
     for (int i = 0; i < 10; ++i) column->append(100 + i * 10, i);
-    struct Row { int64_t at; std::optional<uint64_t> row; };
-    for (const Row& row : {Row{99, std::nullopt}, Row{100, 0}, Row{109, 0}, Row{110, 1}, Row{190, 9}, Row{100'000, 9}, Row{std::numeric_limits<int64_t>::max(), 9}})
+    struct Row {
+        int64_t at;
+        std::optional<uint64_t> row;
+    };
+    for (const Row& row : {Row{99, std::nullopt}, Row{100, 0}, Row{109, 0}, Row{110, 1}, Row{190, 9}, Row{100'000, 9},
+                           Row{std::numeric_limits<int64_t>::max(), 9}})
         EXPECT_EQ(column->rowInForceAt(row.at), row.row) << row.at;
 }
 
@@ -190,7 +201,8 @@ TEST(ColumnStore, EvictsTheOldestOfAllColumnsAndSaysSo) {
         EXPECT_EQ(column.row(column.firstRow()).time, static_cast<int64_t>(column.firstRow()));
     }
     // Both give up the same span of time, give or take a chunk.
-    EXPECT_NEAR(static_cast<double>(store.column(a).firstTime()), static_cast<double>(store.column(b).firstTime()), 4097);
+    EXPECT_NEAR(static_cast<double>(store.column(a).firstTime()), static_cast<double>(store.column(b).firstTime()),
+                4097);
     const size_t before = store.bytes();
     store.remove(b);
     EXPECT_LT(store.bytes(), before);

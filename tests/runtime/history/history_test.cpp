@@ -116,14 +116,17 @@ TEST(History, SeekGivesBackEveryImageOfRandomRuns) {
         source.useProgram(makeProgram(1 + dice() % (run % 2 ? 40 : 4000)));
         for (int i = 0; i < 3000; ++i) {
             if (dice() % 700 == 0) source.useProgram(makeProgram(1 + dice() % 300));
-            if (dice() % 700 == 0 && i > 0 && source.all.size() > 10) source.goBackTo(source.all.size() - 1 - dice() % 10);
+            if (dice() % 700 == 0 && i > 0 && source.all.size() > 10)
+                source.goBackTo(source.all.size() - 1 - dice() % 10);
             const int changes = dice() % 4 == 0 ? 0 : static_cast<int>(dice() % (dice() % 20 == 0 ? 3000 : 10));
             source.scan(changes, 1'000'000 + (dice() % 50 == 0 ? 500'000 : 0));
         }
         const Statistics statistics = history.statistics();
         EXPECT_EQ(statistics.end, 3000u);
         EXPECT_GT(statistics.scans, 0u);
-        if (statistics.first > 0) { EXPECT_TRUE(history.seek(statistics.first - 1).empty()); }
+        if (statistics.first > 0) {
+            EXPECT_TRUE(history.seek(statistics.first - 1).empty());
+        }
         EXPECT_TRUE(history.seek(statistics.end).empty());
         for (Position p = statistics.first; p < statistics.end; p += 1 + dice() % 5) expectSame(history, source.all, p);
         expectSame(history, source.all, statistics.end - 1);
@@ -207,7 +210,8 @@ expression::Expression variable(const image::CompiledProgram& program, const std
     return {path, program.layout.types, builder.finish(), place->type};
 }
 /// `path > limit`, or `path > limit` as one that could read anything.
-expression::Expression above(const image::CompiledProgram& program, const std::string& path, int64_t limit, bool readsAnything = false) {
+expression::Expression above(const image::CompiledProgram& program, const std::string& path, int64_t limit,
+                             bool readsAnything = false) {
     const Result<image::Place> place = program.layout.find(path);
     if (!place) return {};
     expression::CodeBuilder builder;
@@ -236,7 +240,8 @@ protected:
     void step(int changes) {
         auto* data = reinterpret_cast<int32_t*>(source.data() + 112);
         if (source.random() % 3 == 0) data[3] = static_cast<int32_t>(source.random() % 100);
-        if (source.random() % 40 == 0 && (source.all.empty() || source.all.back().program == a)) data[150] = static_cast<int32_t>(source.random() % 100);
+        if (source.random() % 40 == 0 && (source.all.empty() || source.all.back().program == a))
+            data[150] = static_cast<int32_t>(source.random() % 100);
         source.scan(changes, 1'000'000);
         data[3] %= 100; // random bytes fell on it
     }
@@ -269,13 +274,17 @@ TEST_F(Queries, SeriesOfOneScanPerBucketIsExactAlsoOverAnOnlineChange) {
             const std::optional<double> expected = stored(p, path);
             ASSERT_EQ(buckets[p].begin, p);
             ASSERT_EQ(buckets[p].count, expected ? 1u : 0u) << path << " at " << p << " seed " << start;
-            if (expected) { ASSERT_EQ(buckets[p].first, *expected) << path << " at " << p << " seed " << start; }
+            if (expected) {
+                ASSERT_EQ(buckets[p].first, *expected) << path << " at " << p << " seed " << start;
+            }
             if (p < statistics.first) continue;
             const Sample& sample = samples[p - statistics.first];
             ASSERT_EQ(sample.at.position, p);
             ASSERT_EQ(sample.at.time.count(), source.all[p].time);
             ASSERT_EQ(sample.hasValue, expected.has_value());
-            if (expected) { ASSERT_EQ(sample.value, *expected); }
+            if (expected) {
+                ASSERT_EQ(sample.value, *expected);
+            }
         }
     }
 }
@@ -283,7 +292,8 @@ TEST_F(Queries, SeriesOfOneScanPerBucketIsExactAlsoOverAnOnlineChange) {
 TEST_F(Queries, BucketsHoldFirstLeastGreatestAndLast) {
     const Position from = history.statistics().first + 11;
     const Position to = history.statistics().end - 5;
-    const std::vector<Bucket> buckets = history.series(variable(*a, "data[3]"), [&](const image::CompiledProgram& p) { return variable(p, "data[3]"); }, from, to, 97);
+    const std::vector<Bucket> buckets = history.series(
+        variable(*a, "data[3]"), [&](const image::CompiledProgram& p) { return variable(p, "data[3]"); }, from, to, 97);
     ASSERT_EQ(buckets.size(), 97u);
     for (size_t k = 0; k < buckets.size(); ++k) {
         const Position end = k + 1 < buckets.size() ? buckets[k + 1].begin : to;
@@ -309,7 +319,9 @@ TEST_F(Queries, FindGivesTheNextScanAtWhichAnExpressionBecomesTrueBothWays) {
                 const std::optional<Position> previous = before(p);
                 return previous && isAbove(p) && !isAbove(*previous);
             };
-            const Recompile recompile = [&](const image::CompiledProgram& program) { return above(program, path, 50, readsAnything); };
+            const Recompile recompile = [&](const image::CompiledProgram& program) {
+                return above(program, path, 50, readsAnything);
+            };
             const expression::Expression expression = above(*a, path, 50, readsAnything);
             for (Position from = statistics.first; from < statistics.end; from += readsAnything ? 331 : 29) {
                 std::optional<Position> next, previous;
@@ -317,8 +329,10 @@ TEST_F(Queries, FindGivesTheNextScanAtWhichAnExpressionBecomesTrueBothWays) {
                     if (rises(p)) next = p;
                 for (Position p = from; p-- > statistics.first && !previous;)
                     if (rises(p)) previous = p;
-                ASSERT_EQ(history.find(expression, recompile, from, History::Direction::Forward), next) << path << " from " << from << " seed " << start;
-                ASSERT_EQ(history.find(expression, recompile, from, History::Direction::Backward), previous) << path << " from " << from << " seed " << start;
+                ASSERT_EQ(history.find(expression, recompile, from, History::Direction::Forward), next)
+                    << path << " from " << from << " seed " << start;
+                ASSERT_EQ(history.find(expression, recompile, from, History::Direction::Backward), previous)
+                    << path << " from " << from << " seed " << start;
             }
         }
     }
@@ -338,8 +352,10 @@ TEST_F(Queries, FindChangeStopsWhereTheValueDiffersFromTheScanBefore) {
             if (changes(p)) next = p;
         for (Position p = from; p-- > statistics.first && !previous;)
             if (changes(p)) previous = p;
-        ASSERT_EQ(history.findChange(variable(*a, path), recompile, from, History::Direction::Forward), next) << "from " << from << " seed " << start;
-        ASSERT_EQ(history.findChange(variable(*a, path), recompile, from, History::Direction::Backward), previous) << "from " << from << " seed " << start;
+        ASSERT_EQ(history.findChange(variable(*a, path), recompile, from, History::Direction::Forward), next)
+            << "from " << from << " seed " << start;
+        ASSERT_EQ(history.findChange(variable(*a, path), recompile, from, History::Direction::Backward), previous)
+            << "from " << from << " seed " << start;
     }
 }
 
@@ -347,13 +363,16 @@ TEST_F(Queries, FindChangeStopsWhereTheValueDiffersFromTheScanBefore) {
 
 class RecordingFile : public Queries {
 protected:
-    RecordingFile() : path((std::filesystem::temp_directory_path() / ("recording_" + std::to_string(::getpid()) + ".stwrec")).string()) {
+    RecordingFile()
+        : path((std::filesystem::temp_directory_path() / ("recording_" + std::to_string(::getpid()) + ".stwrec"))
+                   .string()) {
         history.describeProgram(a, {{"main.st", "a"}}, {"toolbox"});
         history.describeProgram(b, {{"main.st", "b"}}, {});
         history.mark(3, "here", 5ms);
     }
     ~RecordingFile() override { std::filesystem::remove(path); }
-    std::shared_ptr<const image::CompiledProgram> rebuild(const std::vector<std::pair<std::string, std::string>>& sources) {
+    std::shared_ptr<const image::CompiledProgram>
+    rebuild(const std::vector<std::pair<std::string, std::string>>& sources) {
         return sources.at(0).second == "a" ? a : b;
     }
     Result<std::unique_ptr<History>> load() {
@@ -392,12 +411,16 @@ TEST_F(RecordingFile, ADamagedFileIsRefusedWithoutHarm) {
     std::mt19937 random(start);
     for (int i = 0; i < 60; ++i) {
         std::string bad = good;
-        if (i % 3 == 0) bad.resize(random() % bad.size());
-        else bad[i % 3 == 1 ? random() % std::min<size_t>(bad.size(), 400) : random() % bad.size()] ^= static_cast<char>(1 + random() % 255);
+        if (i % 3 == 0)
+            bad.resize(random() % bad.size());
+        else
+            bad[i % 3 == 1 ? random() % std::min<size_t>(bad.size(), 400) : random() % bad.size()] ^=
+                static_cast<char>(1 + random() % 255);
         std::ofstream(path, std::ios::binary | std::ios::trunc) << bad;
-        const Result<std::unique_ptr<History>> loaded = History::load(path, [&](const auto& sources, const auto&) -> std::shared_ptr<const image::CompiledProgram> {
-            return sources.empty() ? nullptr : sources[0].second == "a" ? a : b;
-        });
+        const Result<std::unique_ptr<History>> loaded =
+            History::load(path, [&](const auto& sources, const auto&) -> std::shared_ptr<const image::CompiledProgram> {
+                return sources.empty() ? nullptr : sources[0].second == "a" ? a : b;
+            });
         EXPECT_FALSE(loaded) << "seed " << start << " step " << i;
     }
     EXPECT_FALSE(History::load("/nonexistent/file", [](const auto&, const auto&) { return nullptr; }));
@@ -418,7 +441,8 @@ TEST(History, ReadersSeeWholeScansWhileTheScanThreadAppendsAndEvicts) {
             header.timeNs = int64_t(scan) * 1000;
             header.scan = scan;
             std::memcpy(image.data(), &header, sizeof header);
-            for (uint32_t word = 0; word < 500; word += 50) std::memcpy(image.data() + 112 + word * 4, &scan, 4); // all alike in one scan
+            for (uint32_t word = 0; word < 500; word += 50)
+                std::memcpy(image.data() + 112 + word * 4, &scan, 4); // all alike in one scan
             history.append(image, scan, Nanoseconds(header.timeNs));
             if (scan % 5000 == 4999) history.mark(1, "mark", Nanoseconds(header.timeNs));
         }
@@ -434,13 +458,16 @@ TEST(History, ReadersSeeWholeScansWhileTheScanThreadAppendsAndEvicts) {
             const Position position = statistics.first + random() % (statistics.end - statistics.first);
             const std::vector<std::byte> image = history.seek(position);
             if (!image.empty()) {
-                for (uint32_t word = 0; word < 500; word += 50) ASSERT_EQ(plc::testing::valueAt<uint32_t>(image, 112 + word * 4), position);
+                for (uint32_t word = 0; word < 500; word += 50)
+                    ASSERT_EQ(plc::testing::valueAt<uint32_t>(image, 112 + word * 4), position);
                 ++checked;
             }
             const Position from = statistics.end > 300 ? statistics.end - 300 : 0;
             const std::vector<Bucket> buckets = history.series(expression, {}, from, statistics.end, 1000);
             for (const Bucket& bucket : buckets)
-                if (bucket.count) { ASSERT_EQ(bucket.first, static_cast<double>(bucket.begin)); }
+                if (bucket.count) {
+                    ASSERT_EQ(bucket.first, static_cast<double>(bucket.begin));
+                }
             (void)history.positionAt(Nanoseconds(static_cast<int64_t>(position) * 1000));
             (void)history.marks();
         }

@@ -13,7 +13,9 @@ struct Text {
         std::strcpy(bytes.data(), text);
     }
     [[nodiscard]] std::string text() const { return {bytes.data(), strnlen(bytes.data(), capacity + 1)}; }
-    [[nodiscard]] bool isIntact() const { return bytes[capacity + 1] == '#' && std::memchr(bytes.data(), 0, capacity + 1) != nullptr; }
+    [[nodiscard]] bool isIntact() const {
+        return bytes[capacity + 1] == '#' && std::memchr(bytes.data(), 0, capacity + 1) != nullptr;
+    }
     char* data() { return bytes.data(); }
     uint32_t capacity;
     std::vector<char> bytes;

@@ -7,7 +7,8 @@
 using namespace plc::types;
 
 namespace {
-constexpr int64_t kMs = 1'000'000, kSecond = 1'000 * kMs, kMinute = 60 * kSecond, kHour = 60 * kMinute, kDay = 24 * kHour;
+constexpr int64_t kMs = 1'000'000, kSecond = 1'000 * kMs, kMinute = 60 * kSecond, kHour = 60 * kMinute,
+                  kDay = 24 * kHour;
 }
 
 TEST(Duration, TextShowsOnlyTheUnitsThatAreThere) {
@@ -16,9 +17,15 @@ TEST(Duration, TextShowsOnlyTheUnitsThatAreThere) {
         const char* text;
     };
     for (const auto& [nanoseconds, text] : {
-             Row{0, "T#0s"}, Row{1, "T#1ns"}, Row{kMs, "T#1ms"}, Row{1'500 * kMs, "T#1s500ms"}, Row{kDay + 2 * kHour, "T#1d2h"},
-             Row{-1'500 * kMs, "T#-1s500ms"}, Row{kDay + 2 * kHour + 3 * kMinute + 4 * kSecond + 5 * kMs + 6'007, "T#1d2h3m4s5ms6us7ns"},
-             Row{INT64_MAX, "T#106751d23h47m16s854ms775us807ns"}, Row{INT64_MIN, "T#-106751d23h47m16s854ms775us808ns"},
+             Row{0, "T#0s"},
+             Row{1, "T#1ns"},
+             Row{kMs, "T#1ms"},
+             Row{1'500 * kMs, "T#1s500ms"},
+             Row{kDay + 2 * kHour, "T#1d2h"},
+             Row{-1'500 * kMs, "T#-1s500ms"},
+             Row{kDay + 2 * kHour + 3 * kMinute + 4 * kSecond + 5 * kMs + 6'007, "T#1d2h3m4s5ms6us7ns"},
+             Row{INT64_MAX, "T#106751d23h47m16s854ms775us807ns"},
+             Row{INT64_MIN, "T#-106751d23h47m16s854ms775us808ns"},
          }) {
         EXPECT_EQ(durationText(nanoseconds), text);
         EXPECT_EQ(parseDuration(text), nanoseconds != INT64_MIN ? std::optional(nanoseconds) : std::nullopt) << text;
@@ -32,17 +39,33 @@ TEST(Duration, EverySpellingReadsTheSame) {
         int64_t nanoseconds;
     };
     for (const auto& [text, nanoseconds] : {
-             Row{"T#100ms", 100 * kMs}, Row{"T#10S", 10 * kSecond}, Row{"t#0s", 0}, Row{"TIME#10s", 10 * kSecond}, Row{"ltime#1us", 1'000},
-             Row{"LT#5ns", 5}, Row{"T#10d14h11m23s", 10 * kDay + 14 * kHour + 11 * kMinute + 23 * kSecond}, Row{"T#5s12ms23us300ns", 5'012'023'300},
-             Row{"T#14.7s", 14'700 * kMs}, Row{"T#1.5h", 90 * kMinute}, Row{"T#25h_15m", 25 * kHour + 15 * kMinute}, Row{"T#1_000ms", kSecond},
-             Row{"T#-5s", -5 * kSecond}, Row{"-T#5s", -5 * kSecond}, Row{"1s500ms", 1'500 * kMs}, Row{"T#3m", 3 * kMinute}, Row{"T#3ms", 3 * kMs},
-             Row{"T#0.000001s", 1'000}, Row{" T#1d ", kDay}, Row{"T#90m", 90 * kMinute},
+             Row{"T#100ms", 100 * kMs},
+             Row{"T#10S", 10 * kSecond},
+             Row{"t#0s", 0},
+             Row{"TIME#10s", 10 * kSecond},
+             Row{"ltime#1us", 1'000},
+             Row{"LT#5ns", 5},
+             Row{"T#10d14h11m23s", 10 * kDay + 14 * kHour + 11 * kMinute + 23 * kSecond},
+             Row{"T#5s12ms23us300ns", 5'012'023'300},
+             Row{"T#14.7s", 14'700 * kMs},
+             Row{"T#1.5h", 90 * kMinute},
+             Row{"T#25h_15m", 25 * kHour + 15 * kMinute},
+             Row{"T#1_000ms", kSecond},
+             Row{"T#-5s", -5 * kSecond},
+             Row{"-T#5s", -5 * kSecond},
+             Row{"1s500ms", 1'500 * kMs},
+             Row{"T#3m", 3 * kMinute},
+             Row{"T#3ms", 3 * kMs},
+             Row{"T#0.000001s", 1'000},
+             Row{" T#1d ", kDay},
+             Row{"T#90m", 90 * kMinute},
          })
         EXPECT_EQ(parseDuration(text), nanoseconds) << text;
 }
 
 TEST(Duration, WhatIsNoneIsRefused) {
-    for (const char* text : {"", "T#", "T#5", "T#5x", "D#5s", "T#s", "T#1.5h30m", "T#5ms3s", "T#1s1s", "T#--5s", "T#200000d", "T#.5s", "5", "T#1e3s"})
+    for (const char* text : {"", "T#", "T#5", "T#5x", "D#5s", "T#s", "T#1.5h30m", "T#5ms3s", "T#1s1s", "T#--5s",
+                             "T#200000d", "T#.5s", "5", "T#1e3s"})
         EXPECT_EQ(parseDuration(text), std::nullopt) << text;
 }
 
@@ -51,8 +74,10 @@ TEST(Date, DaysAreCountedFrom1970) {
         CivilDate date;
         int64_t days;
     };
-    for (const auto& [date, days] : {Row{{1970, 1, 1}, 0}, Row{{1970, 1, 2}, 1}, Row{{1969, 12, 31}, -1}, Row{{2000, 2, 29}, 11'016}, Row{{2000, 3, 1}, 11'017},
-                                     Row{{1996, 3, 15}, 9'570}, Row{{2038, 1, 19}, 24'855}, Row{{2100, 3, 1}, 47'541}, Row{{1600, 1, 1}, -135'140}}) {
+    for (const auto& [date, days] :
+         {Row{{1970, 1, 1}, 0}, Row{{1970, 1, 2}, 1}, Row{{1969, 12, 31}, -1}, Row{{2000, 2, 29}, 11'016},
+          Row{{2000, 3, 1}, 11'017}, Row{{1996, 3, 15}, 9'570}, Row{{2038, 1, 19}, 24'855}, Row{{2100, 3, 1}, 47'541},
+          Row{{1600, 1, 1}, -135'140}}) {
         EXPECT_EQ(daysFromCivil(date), days);
         const CivilDate back = civilFromDays(days);
         EXPECT_EQ(back.year, date.year);
@@ -62,7 +87,8 @@ TEST(Date, DaysAreCountedFrom1970) {
 }
 
 TEST(Date, EveryDayOfFourCenturiesComesBack) {
-    for (int64_t day = daysFromCivil({1800, 1, 1}); day <= daysFromCivil({2200, 12, 31}); ++day) ASSERT_EQ(daysFromCivil(civilFromDays(day)), day);
+    for (int64_t day = daysFromCivil({1800, 1, 1}); day <= daysFromCivil({2200, 12, 31}); ++day)
+        ASSERT_EQ(daysFromCivil(civilFromDays(day)), day);
 }
 
 TEST(Date, OnlyDaysOfTheCalendarAreValid) {
@@ -99,7 +125,10 @@ TEST(Date, TextsReadBack) {
     EXPECT_EQ(parseDate("D#1677-9-22"), -106'751 * kDay);
     EXPECT_FALSE(parseDate("D#1677-9-21")); // beyond 64 bits of nanoseconds
     EXPECT_FALSE(parseDateTime("LDT#1500-1-1-0:0:0"));
-    for (const char* text : {"D#1996-3", "D#1996-13-1", "D#2023-2-29", "D#1996-3-15x", "T#1996-3-15", "D#99999-1-1"}) EXPECT_FALSE(parseDate(text)) << text;
-    for (const char* text : {"TOD#24:00:00", "TOD#1:60:0", "TOD#1:0:60", "TOD#1", "TOD#1:2:3."}) EXPECT_FALSE(parseTimeOfDay(text)) << text;
-    for (const char* text : {"DT#1996-3-15", "DT#1996-3-15-", "DT#1996-3-15 1:10:3"}) EXPECT_FALSE(parseDateTime(text)) << text;
+    for (const char* text : {"D#1996-3", "D#1996-13-1", "D#2023-2-29", "D#1996-3-15x", "T#1996-3-15", "D#99999-1-1"})
+        EXPECT_FALSE(parseDate(text)) << text;
+    for (const char* text : {"TOD#24:00:00", "TOD#1:60:0", "TOD#1:0:60", "TOD#1", "TOD#1:2:3."})
+        EXPECT_FALSE(parseTimeOfDay(text)) << text;
+    for (const char* text : {"DT#1996-3-15", "DT#1996-3-15-", "DT#1996-3-15 1:10:3"})
+        EXPECT_FALSE(parseDateTime(text)) << text;
 }

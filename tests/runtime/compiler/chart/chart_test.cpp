@@ -30,7 +30,9 @@ struct Opened {
         if (pou->body.chart) chart = build(*pou->body.chart);
         diagnostics::Sink checks;
         if (pou->body.chart) check(chart, checks);
-        for (const auto& d : checks.all()) codes += (codes.empty() ? "" : " ") + std::string(diagnostics::codeOf(d.kind)) + ":" + text.substr(d.range.begin, d.range.length());
+        for (const auto& d : checks.all())
+            codes += (codes.empty() ? "" : " ") + std::string(diagnostics::codeOf(d.kind)) + ":" +
+                     text.substr(d.range.begin, d.range.length());
     }
     StepId step(std::string_view name) const { return chart.find(name); }
     TransitionId transition(size_t index) const { return TransitionId(index); }
@@ -43,10 +45,13 @@ std::string steps(std::initializer_list<const char*> names) {
     for (const char* name : names) out += std::string(out.empty() ? "INITIAL_STEP " : "STEP ") + name + ": END_STEP\n";
     return out;
 }
-std::string way(const char* from, const char* to) { return std::string("TRANSITION FROM ") + from + " TO " + to + " := c; END_TRANSITION\n"; }
+std::string way(const char* from, const char* to) {
+    return std::string("TRANSITION FROM ") + from + " TO " + to + " := c; END_TRANSITION\n";
+}
 
 const std::string kLoop = steps({"A", "B", "C"}) + way("A", "B") + way("B", "C") + way("C", "A");
-const std::string kChoice = steps({"A", "B", "C", "D"}) + way("A", "B") + way("A", "C") + way("B", "D") + way("C", "D") + way("D", "A");
+const std::string kChoice =
+    steps({"A", "B", "C", "D"}) + way("A", "B") + way("A", "C") + way("B", "D") + way("C", "D") + way("D", "A");
 const std::string kParallel = steps({"A", "B", "C", "D"}) + way("A", "(B, C)") + way("(B, C)", "D") + way("D", "A");
 
 } // namespace
@@ -66,7 +71,8 @@ TEST(ChartChecks, FindStructuralMistakes) {
              {steps({"A", "Fill"}) + way("A", "Fil") + way("Fill", "A"), "P4003:Fil P4004:Fill"},
              {steps({"A", "B"}) + way("A", "A") + way("B", "A"), "P4004:B"},
              {steps({"A", "B", "C"}) + way("A", "(B, C)") + way("B", "A") + way("C", "A"), "P4005:A"},
-             {steps({"A", "B", "C", "D"}) + way("A", "B") + way("A", "C") + way("(B, C)", "D") + way("D", "A"), "P4006:B, C"},
+             {steps({"A", "B", "C", "D"}) + way("A", "B") + way("A", "C") + way("(B, C)", "D") + way("D", "A"),
+              "P4006:B, C"},
              {steps({"A", "B"}) + "TRANSITION FROM A TO B := TRUE; END_TRANSITION\n" + way("B", "A"), "P4007:TRUE"},
              {"INITIAL_STEP A {minTime := T#1s}: END_STEP\nTRANSITION FROM A TO A := TRUE; END_TRANSITION\n", ""},
              {"INITIAL_STEP A: x(D); y(Q); z(L, T#1s); END_STEP\n" + way("A", "A"), "P4008:D P4009:Q"},
@@ -88,7 +94,10 @@ TEST(ChartChecks, SeeThroughManyParallelBranches) {
         close += (b ? ", S" : "S") + std::to_string(b) + "_19";
     }
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(Opened(program(names + way("A", ("(" + open + ")").c_str()) + ways + way(("(" + close + ")").c_str(), "Z") + way("Z", "A"))).codes, "");
+    EXPECT_EQ(Opened(program(names + way("A", ("(" + open + ")").c_str()) + ways +
+                             way(("(" + close + ")").c_str(), "Z") + way("Z", "A")))
+                  .codes,
+              "");
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
 }
 
@@ -131,7 +140,8 @@ TEST(ChartLayout, PutsParallelBranchesBetweenDoubleLines) {
 
 TEST(ChartLayout, LetsABranchJumpAndSkip) {
     // A -> B -> C with a way back from B and one that skips B
-    const Opened opened(program(steps({"A", "B", "C"}) + way("A", "B") + way("A", "C") + way("B", "A") + way("B", "C") + way("C", "A")));
+    const Opened opened(program(steps({"A", "B", "C"}) + way("A", "B") + way("A", "C") + way("B", "A") + way("B", "C") +
+                                way("C", "A")));
     const Layout layout = computeLayout(opened.chart);
     ASSERT_EQ(layout.jumps.size(), 2u);
     std::vector<Cell> cells = layout.steps;
@@ -144,13 +154,19 @@ TEST(ChartLayout, LetsABranchJumpAndSkip) {
 
 TEST(ChartLayout, KeepsAWayOutApartFromWhatStandsBelow) {
     // B leads to the common D or aside to E; C leads to D: the way from B to D must not run through E
-    const Opened opened(program(steps({"A", "B", "C", "D", "E"}) + way("A", "B") + way("A", "C") + way("B", "D") + way("B", "E") + way("C", "D") + way("D", "E") + way("E", "A")));
+    const Opened opened(program(steps({"A", "B", "C", "D", "E"}) + way("A", "B") + way("A", "C") + way("B", "D") +
+                                way("B", "E") + way("C", "D") + way("D", "E") + way("E", "A")));
     const Layout layout = computeLayout(opened.chart);
     const Cell d = layout.steps[3], e = layout.steps[4];
     EXPECT_FALSE(d.column == e.column && e.row < d.row) << "E stands in the way to D";
-    const auto close = std::find_if(layout.bars.begin(), layout.bars.end(), [&](const Bar& bar) { return bar.kind == BarKind::AlternativeClose && bar.step == opened.step("D"); });
+    const auto close = std::find_if(layout.bars.begin(), layout.bars.end(), [&](const Bar& bar) {
+        return bar.kind == BarKind::AlternativeClose && bar.step == opened.step("D");
+    });
     ASSERT_NE(close, layout.bars.end());
-    EXPECT_EQ(std::count_if(layout.lines.begin(), layout.lines.end(), [&](const Line& line) { return line.toRow == close->row; }), 2) << "from B and from C";
+    EXPECT_EQ(std::count_if(layout.lines.begin(), layout.lines.end(),
+                            [&](const Line& line) { return line.toRow == close->row; }),
+              2)
+        << "from B and from C";
 }
 
 TEST(ChartLayout, NeverPutsTwoThingsInOnePlace) {
@@ -162,14 +178,16 @@ TEST(ChartLayout, NeverPutsTwoThingsInOnePlace) {
     for (int round = 0; round < 300; ++round) {
         const uint32_t count = 2 + random(12);
         std::string body;
-        for (uint32_t i = 0; i < count; ++i) body += (i == 0 ? "INITIAL_STEP S" : "STEP S") + std::to_string(i) + ": END_STEP\n";
+        for (uint32_t i = 0; i < count; ++i)
+            body += (i == 0 ? "INITIAL_STEP S" : "STEP S") + std::to_string(i) + ": END_STEP\n";
         const auto names = [&](uint32_t most) {
             const uint32_t n = 1 + random(most);
             std::string list;
             for (uint32_t k = 0; k < n; ++k) list += (k ? ", S" : "S") + std::to_string((random(count) + k) % count);
             return n > 1 ? "(" + list + ")" : list;
         };
-        for (uint32_t i = 0; i < count + random(count); ++i) body += way(names(random(4) == 0 ? 3 : 1).c_str(), names(random(4) == 0 ? 3 : 1).c_str());
+        for (uint32_t i = 0; i < count + random(count); ++i)
+            body += way(names(random(4) == 0 ? 3 : 1).c_str(), names(random(4) == 0 ? 3 : 1).c_str());
         const Opened opened(program(body));
         const Layout layout = computeLayout(opened.chart);
         std::vector<std::pair<int, int>> cells;
@@ -185,27 +203,37 @@ TEST(ChartLayout, NeverPutsTwoThingsInOnePlace) {
         EXPECT_EQ(std::adjacent_find(cells.begin(), cells.end()), cells.end()) << body;
         // a line goes through no element on its way, and a way to a bar crosses no other bar
         for (const Line& line : layout.lines)
-            for (const auto& [column, row] : cells) EXPECT_FALSE(column == line.column && row > line.fromRow && row < line.toRow) << body;
+            for (const auto& [column, row] : cells)
+                EXPECT_FALSE(column == line.column && row > line.fromRow && row < line.toRow) << body;
         for (const Line& line : layout.lines)
-            for (const Bar& bar : layout.bars) EXPECT_FALSE(bar.row > line.fromRow && bar.row < line.toRow && line.column >= bar.firstColumn && line.column <= bar.lastColumn) << body;
+            for (const Bar& bar : layout.bars)
+                EXPECT_FALSE(bar.row > line.fromRow && bar.row < line.toRow && line.column >= bar.firstColumn &&
+                             line.column <= bar.lastColumn)
+                    << body;
         // every transition leads on: by a line or an arrow below it
         for (size_t i = 0; i < layout.transitions.size(); ++i) {
             if (opened.chart.transitions[i].to.empty()) continue;
             const Cell at = layout.transitions[i];
-            const bool goesOn = std::any_of(layout.lines.begin(), layout.lines.end(), [&](const Line& line) { return line.column == at.column && line.fromRow == at.row; });
+            const bool goesOn = std::any_of(layout.lines.begin(), layout.lines.end(), [&](const Line& line) {
+                return line.column == at.column && line.fromRow == at.row;
+            });
             EXPECT_TRUE(goesOn) << "transition " << i << "\n" << body;
         }
         // a bar lies across no element
         for (const Bar& bar : layout.bars)
-            for (const auto& [column, row] : cells) EXPECT_FALSE(row == bar.row && column >= bar.firstColumn && column <= bar.lastColumn) << body;
+            for (const auto& [column, row] : cells)
+                EXPECT_FALSE(row == bar.row && column >= bar.firstColumn && column <= bar.lastColumn) << body;
     }
 }
 
 TEST(ChartLayout, FiveHundredStepsTakeNoTime) {
     std::string body;
-    for (int i = 0; i < 500; ++i) body += (i == 0 ? "INITIAL_STEP S" : "STEP S") + std::to_string(i) + ": a(N); END_STEP\n";
-    for (int i = 0; i < 500; ++i) body += way(("S" + std::to_string(i)).c_str(), ("S" + std::to_string((i + 1) % 500)).c_str());
-    for (int i = 0; i < 480; i += 7) body += way(("S" + std::to_string(i)).c_str(), ("S" + std::to_string(i + 5)).c_str());
+    for (int i = 0; i < 500; ++i)
+        body += (i == 0 ? "INITIAL_STEP S" : "STEP S") + std::to_string(i) + ": a(N); END_STEP\n";
+    for (int i = 0; i < 500; ++i)
+        body += way(("S" + std::to_string(i)).c_str(), ("S" + std::to_string((i + 1) % 500)).c_str());
+    for (int i = 0; i < 480; i += 7)
+        body += way(("S" + std::to_string(i)).c_str(), ("S" + std::to_string(i + 5)).c_str());
     const auto begin = std::chrono::steady_clock::now();
     const Opened opened(program(body));
     const Layout layout = computeLayout(opened.chart);

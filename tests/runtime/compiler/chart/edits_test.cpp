@@ -75,13 +75,17 @@ std::string with(std::initializer_list<std::pair<const char*, const char*>> chan
 TEST(ChartEdits, InsertAStepBehindAStep) {
     const Opened o(kText);
     EXPECT_EQ(after(o, o.editor().insertStepAfter(o.step("Wait"))),
-              with({{"FROM Wait TO Fill", "FROM Step1 TO Fill"}, {"// first\n", "// first\nTRANSITION FROM Wait TO Step1 := TRUE; END_TRANSITION\nSTEP Step1:\nEND_STEP\n"}}));
+              with({{"FROM Wait TO Fill", "FROM Step1 TO Fill"},
+                    {"// first\n",
+                     "// first\nTRANSITION FROM Wait TO Step1 := TRUE; END_TRANSITION\nSTEP Step1:\nEND_STEP\n"}}));
 }
 
 TEST(ChartEdits, InsertAStepBehindATransition) {
     const Opened o(kText);
     EXPECT_EQ(after(o, o.editor().insertStepAfter(TransitionId(0), "Heat")),
-              with({{"TO Fill := go AND Wait.T > T#1s; END_TRANSITION\n", "TO Heat := go AND Wait.T > T#1s; END_TRANSITION\nSTEP Heat:\nEND_STEP\nTRANSITION FROM Heat TO Fill := TRUE; END_TRANSITION\n"}}));
+              with({{"TO Fill := go AND Wait.T > T#1s; END_TRANSITION\n",
+                     "TO Heat := go AND Wait.T > T#1s; END_TRANSITION\nSTEP Heat:\nEND_STEP\nTRANSITION FROM Heat TO "
+                     "Fill := TRUE; END_TRANSITION\n"}}));
     EXPECT_FALSE(o.editor().insertStepAfter(TransitionId(0), "wait"));
     EXPECT_FALSE(o.editor().insertStepAfter(TransitionId(0), "1x"));
 }
@@ -89,25 +93,35 @@ TEST(ChartEdits, InsertAStepBehindATransition) {
 TEST(ChartEdits, DeleteAStepWithItsCommentsAndTheTransitionBehindIt) {
     const Opened o(kText);
     EXPECT_EQ(after(o, o.editor().deleteStep(o.step("Fill"))),
-              with({{"// fills the tank\n// to the brim\nSTEP Fill:\n    valve(N); (* open *)\n    count(D, T#2s);\nEND_STEP // filling\nTRANSITION FROM Fill TO Wait := full; END_TRANSITION\n", ""}, {"FROM Wait TO Fill", "FROM Wait TO Wait"}}));
+              with({{"// fills the tank\n// to the brim\nSTEP Fill:\n    valve(N); (* open *)\n    count(D, "
+                     "T#2s);\nEND_STEP // filling\nTRANSITION FROM Fill TO Wait := full; END_TRANSITION\n",
+                     ""},
+                    {"FROM Wait TO Fill", "FROM Wait TO Wait"}}));
     EXPECT_FALSE(o.editor().deleteStep(o.step("Wait")));
 }
 
 TEST(ChartEdits, RenameAStepWhereverItStands) {
     const Opened o(kText);
-    EXPECT_EQ(after(o, o.editor().renameStep(o.step("Fill"), "Pour")),
-              with({{"TO Fill :=", "TO Pour :="}, {"STEP Fill:", "STEP Pour:"}, {"FROM Fill", "FROM Pour"}, {"IF Fill.X", "IF Pour.X"}}));
-    EXPECT_EQ(after(o, o.editor().renameStep(o.step("Wait"), "wait")), with({{"STEP Wait", "STEP wait"}, {"FROM Wait", "FROM wait"}, {"AND Wait.T", "AND wait.T"}, {"Fill TO Wait", "Fill TO wait"}}));
+    EXPECT_EQ(after(o, o.editor().renameStep(o.step("Fill"), "Pour")), with({{"TO Fill :=", "TO Pour :="},
+                                                                             {"STEP Fill:", "STEP Pour:"},
+                                                                             {"FROM Fill", "FROM Pour"},
+                                                                             {"IF Fill.X", "IF Pour.X"}}));
+    EXPECT_EQ(after(o, o.editor().renameStep(o.step("Wait"), "wait")), with({{"STEP Wait", "STEP wait"},
+                                                                             {"FROM Wait", "FROM wait"},
+                                                                             {"AND Wait.T", "AND wait.T"},
+                                                                             {"Fill TO Wait", "Fill TO wait"}}));
 }
 
 TEST(ChartEdits, RenameAnAction) {
     const Opened o(kText);
-    EXPECT_EQ(after(o, o.editor().renameAction("count", "tally")), with({{"count(D", "tally(D"}, {"ACTION count", "ACTION tally"}}));
+    EXPECT_EQ(after(o, o.editor().renameAction("count", "tally")),
+              with({{"count(D", "tally(D"}, {"ACTION count", "ACTION tally"}}));
 }
 
 TEST(ChartEdits, ChangeConditionsPrioritiesAndTimes) {
     const Opened o(kText);
-    EXPECT_EQ(after(o, o.editor().setCondition(TransitionId(1), "full OR stop")), with({{":= full;", ":= full OR stop;"}}));
+    EXPECT_EQ(after(o, o.editor().setCondition(TransitionId(1), "full OR stop")),
+              with({{":= full;", ":= full OR stop;"}}));
     const std::string prioritised = after(o, o.editor().setPriority(TransitionId(1), 2));
     EXPECT_EQ(prioritised, with({{"TRANSITION FROM Fill", "TRANSITION (PRIORITY := 2) FROM Fill"}}));
     const Opened p(prioritised);
@@ -120,33 +134,46 @@ TEST(ChartEdits, ChangeConditionsPrioritiesAndTimes) {
 
 TEST(ChartEdits, ChangeActions) {
     const Opened o(kText);
-    EXPECT_EQ(after(o, o.editor().insertAction(o.step("Fill"), 9, "lamp", "L", "T#1s")), with({{"count(D, T#2s);", "count(D, T#2s);\n    lamp(L, T#1s);"}}));
-    EXPECT_EQ(after(o, o.editor().insertAction(o.step("Fill"), 0, "lamp", "N")), with({{"valve(N);", "lamp(N);\n    valve(N);"}}));
-    EXPECT_EQ(after(o, o.editor().insertAction(o.step("Wait"), 0, "lamp", "")), with({{"STEP Wait: END", "STEP Wait: lamp(N); END"}}));
+    EXPECT_EQ(after(o, o.editor().insertAction(o.step("Fill"), 9, "lamp", "L", "T#1s")),
+              with({{"count(D, T#2s);", "count(D, T#2s);\n    lamp(L, T#1s);"}}));
+    EXPECT_EQ(after(o, o.editor().insertAction(o.step("Fill"), 0, "lamp", "N")),
+              with({{"valve(N);", "lamp(N);\n    valve(N);"}}));
+    EXPECT_EQ(after(o, o.editor().insertAction(o.step("Wait"), 0, "lamp", "")),
+              with({{"STEP Wait: END", "STEP Wait: lamp(N); END"}}));
     EXPECT_EQ(after(o, o.editor().deleteAction(o.step("Fill"), 1)), with({{"    count(D, T#2s);\n", ""}}));
-    EXPECT_EQ(after(o, o.editor().moveAction(o.step("Fill"), 1, 0)), with({{"valve(N);", "count(D, T#2s);"}, {"    count(D, T#2s);\nEND", "    valve(N);\nEND"}}));
+    EXPECT_EQ(after(o, o.editor().moveAction(o.step("Fill"), 1, 0)),
+              with({{"valve(N);", "count(D, T#2s);"}, {"    count(D, T#2s);\nEND", "    valve(N);\nEND"}}));
     EXPECT_EQ(after(o, o.editor().changeAction(o.step("Fill"), 0, "valve", "S", "")), with({{"valve(N)", "valve(S)"}}));
-    EXPECT_EQ(after(o, o.editor().declareAction("lamp")), with({{"END_ACTION\n", "END_ACTION\nACTION lamp:\nEND_ACTION\n"}}));
+    EXPECT_EQ(after(o, o.editor().declareAction("lamp")),
+              with({{"END_ACTION\n", "END_ACTION\nACTION lamp:\nEND_ACTION\n"}}));
 }
 
 TEST(ChartEdits, BranchesComeGoAndChangePlaces) {
     const Opened o(kText);
     const std::string two = after(o, o.editor().insertAlternativeBranch(o.step("Fill"), "Drain"));
-    EXPECT_EQ(two, with({{":= full; END_TRANSITION\n", ":= full; END_TRANSITION\nTRANSITION FROM Fill TO Drain := TRUE; END_TRANSITION\nSTEP Drain:\nEND_STEP\nTRANSITION FROM Drain TO Wait := TRUE; END_TRANSITION\n"}}));
+    EXPECT_EQ(two, with({{":= full; END_TRANSITION\n",
+                          ":= full; END_TRANSITION\nTRANSITION FROM Fill TO Drain := TRUE; END_TRANSITION\nSTEP "
+                          "Drain:\nEND_STEP\nTRANSITION FROM Drain TO Wait := TRUE; END_TRANSITION\n"}}));
     const Opened p(two);
     EXPECT_EQ(after(p, p.editor().deleteBranch(TransitionId(2))), kText);
     const std::string moved = after(p, p.editor().moveTransition(TransitionId(2), Place::Before, TransitionId(1)));
     EXPECT_LT(moved.find("FROM Fill TO Drain"), moved.find("FROM Fill TO Wait"));
     const std::string parallel = after(o, o.editor().insertSimultaneousBranch(TransitionId(0), "Stir"));
-    EXPECT_EQ(parallel, with({{"TO Fill := go AND Wait.T > T#1s; END_TRANSITION\n", "TO (Fill, Stir) := go AND Wait.T > T#1s; END_TRANSITION\nSTEP Stir:\nEND_STEP\n"}, {"FROM Fill TO Wait", "FROM (Fill, Stir) TO Wait"}}));
+    EXPECT_EQ(parallel, with({{"TO Fill := go AND Wait.T > T#1s; END_TRANSITION\n",
+                               "TO (Fill, Stir) := go AND Wait.T > T#1s; END_TRANSITION\nSTEP Stir:\nEND_STEP\n"},
+                              {"FROM Fill TO Wait", "FROM (Fill, Stir) TO Wait"}}));
     const Opened q(parallel);
     EXPECT_EQ(after(q, q.editor().deleteStep(q.step("Stir"))), kText);
 }
 
 TEST(ChartEdits, MoveAStepByNamesAlone) {
-    const Opened o("PROGRAM p\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO B := x; END_TRANSITION\nSTEP B: END_STEP\nTRANSITION FROM B TO C := y; END_TRANSITION\nSTEP C: END_STEP\nTRANSITION FROM C TO A := z; END_TRANSITION\nEND_PROGRAM\n");
+    const Opened o("PROGRAM p\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO B := x; END_TRANSITION\nSTEP B: "
+                   "END_STEP\nTRANSITION FROM B TO C := y; END_TRANSITION\nSTEP C: END_STEP\nTRANSITION FROM C TO A := "
+                   "z; END_TRANSITION\nEND_PROGRAM\n");
     EXPECT_EQ(after(o, o.editor().moveStep(o.step("B"), TransitionId(2))),
-              "PROGRAM p\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO C := x; END_TRANSITION\nSTEP B: END_STEP\nTRANSITION FROM B TO A := y; END_TRANSITION\nSTEP C: END_STEP\nTRANSITION FROM C TO B := z; END_TRANSITION\nEND_PROGRAM\n");
+              "PROGRAM p\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO C := x; END_TRANSITION\nSTEP B: "
+              "END_STEP\nTRANSITION FROM B TO A := y; END_TRANSITION\nSTEP C: END_STEP\nTRANSITION FROM C TO B := z; "
+              "END_TRANSITION\nEND_PROGRAM\n");
     EXPECT_EQ(after(o, o.editor().setInitial(o.step("B"))).find("INITIAL_STEP B"), o.text.find("STEP B") - 8);
     EXPECT_FALSE(o.editor().moveStep(o.step("B"), TransitionId(0)));
 }
@@ -170,7 +197,8 @@ TEST(ChartEdits, RandomEditsKeepTheChartReadable) {
             const ChartEditor editor = o.editor();
             const StepId step(random(o.chart.steps.size())), other(random(o.chart.steps.size()));
             if (o.chart.transitions.empty()) break;
-            const TransitionId transition(random(o.chart.transitions.size())), anchor(random(o.chart.transitions.size()));
+            const TransitionId transition(random(o.chart.transitions.size())),
+                anchor(random(o.chart.transitions.size()));
             const std::function<Result<Edits>()> choices[] = {
                 [&] { return editor.insertStepAfter(step); },
                 [&] { return editor.insertStepAfter(transition); },

@@ -1,5 +1,5 @@
-// Random charts: what is written is what the model reads, an edit that changes nothing changes no byte, and every other edit changes the
-// chart by just that edit. Each round prints its seed when it fails.
+// Random charts: what is written is what the model reads, an edit that changes nothing changes no byte, and every other
+// edit changes the chart by just that edit. Each round prints its seed when it fails.
 #include "runtime/compiler/chart/chart.h"
 #include "runtime/compiler/chart/edits.h"
 #include "runtime/compiler/chart/layout.h"
@@ -90,16 +90,21 @@ std::string write(const Spec& spec, Random& random) {
         gap();
         if (isStep) {
             const Spec::Step& step = spec.steps[s++];
-            out += (step.isInitial ? "INITIAL_STEP " : "STEP ") + step.name + (step.minTime.empty() ? "" : " {minTime := " + step.minTime + "}") + ":";
+            out += (step.isInitial ? "INITIAL_STEP " : "STEP ") + step.name +
+                   (step.minTime.empty() ? "" : " {minTime := " + step.minTime + "}") + ":";
             const bool lines = random(2);
             for (const Spec::Association& a : step.actions)
-                out += (lines ? end + "    " : " ") + a.action + "(" + a.qualifier + (a.time.empty() ? "" : ", " + a.time) + ");" + (lines && random(4) == 0 ? " (* of " + a.action + " *)" : "");
+                out += (lines ? end + "    " : " ") + a.action + "(" + a.qualifier +
+                       (a.time.empty() ? "" : ", " + a.time) + ");" +
+                       (lines && random(4) == 0 ? " (* of " + a.action + " *)" : "");
             out += (lines ? end : std::string(" ")) + "END_STEP";
         } else {
             const Spec::Transition& transition = spec.transitions[t++];
-            out += "TRANSITION" + (transition.name.empty() ? "" : " " + transition.name) + (transition.priority.empty() ? "" : " (PRIORITY := " + transition.priority + ")");
+            out += "TRANSITION" + (transition.name.empty() ? "" : " " + transition.name) +
+                   (transition.priority.empty() ? "" : " (PRIORITY := " + transition.priority + ")");
             const std::string sep = random(3) == 0 ? end + "    " : std::string(" ");
-            out += sep + "FROM " + names(transition.from) + " TO " + names(transition.to) + " := " + transition.condition + ";" + sep + "END_TRANSITION";
+            out += sep + "FROM " + names(transition.from) + " TO " + names(transition.to) +
+                   " := " + transition.condition + ";" + sep + "END_TRANSITION";
         }
         tail();
     }
@@ -128,12 +133,18 @@ struct Opened {
         Spec out;
         for (const Step& s : chart.steps) {
             Spec::Step step{std::string(s.decl->name.text), s.decl->isInitial, {}, {}};
-            for (const auto& a : s.decl->actions) step.actions.push_back({std::string(a.action.text), std::string(a.qualifier.text), a.time ? slice(a.time->range) : ""});
+            for (const auto& a : s.decl->actions)
+                step.actions.push_back(
+                    {std::string(a.action.text), std::string(a.qualifier.text), a.time ? slice(a.time->range) : ""});
             for (const auto& pragma : s.decl->pragmas) step.minTime = std::string(pragma.value);
             out.steps.push_back(step);
         }
         for (const Transition& t : chart.transitions) {
-            Spec::Transition transition{std::string(t.decl->name.text), t.decl->priority ? slice(t.decl->priority->range) : "", {}, {}, t.decl->condition ? slice(t.decl->condition->range) : ""};
+            Spec::Transition transition{std::string(t.decl->name.text),
+                                        t.decl->priority ? slice(t.decl->priority->range) : "",
+                                        {},
+                                        {},
+                                        t.decl->condition ? slice(t.decl->condition->range) : ""};
             for (const auto& name : t.decl->from) transition.from.emplace_back(name.text);
             for (const auto& name : t.decl->to) transition.to.emplace_back(name.text);
             out.transitions.push_back(transition);
@@ -147,7 +158,9 @@ const char* const kActions[] = {"lamp", "motor", "run"};
 struct Qualified {
     const char *qualifier, *time;
 };
-constexpr Qualified kQualifiers[] = {{"N", ""}, {"S", ""}, {"R", ""}, {"P", ""}, {"P0", ""}, {"P1", ""}, {"D", "T#2s"}, {"L", "T#1s"}, {"SD", "T#3s"}, {"DS", "T#100ms"}, {"SL", "T#5s"}};
+constexpr Qualified kQualifiers[] = {{"N", ""},      {"S", ""},         {"R", ""},     {"P", ""},
+                                     {"P0", ""},     {"P1", ""},        {"D", "T#2s"}, {"L", "T#1s"},
+                                     {"SD", "T#3s"}, {"DS", "T#100ms"}, {"SL", "T#5s"}};
 
 Spec randomSpec(Random& random) {
     Spec spec;
@@ -169,14 +182,17 @@ Spec randomSpec(Random& random) {
         return out;
     };
     for (size_t i = 0; i < count + random(count); ++i)
-        spec.transitions.push_back({random(5) == 0 ? "t" + std::to_string(i) : "", random(5) == 0 ? std::to_string(1 + random(9)) : "", some(random(4) == 0 ? 3 : 1), some(random(4) == 0 ? 3 : 1), kConditions[random(std::size(kConditions))]});
+        spec.transitions.push_back({random(5) == 0 ? "t" + std::to_string(i) : "",
+                                    random(5) == 0 ? std::to_string(1 + random(9)) : "", some(random(4) == 0 ? 3 : 1),
+                                    some(random(4) == 0 ? 3 : 1), kConditions[random(std::size(kConditions))]});
     return spec;
 }
 
 /// Every line of a comment that stands in a text.
 std::vector<std::string> notes(const std::string& text) {
     std::vector<std::string> out;
-    for (size_t at = 0; (at = text.find("note ", at)) != std::string::npos; ++at) out.push_back(text.substr(at, text.find_first_of(" *\r\n", at + 5) - at));
+    for (size_t at = 0; (at = text.find("note ", at)) != std::string::npos; ++at)
+        out.push_back(text.substr(at, text.find_first_of(" *\r\n", at + 5) - at));
     std::sort(out.begin(), out.end());
     return out;
 }
@@ -198,14 +214,17 @@ TEST(RandomCharts, AreReadAsTheyWereWrittenAndKeepEveryByteOfAnEditThatChangesNo
         for (size_t i = 0; i < spec.transitions.size(); ++i) {
             const TransitionId id(i);
             same(o.editor().setCondition(id, spec.transitions[i].condition));
-            same(o.editor().setPriority(id, spec.transitions[i].priority.empty() ? 0 : std::stoi(spec.transitions[i].priority)));
+            same(o.editor().setPriority(
+                id, spec.transitions[i].priority.empty() ? 0 : std::stoi(spec.transitions[i].priority)));
             same(o.editor().moveTransition(id, Place::Before, id));
         }
         for (size_t i = 0; i < spec.steps.size(); ++i) {
             const StepId id(i);
             same(o.editor().renameStep(id, spec.steps[i].name));
             if (!spec.steps[i].minTime.empty()) same(o.editor().setStepTime(id, "minTime", spec.steps[i].minTime));
-            for (size_t k = 0; k < spec.steps[i].actions.size(); ++k) same(o.editor().changeAction(id, k, spec.steps[i].actions[k].action, spec.steps[i].actions[k].qualifier, spec.steps[i].actions[k].time));
+            for (size_t k = 0; k < spec.steps[i].actions.size(); ++k)
+                same(o.editor().changeAction(id, k, spec.steps[i].actions[k].action, spec.steps[i].actions[k].qualifier,
+                                             spec.steps[i].actions[k].time));
         }
         // the parts, put together again in the order of the text, are the text
         std::vector<SourceRange> parts;
@@ -235,7 +254,8 @@ TEST(RandomCharts, DifferByTheEditOnly) {
             ASSERT_EQ(o.errors, "") << text;
             if (o.chart.steps.empty() || o.chart.transitions.empty()) break;
             Spec wanted = o.spec();
-            const size_t s = random(o.chart.steps.size()), t = random(o.chart.transitions.size()), u = random(o.chart.transitions.size()), other = random(o.chart.steps.size());
+            const size_t s = random(o.chart.steps.size()), t = random(o.chart.transitions.size()),
+                         u = random(o.chart.transitions.size()), other = random(o.chart.steps.size());
             const StepId step(s);
             const TransitionId transition(t), anchor(u);
             const size_t kind = random(perKind.size());
@@ -338,6 +358,7 @@ TEST(RandomCharts, DifferByTheEditOnly) {
             ++perKind[kind];
         }
     }
-    for (size_t kind = 0; kind < perKind.size(); ++kind) EXPECT_GT(perKind[kind], 5) << "edit " << kind << " was hardly tried";
+    for (size_t kind = 0; kind < perKind.size(); ++kind)
+        EXPECT_GT(perKind[kind], 5) << "edit " << kind << " was hardly tried";
     EXPECT_GT(done, 500);
 }

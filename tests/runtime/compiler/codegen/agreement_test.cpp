@@ -15,24 +15,79 @@ using types::Value;
 
 namespace {
 
-const TypeKind kNumbers[] = {TypeKind::Bool, TypeKind::Byte, TypeKind::Word, TypeKind::Dword, TypeKind::Lword, TypeKind::Sint, TypeKind::Int,   TypeKind::Dint, TypeKind::Lint,
-                             TypeKind::Usint, TypeKind::Uint, TypeKind::Udint, TypeKind::Ulint, TypeKind::Real, TypeKind::Lreal};
-const TypeKind kAll[] = {TypeKind::Bool, TypeKind::Byte, TypeKind::Word, TypeKind::Dword, TypeKind::Lword, TypeKind::Sint, TypeKind::Int, TypeKind::Dint, TypeKind::Lint,
-                         TypeKind::Usint, TypeKind::Uint, TypeKind::Udint, TypeKind::Ulint, TypeKind::Real, TypeKind::Lreal, TypeKind::Time, TypeKind::Ltime,
-                         TypeKind::Date, TypeKind::Ldate, TypeKind::Tod, TypeKind::Ltod, TypeKind::Dt, TypeKind::Ldt, TypeKind::Char, TypeKind::Wchar};
+const TypeKind kNumbers[] = {TypeKind::Bool, TypeKind::Byte,  TypeKind::Word,  TypeKind::Dword, TypeKind::Lword,
+                             TypeKind::Sint, TypeKind::Int,   TypeKind::Dint,  TypeKind::Lint,  TypeKind::Usint,
+                             TypeKind::Uint, TypeKind::Udint, TypeKind::Ulint, TypeKind::Real,  TypeKind::Lreal};
+const TypeKind kAll[] = {TypeKind::Bool, TypeKind::Byte,  TypeKind::Word,  TypeKind::Dword, TypeKind::Lword,
+                         TypeKind::Sint, TypeKind::Int,   TypeKind::Dint,  TypeKind::Lint,  TypeKind::Usint,
+                         TypeKind::Uint, TypeKind::Udint, TypeKind::Ulint, TypeKind::Real,  TypeKind::Lreal,
+                         TypeKind::Time, TypeKind::Ltime, TypeKind::Date,  TypeKind::Ldate, TypeKind::Tod,
+                         TypeKind::Ltod, TypeKind::Dt,    TypeKind::Ldt,   TypeKind::Char,  TypeKind::Wchar};
 
 std::vector<Value> samples(TypeKind kind) {
     const TypeId type = of(kind);
     std::vector<Value> values;
     if (familyOf(kind) == Family::Real) {
-        const double numbers[] = {0.0, -0.0, 0.5, 1.5, 2.5, -0.5, -1.5, -2.5, 1.0, -1.0, 3.7, -3.7, 127.5, 255.5, 32767.5, 65535.5, 2147483647.0, -2147483648.0, 4294967296.0,
-                                  9.3e18, -9.3e18, 1.9e19, 1e30, -1e30, 16777217.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                                  std::numeric_limits<double>::quiet_NaN(), 1e-40, 0.1};
-        for (const double n : numbers) values.push_back({type, kind == TypeKind::Real ? static_cast<double>(static_cast<float>(n)) : n});
+        const double numbers[] = {0.0,
+                                  -0.0,
+                                  0.5,
+                                  1.5,
+                                  2.5,
+                                  -0.5,
+                                  -1.5,
+                                  -2.5,
+                                  1.0,
+                                  -1.0,
+                                  3.7,
+                                  -3.7,
+                                  127.5,
+                                  255.5,
+                                  32767.5,
+                                  65535.5,
+                                  2147483647.0,
+                                  -2147483648.0,
+                                  4294967296.0,
+                                  9.3e18,
+                                  -9.3e18,
+                                  1.9e19,
+                                  1e30,
+                                  -1e30,
+                                  16777217.0,
+                                  std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::quiet_NaN(),
+                                  1e-40,
+                                  0.1};
+        for (const double n : numbers)
+            values.push_back({type, kind == TypeKind::Real ? static_cast<double>(static_cast<float>(n)) : n});
         return values;
     }
-    const int64_t numbers[] = {0, 1, -1, 2, 7, -7, 100, 127, 128, -128, 255, 256, 32767, -32768, 65535, 65536, 2147483647, -2147483648ll, 4294967295ll, 86'399'999'999'999ll, 946'684'800'123'456'789ll,
-                               INT64_MAX, INT64_MIN, 0x1234567890abcdefll, 1'500'000, -1'500'000};
+    const int64_t numbers[] = {0,
+                               1,
+                               -1,
+                               2,
+                               7,
+                               -7,
+                               100,
+                               127,
+                               128,
+                               -128,
+                               255,
+                               256,
+                               32767,
+                               -32768,
+                               65535,
+                               65536,
+                               2147483647,
+                               -2147483648ll,
+                               4294967295ll,
+                               86'399'999'999'999ll,
+                               946'684'800'123'456'789ll,
+                               INT64_MAX,
+                               INT64_MIN,
+                               0x1234567890abcdefll,
+                               1'500'000,
+                               -1'500'000};
     for (const int64_t n : numbers) {
         const int64_t wrapped = types::wrapInteger(kind, n);
         const Value value{type, kind == TypeKind::Bool ? int64_t(n != 0) : wrapped};
@@ -75,14 +130,17 @@ public:
                 const uint32_t size = t.types[value.type].size;
                 if (std::memcmp(bytes, t.image() + at, size) == 0) continue;
                 const Value seen = types::readValue(t.types, value.type, {t.image() + at, size});
-                const bool bothNan = std::holds_alternative<double>(seen.data) && std::isnan(seen.real()) && std::isnan(value.real());
+                const bool bothNan =
+                    std::holds_alternative<double>(seen.data) && std::isnan(seen.real()) && std::isnan(value.real());
                 if (bothNan || ++failures > 20) continue;
-                ADD_FAILURE() << (tier == codegen::Tier::Quick ? "quick " : "optimised ") << what << " gives " << toText(t.types, seen) << ", the evaluator "
-                              << toText(t.types, value);
+                ADD_FAILURE() << (tier == codegen::Tier::Quick ? "quick " : "optimised ") << what << " gives "
+                              << toText(t.types, seen) << ", the evaluator " << toText(t.types, value);
             }
         }
     }
-    [[nodiscard]] std::string text(const Value& value) const { return t.types[value.type].name + " " + toText(t.types, value); }
+    [[nodiscard]] std::string text(const Value& value) const {
+        return t.types[value.type].name + " " + toText(t.types, value);
+    }
     Bench t;
 
 private:
@@ -105,15 +163,18 @@ TEST(Agreement, ConversionsBetweenAllElementaryTypes) {
         Comparison c;
         for (const Value& value : samples(from)) {
             for (const TypeKind to : kAll)
-                c.expect(c.t.convert(c.input(value), of(to)), types::convert(c.t.types, value, of(to)), c.text(value) + " to " + std::string(types::spelling(to)));
+                c.expect(c.t.convert(c.input(value), of(to)), types::convert(c.t.types, value, of(to)),
+                         c.text(value) + " to " + std::string(types::spelling(to)));
         }
         c.check();
     }
 }
 
 TEST(Agreement, OperatorsOnAllNumbers) {
-    const BinaryOp operators[] = {BinaryOp::Add, BinaryOp::Subtract, BinaryOp::Multiply, BinaryOp::Divide, BinaryOp::Modulo, BinaryOp::And, BinaryOp::Or, BinaryOp::Xor,
-                                  BinaryOp::Equal, BinaryOp::NotEqual, BinaryOp::Less, BinaryOp::LessEqual, BinaryOp::Greater, BinaryOp::GreaterEqual};
+    const BinaryOp operators[] = {BinaryOp::Add,     BinaryOp::Subtract,    BinaryOp::Multiply, BinaryOp::Divide,
+                                  BinaryOp::Modulo,  BinaryOp::And,         BinaryOp::Or,       BinaryOp::Xor,
+                                  BinaryOp::Equal,   BinaryOp::NotEqual,    BinaryOp::Less,     BinaryOp::LessEqual,
+                                  BinaryOp::Greater, BinaryOp::GreaterEqual};
     for (const TypeKind kind : kNumbers) {
         Comparison c;
         const std::vector<Value> values = samples(kind);
@@ -127,22 +188,28 @@ TEST(Agreement, OperatorsOnAllNumbers) {
                     if (kind == TypeKind::Bool && op < BinaryOp::And) continue;
                     const library::Evaluated e = library::evaluateBinary(c.t.types, op, of(kind), a, d);
                     if (e.error != library::EvaluationError::None) continue;
-                    c.expect(c.t.binary(op, x, y), e.value, c.text(a) + " op" + std::to_string(static_cast<int>(op)) + " " + c.text(d));
+                    c.expect(c.t.binary(op, x, y), e.value,
+                             c.text(a) + " op" + std::to_string(static_cast<int>(op)) + " " + c.text(d));
                 }
             }
         for (const Value& a : values)
             for (const library::UnaryOp op : {library::UnaryOp::Negate, library::UnaryOp::Not}) {
                 const library::Evaluated e = library::evaluateUnary(c.t.types, op, of(kind), a);
-                if (e.error == library::EvaluationError::None && !(kind == TypeKind::Bool && op == library::UnaryOp::Negate)) c.expect(c.t.unary(op, c.input(a)), e.value, "unary " + c.text(a));
+                if (e.error == library::EvaluationError::None &&
+                    !(kind == TypeKind::Bool && op == library::UnaryOp::Negate))
+                    c.expect(c.t.unary(op, c.input(a)), e.value, "unary " + c.text(a));
             }
         c.check();
     }
 }
 
 TEST(Agreement, MathematicalFunctions) {
-    const Intrinsic one[] = {Intrinsic::Abs, Intrinsic::Sqrt, Intrinsic::Ln, Intrinsic::Log, Intrinsic::Exp, Intrinsic::Sin, Intrinsic::Cos, Intrinsic::Tan, Intrinsic::Asin, Intrinsic::Acos,
-                             Intrinsic::Atan, Intrinsic::Sinh, Intrinsic::Cosh, Intrinsic::Tanh, Intrinsic::TruncReal, Intrinsic::Floor, Intrinsic::Ceil, Intrinsic::RoundReal, Intrinsic::Frac,
-                             Intrinsic::Square, Intrinsic::DegToRad, Intrinsic::RadToDeg};
+    const Intrinsic one[] = {Intrinsic::Abs,      Intrinsic::Sqrt,      Intrinsic::Ln,        Intrinsic::Log,
+                             Intrinsic::Exp,      Intrinsic::Sin,       Intrinsic::Cos,       Intrinsic::Tan,
+                             Intrinsic::Asin,     Intrinsic::Acos,      Intrinsic::Atan,      Intrinsic::Sinh,
+                             Intrinsic::Cosh,     Intrinsic::Tanh,      Intrinsic::TruncReal, Intrinsic::Floor,
+                             Intrinsic::Ceil,     Intrinsic::RoundReal, Intrinsic::Frac,      Intrinsic::Square,
+                             Intrinsic::DegToRad, Intrinsic::RadToDeg};
     for (const TypeKind kind : {TypeKind::Real, TypeKind::Lreal}) {
         Comparison c;
         const std::vector<Value> values = samples(kind);
@@ -150,20 +217,28 @@ TEST(Agreement, MathematicalFunctions) {
             Expr* x = c.input(a);
             const Value operands[] = {a};
             for (const Intrinsic f : one)
-                c.expect(c.t.intrinsic(f, of(kind), {x}), library::evaluateIntrinsic(c.t.types, f, of(kind), operands, nullptr).value, "f" + std::to_string(static_cast<int>(f)) + " " + c.text(a));
-            c.expect(c.t.intrinsic(Intrinsic::IsValid, of(TypeKind::Bool), {x}), library::evaluateIntrinsic(c.t.types, Intrinsic::IsValid, of(TypeKind::Bool), operands, nullptr).value,
-                     "IsValid " + c.text(a));
+                c.expect(c.t.intrinsic(f, of(kind), {x}),
+                         library::evaluateIntrinsic(c.t.types, f, of(kind), operands, nullptr).value,
+                         "f" + std::to_string(static_cast<int>(f)) + " " + c.text(a));
+            c.expect(
+                c.t.intrinsic(Intrinsic::IsValid, of(TypeKind::Bool), {x}),
+                library::evaluateIntrinsic(c.t.types, Intrinsic::IsValid, of(TypeKind::Bool), operands, nullptr).value,
+                "IsValid " + c.text(a));
             for (const TypeKind to : kNumbers) {
                 if (!isInteger(to)) continue;
                 for (const Intrinsic f : {Intrinsic::Trunc, Intrinsic::Floor, Intrinsic::Ceil})
-                    c.expect(c.t.intrinsic(f, of(to), {x}), library::evaluateIntrinsic(c.t.types, f, of(to), operands, nullptr).value,
-                             "f" + std::to_string(static_cast<int>(f)) + " " + c.text(a) + " to " + std::string(types::spelling(to)));
+                    c.expect(c.t.intrinsic(f, of(to), {x}),
+                             library::evaluateIntrinsic(c.t.types, f, of(to), operands, nullptr).value,
+                             "f" + std::to_string(static_cast<int>(f)) + " " + c.text(a) + " to " +
+                                 std::string(types::spelling(to)));
             }
             for (const Value& d : values) {
                 const Value two[] = {a, d};
                 Expr* y = c.input(d);
                 for (const Intrinsic f : {Intrinsic::Expt, Intrinsic::Atan2})
-                    c.expect(c.t.intrinsic(f, of(kind), {x, y}), library::evaluateIntrinsic(c.t.types, f, of(kind), two, nullptr).value, "f2 " + c.text(a) + " " + c.text(d));
+                    c.expect(c.t.intrinsic(f, of(kind), {x, y}),
+                             library::evaluateIntrinsic(c.t.types, f, of(kind), two, nullptr).value,
+                             "f2 " + c.text(a) + " " + c.text(d));
             }
         }
         c.check();
@@ -179,22 +254,35 @@ TEST(Agreement, ShiftsSelectionsAndExtremes) {
         for (const Value& a : values) {
             Expr* x = c.input(a);
             if (isInteger(kind)) {
-                for (const int64_t n : {int64_t(0), int64_t(1), int64_t(7), int64_t(8), int64_t(31), int64_t(32), int64_t(64), int64_t(-9), INT64_MIN}) {
+                for (const int64_t n : {int64_t(0), int64_t(1), int64_t(7), int64_t(8), int64_t(31), int64_t(32),
+                                        int64_t(64), int64_t(-9), INT64_MIN}) {
                     const Value count{lint, n};
                     const Value operands[] = {a, count};
                     Expr* y = c.input(count);
                     for (const Intrinsic f : {Intrinsic::Shl, Intrinsic::Shr, Intrinsic::Rol, Intrinsic::Ror})
-                        c.expect(c.t.intrinsic(f, of(kind), {x, y}), library::evaluateIntrinsic(c.t.types, f, of(kind), operands, nullptr).value,
-                                 "shift" + std::to_string(static_cast<int>(f)) + " " + c.text(a) + " by " + std::to_string(n));
-                    c.expect(c.t.intrinsic(Intrinsic::ExptInt, of(kind), {x, y}), library::evaluateIntrinsic(c.t.types, Intrinsic::ExptInt, of(kind), operands, nullptr).value,
-                             "power " + c.text(a) + " " + std::to_string(n));
+                        c.expect(c.t.intrinsic(f, of(kind), {x, y}),
+                                 library::evaluateIntrinsic(c.t.types, f, of(kind), operands, nullptr).value,
+                                 "shift" + std::to_string(static_cast<int>(f)) + " " + c.text(a) + " by " +
+                                     std::to_string(n));
+                    c.expect(
+                        c.t.intrinsic(Intrinsic::ExptInt, of(kind), {x, y}),
+                        library::evaluateIntrinsic(c.t.types, Intrinsic::ExptInt, of(kind), operands, nullptr).value,
+                        "power " + c.text(a) + " " + std::to_string(n));
                 }
                 const Value operands[] = {a};
-                c.expect(c.t.intrinsic(Intrinsic::Abs, of(kind), {x}), library::evaluateIntrinsic(c.t.types, Intrinsic::Abs, of(kind), operands, nullptr).value, "abs " + c.text(a));
-                c.expect(c.t.intrinsic(Intrinsic::SwapBytes, of(kind), {x}), library::evaluateIntrinsic(c.t.types, Intrinsic::SwapBytes, of(kind), operands, nullptr).value, "swap " + c.text(a));
-                c.expect(c.t.intrinsic(Intrinsic::BcdTo, of(TypeKind::Dint), {x}), library::evaluateIntrinsic(c.t.types, Intrinsic::BcdTo, of(TypeKind::Dint), operands, nullptr).value,
+                c.expect(c.t.intrinsic(Intrinsic::Abs, of(kind), {x}),
+                         library::evaluateIntrinsic(c.t.types, Intrinsic::Abs, of(kind), operands, nullptr).value,
+                         "abs " + c.text(a));
+                c.expect(c.t.intrinsic(Intrinsic::SwapBytes, of(kind), {x}),
+                         library::evaluateIntrinsic(c.t.types, Intrinsic::SwapBytes, of(kind), operands, nullptr).value,
+                         "swap " + c.text(a));
+                c.expect(c.t.intrinsic(Intrinsic::BcdTo, of(TypeKind::Dint), {x}),
+                         library::evaluateIntrinsic(c.t.types, Intrinsic::BcdTo, of(TypeKind::Dint), operands, nullptr)
+                             .value,
                          "from bcd " + c.text(a));
-                c.expect(c.t.intrinsic(Intrinsic::ToBcd, of(TypeKind::Dword), {x}), library::evaluateIntrinsic(c.t.types, Intrinsic::ToBcd, of(TypeKind::Dword), operands, nullptr).value,
+                c.expect(c.t.intrinsic(Intrinsic::ToBcd, of(TypeKind::Dword), {x}),
+                         library::evaluateIntrinsic(c.t.types, Intrinsic::ToBcd, of(TypeKind::Dword), operands, nullptr)
+                             .value,
                          "to bcd " + c.text(a));
             }
             for (size_t n = 0; n < values.size(); n += 9) {
@@ -203,11 +291,14 @@ TEST(Agreement, ShiftsSelectionsAndExtremes) {
                 Expr *y = c.input(d), *z = c.input(e);
                 const Value three[] = {a, d, e};
                 for (const Intrinsic f : {Intrinsic::Max, Intrinsic::Min, Intrinsic::Limit})
-                    c.expect(c.t.intrinsic(f, of(kind), {x, y, z}), library::evaluateIntrinsic(c.t.types, f, of(kind), three, nullptr).value,
-                             "f" + std::to_string(static_cast<int>(f)) + " " + c.text(a) + " " + c.text(d) + " " + c.text(e));
+                    c.expect(c.t.intrinsic(f, of(kind), {x, y, z}),
+                             library::evaluateIntrinsic(c.t.types, f, of(kind), three, nullptr).value,
+                             "f" + std::to_string(static_cast<int>(f)) + " " + c.text(a) + " " + c.text(d) + " " +
+                                 c.text(e));
                 const Value k{lint, static_cast<int64_t>(n) - 3};
                 const Value mux[] = {k, a, d, e};
-                c.expect(c.t.intrinsic(Intrinsic::Mux, of(kind), {c.input(k), x, y, z}), library::evaluateIntrinsic(c.t.types, Intrinsic::Mux, of(kind), mux, nullptr).value, "mux");
+                c.expect(c.t.intrinsic(Intrinsic::Mux, of(kind), {c.input(k), x, y, z}),
+                         library::evaluateIntrinsic(c.t.types, Intrinsic::Mux, of(kind), mux, nullptr).value, "mux");
             }
         }
         c.check();
@@ -216,38 +307,49 @@ TEST(Agreement, ShiftsSelectionsAndExtremes) {
 
 TEST(Agreement, DurationsAndDates) {
     Comparison c;
-    const TypeId time = of(TypeKind::Time), lint = of(TypeKind::Lint), lreal = of(TypeKind::Lreal), dt = of(TypeKind::Dt), integer = of(TypeKind::Int);
+    const TypeId time = of(TypeKind::Time), lint = of(TypeKind::Lint), lreal = of(TypeKind::Lreal),
+                 dt = of(TypeKind::Dt), integer = of(TypeKind::Int);
     for (const Value& a : samples(TypeKind::Time)) {
         Expr* x = c.input(a);
         for (const Value& factor : samples(TypeKind::Lint)) {
             const Value operands[] = {a, factor};
-            c.expect(c.t.intrinsic(Intrinsic::MulDuration, time, {x, c.input(factor)}), library::evaluateIntrinsic(c.t.types, Intrinsic::MulDuration, time, operands, nullptr).value, "mul");
+            c.expect(c.t.intrinsic(Intrinsic::MulDuration, time, {x, c.input(factor)}),
+                     library::evaluateIntrinsic(c.t.types, Intrinsic::MulDuration, time, operands, nullptr).value,
+                     "mul");
             if (factor.integer() != 0)
-                c.expect(c.t.intrinsic(Intrinsic::DivDuration, time, {x, c.input(factor)}), library::evaluateIntrinsic(c.t.types, Intrinsic::DivDuration, time, operands, nullptr).value, "div");
+                c.expect(c.t.intrinsic(Intrinsic::DivDuration, time, {x, c.input(factor)}),
+                         library::evaluateIntrinsic(c.t.types, Intrinsic::DivDuration, time, operands, nullptr).value,
+                         "div");
         }
         for (const Value& factor : samples(TypeKind::Lreal)) {
             const Value operands[] = {a, factor};
             for (const Intrinsic f : {Intrinsic::MulDuration, Intrinsic::DivDuration})
-                c.expect(c.t.intrinsic(f, time, {x, c.input(factor)}), library::evaluateIntrinsic(c.t.types, f, time, operands, nullptr).value, "real factor");
+                c.expect(c.t.intrinsic(f, time, {x, c.input(factor)}),
+                         library::evaluateIntrinsic(c.t.types, f, time, operands, nullptr).value, "real factor");
         }
     }
     for (const Value& a : samples(TypeKind::Dt)) {
         const Value operands[] = {a};
         for (int64_t which = 0; which < 4; ++which)
             for (const Intrinsic f : {Intrinsic::DatePart, Intrinsic::TimePart})
-                c.expect(c.t.intrinsic(f, integer, {c.input(a)}, which), library::evaluateIntrinsic(c.t.types, f, integer, operands, nullptr, which).value, "part");
+                c.expect(c.t.intrinsic(f, integer, {c.input(a)}, which),
+                         library::evaluateIntrinsic(c.t.types, f, integer, operands, nullptr, which).value, "part");
     }
     for (const int64_t year : {2024, 1970, 1600, 9999})
         for (const int64_t day : {0, 1, 29, 30, 32}) {
-            const Value operands[] = {{lint, year}, {lint, 2}, {lint, day}, {lint, 23}, {lint, 59}, {lint, 58}, {lint, 999}};
+            const Value operands[] = {{lint, year}, {lint, 2},  {lint, day}, {lint, 23},
+                                      {lint, 59},   {lint, 58}, {lint, 999}};
             std::vector<Expr*> inputs;
             for (const Value& v : operands) inputs.push_back(c.input(v));
-            c.expect(c.t.intrinsic(Intrinsic::ConcatDt, dt, inputs), library::evaluateIntrinsic(c.t.types, Intrinsic::ConcatDt, dt, operands, nullptr).value, "concat dt");
+            c.expect(c.t.intrinsic(Intrinsic::ConcatDt, dt, inputs),
+                     library::evaluateIntrinsic(c.t.types, Intrinsic::ConcatDt, dt, operands, nullptr).value,
+                     "concat dt");
         }
     const Value bits{lreal, 1.1};
     const Value operands[] = {bits};
     c.expect(c.t.intrinsic(Intrinsic::SameBits, of(TypeKind::Lword), {c.input(bits)}),
-             library::evaluateIntrinsic(c.t.types, Intrinsic::SameBits, of(TypeKind::Lword), operands, nullptr).value, "same bits");
+             library::evaluateIntrinsic(c.t.types, Intrinsic::SameBits, of(TypeKind::Lword), operands, nullptr).value,
+             "same bits");
     c.check();
 }
 

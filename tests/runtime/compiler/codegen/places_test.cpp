@@ -52,8 +52,10 @@ TEST(Places, PointersReachVariablesAndNothingElse) {
         bool isAbsolute;
         FaultCode wanted;
     };
-    for (const Row& row : {Row{0, false, FaultCode::None}, Row{0, true, FaultCode::NullReference}, Row{8, true, FaultCode::ForeignReference},
-                           Row{-8, true, FaultCode::ForeignReference}, Row{INT64_MIN, true, FaultCode::ForeignReference}, Row{1 << 20, true, FaultCode::ForeignReference}}) {
+    for (const Row& row :
+         {Row{0, false, FaultCode::None}, Row{0, true, FaultCode::NullReference},
+          Row{8, true, FaultCode::ForeignReference}, Row{-8, true, FaultCode::ForeignReference},
+          Row{INT64_MIN, true, FaultCode::ForeignReference}, Row{1 << 20, true, FaultCode::ForeignReference}}) {
         Bench t;
         const auto dint = of(TypeKind::Dint);
         const TypeId pointer = t.types.pointer(dint);
@@ -89,11 +91,14 @@ TEST(Places, OpenArraysBringTheirBounds) {
     Bench t;
     const auto dint = of(TypeKind::Dint), lint = of(TypeKind::Lint);
     const TypeId array = t.types.array({{-1, 2}, {3, 5}}, dint), open = t.types.openArray(2, dint);
-    const uint32_t a = t.global(array), sum = t.global(dint), low = t.global(lint), high = t.global(lint), last = t.global(lint);
+    const uint32_t a = t.global(array), sum = t.global(dint), low = t.global(lint), high = t.global(lint),
+                   last = t.global(lint);
     t.set<int64_t>(last, 5);
     const uint32_t f = t.function("Sum", dint);
-    const uint32_t io = t.local(f, open, LocalKind::InOut), i = t.local(f, lint, LocalKind::Input), k = t.local(f, lint, LocalKind::Input);
-    t.add(f, t.assign(t.element(t.local(io, open), {t.load(t.local(i, lint)), t.load(t.local(k, lint))}), t.constant(dint, 12)));
+    const uint32_t io = t.local(f, open, LocalKind::InOut), i = t.local(f, lint, LocalKind::Input),
+                   k = t.local(f, lint, LocalKind::Input);
+    t.add(f, t.assign(t.element(t.local(io, open), {t.load(t.local(i, lint)), t.load(t.local(k, lint))}),
+                      t.constant(dint, 12)));
     Expr* lower = t.constant(lint, 0);
     lower->kind = tree::ExprKind::Bound;
     lower->place = t.local(io, open);
@@ -166,9 +171,12 @@ TEST(Places, ABlocksInOutIsBoundFollowedAndChecked) {
         bind->place = t.slot(block.slot, dint);
         bind->place->base = t.at(fb, block.type);
         bind->target = what == 0 ? t.at(x, dint) : nullptr;
-        if (what < 2) t.add(main, bind);
-        else t.set<int64_t>(fb + block.slot, 1'000'000'000'000);
-        for (int n = 0; n < 2; ++n) t.add(main, t.statement(StmtKind::Evaluate, t.call(body, {}, t.at(fb, block.type))));
+        if (what < 2)
+            t.add(main, bind);
+        else
+            t.set<int64_t>(fb + block.slot, 1'000'000'000'000);
+        for (int n = 0; n < 2; ++n)
+            t.add(main, t.statement(StmtKind::Evaluate, t.call(body, {}, t.at(fb, block.type))));
         const FaultCode wanted[] = {FaultCode::None, FaultCode::MissingInOut, FaultCode::ForeignReference};
         EXPECT_EQ(wanted[what], t.runBoth(main));
         if (what == 0) {
@@ -185,18 +193,23 @@ TEST(Places, AggregatesAreCopiedPassedAndReturned) {
     const uint32_t a = t.global(array), c = t.global(array), e = t.global(dint), kept = t.global(dint);
     for (int32_t n = 0; n < 4; ++n) t.set<int32_t>(a + 4 * static_cast<uint32_t>(n), n + 1);
     const uint32_t f = t.function("Doubled", array);
-    const uint32_t in = t.local(f, array, LocalKind::Input), out = t.local(f, array, LocalKind::Output), i = t.local(f, of(TypeKind::Lint), LocalKind::Local);
+    const uint32_t in = t.local(f, array, LocalKind::Input), out = t.local(f, array, LocalKind::Output),
+                   i = t.local(f, of(TypeKind::Lint), LocalKind::Local);
     const auto lint = of(TypeKind::Lint);
     t.add(f, t.forLoop(t.local(i, lint), t.constant(lint, 0), t.constant(lint, 3), t.constant(lint, 1),
                        {t.assign(t.element(t.local(0, array), {t.load(t.local(i, lint))}),
-                                 t.binary(BinaryOp::Multiply, t.load(t.element(t.local(in, array), {t.load(t.local(i, lint))})), t.constant(dint, 2)))}));
+                                 t.binary(BinaryOp::Multiply,
+                                          t.load(t.element(t.local(in, array), {t.load(t.local(i, lint))})),
+                                          t.constant(dint, 2)))}));
     t.add(f, t.assign(t.local(out, array), t.load(t.local(in, array))));
     t.add(f, t.assign(t.element(t.local(in, array), {index(t, 0)}), t.constant(dint, 99))); // the caller's stays
     const uint32_t main = t.function("Main");
-    t.add(main, t.assign(t.at(c, array), t.call(f, {{in, ArgumentMode::Input, t.load(t.at(a, array)), nullptr}, {out, ArgumentMode::Output, nullptr, t.at(a, array)}})));
+    t.add(main, t.assign(t.at(c, array), t.call(f, {{in, ArgumentMode::Input, t.load(t.at(a, array)), nullptr},
+                                                    {out, ArgumentMode::Output, nullptr, t.at(a, array)}})));
     Place* temporary = t.at(0, array);
     temporary->kind = tree::PlaceKind::Temporary;
-    temporary->value = t.call(f, {{in, ArgumentMode::Input, t.call(f, {{in, ArgumentMode::Input, t.load(t.at(a, array)), nullptr}}), nullptr}});
+    temporary->value = t.call(f, {{in, ArgumentMode::Input,
+                                   t.call(f, {{in, ArgumentMode::Input, t.load(t.at(a, array)), nullptr}}), nullptr}});
     t.add(main, t.assign(t.at(e, dint), t.load(t.element(temporary, {index(t, 3)}))));
     t.add(main, t.assign(t.at(kept, dint), t.load(t.element(t.at(a, array), {index(t, 0)}))));
     EXPECT_EQ(FaultCode::None, t.runBoth(main));
@@ -230,12 +243,14 @@ TEST(Places, UnionMembersShareTheirBytesInOptimisedCodeToo) {
 TEST(Texts, AreCutToTheCapacityOfTheirVariable) {
     Bench t;
     const TypeId s5 = t.types.string(5), s20 = t.types.string(20);
-    const uint32_t a = t.global(s5), guard = t.global(of(TypeKind::Lword)), c = t.global(s20), n = t.global(of(TypeKind::Int));
+    const uint32_t a = t.global(s5), guard = t.global(of(TypeKind::Lword)), c = t.global(s20),
+                   n = t.global(of(TypeKind::Int));
     t.set<uint64_t>(guard, UINT64_MAX);
     const uint32_t main = t.function("Main");
     t.add(main, t.assign(t.at(c, s20), t.textConstant("Structured Text")));
     t.add(main, t.assign(t.at(a, s5), t.load(t.at(c, s20))));
-    t.add(main, t.assign(t.at(n, of(TypeKind::Int)), t.intrinsic(Intrinsic::Len, of(TypeKind::Int), {t.load(t.at(a, s5))})));
+    t.add(main,
+          t.assign(t.at(n, of(TypeKind::Int)), t.intrinsic(Intrinsic::Len, of(TypeKind::Int), {t.load(t.at(a, s5))})));
     EXPECT_EQ(FaultCode::None, t.runBoth(main));
     EXPECT_EQ("Struc", t.text(a));
     EXPECT_EQ(5, t.get<int16_t>(n));
@@ -248,11 +263,15 @@ TEST(Texts, ConcatIntoAnOperandOfItsOwn) {
     const uint32_t a = t.global(s), c = t.global(s), d = t.global(s);
     const uint32_t main = t.function("Main");
     t.add(main, t.assign(t.at(a, s), t.textConstant("ab")));
-    t.add(main, t.assign(t.at(a, s), t.intrinsic(Intrinsic::Concat, s, {t.load(t.at(a, s)), t.textConstant("-"), t.textConstant("c")})));
+    t.add(main, t.assign(t.at(a, s), t.intrinsic(Intrinsic::Concat, s,
+                                                 {t.load(t.at(a, s)), t.textConstant("-"), t.textConstant("c")})));
     t.add(main, t.assign(t.at(c, s), t.textConstant("x")));
-    t.add(main, t.assign(t.at(c, s), t.intrinsic(Intrinsic::Concat, s, {t.textConstant("<"), t.load(t.at(c, s)), t.load(t.at(c, s))})));
-    t.add(main, t.assign(t.at(d, s), t.intrinsic(Intrinsic::Mid, s, {t.intrinsic(Intrinsic::Concat, s, {t.load(t.at(a, s)), t.load(t.at(c, s))}), t.constant(of(TypeKind::Int), 3),
-                                                                     t.constant(of(TypeKind::Int), 4)})));
+    t.add(main, t.assign(t.at(c, s), t.intrinsic(Intrinsic::Concat, s,
+                                                 {t.textConstant("<"), t.load(t.at(c, s)), t.load(t.at(c, s))})));
+    t.add(main,
+          t.assign(t.at(d, s), t.intrinsic(Intrinsic::Mid, s,
+                                           {t.intrinsic(Intrinsic::Concat, s, {t.load(t.at(a, s)), t.load(t.at(c, s))}),
+                                            t.constant(of(TypeKind::Int), 3), t.constant(of(TypeKind::Int), 4)})));
     EXPECT_EQ(FaultCode::None, t.runBoth(main));
     EXPECT_EQ("ab-c", t.text(a));
     EXPECT_EQ("<xx", t.text(c));
@@ -263,7 +282,8 @@ TEST(Texts, ConvertToNumbersAndBackWithEno) {
     Bench t;
     const TypeId s = t.types.string(20);
     const auto dint = of(TypeKind::Dint), boolean = of(TypeKind::Bool), real = of(TypeKind::Real);
-    const uint32_t n = t.global(dint), good = t.global(boolean), bad = t.global(boolean), x = t.global(s), y = t.global(s), m = t.global(dint);
+    const uint32_t n = t.global(dint), good = t.global(boolean), bad = t.global(boolean), x = t.global(s),
+                   y = t.global(s), m = t.global(dint);
     t.set<uint8_t>(bad, 1);
     const uint32_t main = t.function("Main");
     t.add(main, t.assign(t.at(n, dint), t.convert(t.textConstant("1234"), dint, t.at(good, boolean))));
@@ -319,10 +339,15 @@ TEST(Texts, AreParametersAndResults) {
     const uint32_t a = t.global(s), same = t.global(of(TypeKind::Bool));
     const uint32_t f = t.function("Framed", s80);
     const uint32_t in = t.local(f, s, LocalKind::Input);
-    t.add(f, t.assign(t.local(0, s80), t.intrinsic(Intrinsic::Concat, s80, {t.textConstant("["), t.load(t.local(in, s)), t.textConstant("]")})));
+    t.add(f,
+          t.assign(t.local(0, s80), t.intrinsic(Intrinsic::Concat, s80,
+                                                {t.textConstant("["), t.load(t.local(in, s)), t.textConstant("]")})));
     const uint32_t main = t.function("Main");
-    t.add(main, t.assign(t.at(a, s), t.call(f, {{in, ArgumentMode::Input, t.call(f, {{in, ArgumentMode::Input, t.textConstant("abc"), nullptr}}), nullptr}})));
-    t.add(main, t.assign(t.at(same, of(TypeKind::Bool)), t.binary(BinaryOp::Equal, t.load(t.at(a, s)), t.textConstant("[[abc]]"))));
+    t.add(main, t.assign(t.at(a, s), t.call(f, {{in, ArgumentMode::Input,
+                                                 t.call(f, {{in, ArgumentMode::Input, t.textConstant("abc"), nullptr}}),
+                                                 nullptr}})));
+    t.add(main, t.assign(t.at(same, of(TypeKind::Bool)),
+                         t.binary(BinaryOp::Equal, t.load(t.at(a, s)), t.textConstant("[[abc]]"))));
     EXPECT_EQ(FaultCode::None, t.runBoth(main));
     EXPECT_EQ("[[abc]]", t.text(a));
     EXPECT_EQ(1, t.get<uint8_t>(same));
@@ -345,7 +370,8 @@ struct Shapes {
         circleArea = method(t, "Circle.Area", circle, 300);
         declared = method(t, "HasArea.Area", interface, 0);
         t.fn(declared).isAbstract = true;
-        t.program.dispatch = {{}, {tree::FunctionId(abstract)}, {tree::FunctionId(squareArea)}, {tree::FunctionId(circleArea)}};
+        t.program.dispatch = {
+            {}, {tree::FunctionId(abstract)}, {tree::FunctionId(squareArea)}, {tree::FunctionId(circleArea)}};
     }
     static TypeId declare(Bench& t, const std::string& name, uint32_t number, TypeId base) {
         const TypeId id = t.types.declare(TypeKind::Block, name);
@@ -366,7 +392,9 @@ struct Shapes {
         const auto dint = of(TypeKind::Dint);
         const uint32_t f = t.function(name, dint, owner);
         t.fn(f).methodSlot = 0;
-        if (factor != 0) t.add(f, t.assign(t.local(0, dint), t.binary(BinaryOp::Multiply, t.load(t.instance(4, dint)), t.constant(dint, factor))));
+        if (factor != 0)
+            t.add(f, t.assign(t.local(0, dint),
+                              t.binary(BinaryOp::Multiply, t.load(t.instance(4, dint)), t.constant(dint, factor))));
         return f;
     }
     TypeId shape, square, circle, interface;
@@ -378,7 +406,8 @@ TEST(Objects, DispatchThroughAnInterfaceFindsTheImplementation) {
     for (const int what : {0, 1, 2, 3, 4}) { // square, circle, null, no object, abstract
         Bench t;
         Shapes shapes(t);
-        const uint32_t square = t.global(shapes.square), circle = t.global(shapes.circle), plain = t.global(shapes.shape);
+        const uint32_t square = t.global(shapes.square), circle = t.global(shapes.circle),
+                       plain = t.global(shapes.shape);
         const uint32_t i = t.global(shapes.interface), x = t.global(dint), n = t.global(dint);
         t.set<int32_t>(square + 4, 3);
         t.set<int32_t>(circle + 4, 5);
@@ -390,7 +419,8 @@ TEST(Objects, DispatchThroughAnInterfaceFindsTheImplementation) {
         area->call->dispatch = tree::Call::Dispatch::Interface;
         area->call->interface = t.load(t.at(i, shapes.interface));
         t.add(main, t.assign(t.at(x, dint), area));
-        const FaultCode wanted[] = {FaultCode::None, FaultCode::None, FaultCode::NullReference, FaultCode::ForeignReference, FaultCode::AbstractCall};
+        const FaultCode wanted[] = {FaultCode::None, FaultCode::None, FaultCode::NullReference,
+                                    FaultCode::ForeignReference, FaultCode::AbstractCall};
         EXPECT_EQ(wanted[what], t.runBoth(main)) << what;
         const int32_t values[] = {600, 1500, 0, 0, 0};
         EXPECT_EQ(values[what], t.get<int32_t>(x));
@@ -401,7 +431,8 @@ TEST(Objects, AVirtualCallUsesTheInstancesOwnMethod) {
     const auto dint = of(TypeKind::Dint);
     Bench t;
     Shapes shapes(t);
-    const uint32_t square = t.global(shapes.square), circle = t.global(shapes.circle), x = t.global(dint), y = t.global(dint);
+    const uint32_t square = t.global(shapes.square), circle = t.global(shapes.circle), x = t.global(dint),
+                   y = t.global(dint);
     t.set<int32_t>(square + 4, 3);
     t.set<int32_t>(circle + 4, 5);
     const uint32_t f = t.function("AreaOf", dint);
@@ -421,7 +452,8 @@ TEST(Objects, AQueryGivesNullForWhatDoesNotImplementIt) {
     const auto lword = of(TypeKind::Lword);
     Bench t;
     Shapes shapes(t);
-    const uint32_t square = t.global(shapes.square), circle = t.global(shapes.circle), a = t.global(lword), c = t.global(lword), n = t.global(lword);
+    const uint32_t square = t.global(shapes.square), circle = t.global(shapes.circle), a = t.global(lword),
+                   c = t.global(lword), n = t.global(lword);
     t.set<uint64_t>(n, 77);
     const TypeId pointer = t.types.pointer(shapes.circle);
     const uint32_t main = t.function("Main");

@@ -39,8 +39,10 @@ TEST(Codegen, SmallestByMinusOneDoesNotTrap) {
         const uint32_t main = t.function("Main");
         t.add(main, t.assign(t.at(a, of(kind)), t.constant(of(kind), smallest)));
         t.add(main, t.assign(t.at(c, of(kind)), t.constant(of(kind), -1)));
-        t.add(main, t.assign(t.at(q, of(kind)), t.binary(BinaryOp::Divide, t.load(t.at(a, of(kind))), t.load(t.at(c, of(kind))))));
-        t.add(main, t.assign(t.at(r, of(kind)), t.binary(BinaryOp::Modulo, t.load(t.at(a, of(kind))), t.load(t.at(c, of(kind))))));
+        t.add(main, t.assign(t.at(q, of(kind)),
+                             t.binary(BinaryOp::Divide, t.load(t.at(a, of(kind))), t.load(t.at(c, of(kind))))));
+        t.add(main, t.assign(t.at(r, of(kind)),
+                             t.binary(BinaryOp::Modulo, t.load(t.at(a, of(kind))), t.load(t.at(c, of(kind))))));
         EXPECT_EQ(FaultCode::None, t.runBoth(main));
         EXPECT_EQ(0, std::memcmp(t.image() + a, t.image() + q, types::bitsOf(kind) / 8));
         EXPECT_EQ(0, t.get<int8_t>(r));
@@ -53,7 +55,8 @@ TEST(Codegen, CallsAFunctionWithInputOutputAndInOut) {
     const uint32_t x = t.global(dint), y = t.global(dint), z = t.global(dint);
     t.set<int32_t>(y, 100);
     const uint32_t f = t.function("Twice", dint);
-    const uint32_t in = t.local(f, dint, LocalKind::Input), io = t.local(f, dint, LocalKind::InOut), out = t.local(f, dint, LocalKind::Output);
+    const uint32_t in = t.local(f, dint, LocalKind::Input), io = t.local(f, dint, LocalKind::InOut),
+                   out = t.local(f, dint, LocalKind::Output);
     t.add(f, t.assign(t.local(0, dint), t.binary(BinaryOp::Multiply, t.load(t.local(in, dint)), t.constant(dint, 2))));
     t.add(f, t.assign(t.local(io, dint), t.binary(BinaryOp::Add, t.load(t.local(io, dint)), t.constant(dint, 1))));
     t.add(f, t.assign(t.local(out, dint), t.constant(dint, -7)));
@@ -109,10 +112,18 @@ struct ForRow {
 
 TEST(Codegen, ForLoopsRunAsOftenAsTheyShouldAndEndOnePastTheLimit) {
     const ForRow rows[] = {
-        {TypeKind::Int, 5, 5, 1, 1, 6},          {TypeKind::Int, 1, 10, 1, 10, 11},        {TypeKind::Int, 10, 1, 1, 0, 10},
-        {TypeKind::Int, 10, 1, -3, 4, -2},       {TypeKind::Int, 0, 32767, 1, 32768, 32767}, {TypeKind::Usint, 250, 255, 1, 6, 255},
-        {TypeKind::Usint, 5, 0, -1, 6, 0},       {TypeKind::Dint, 1, 200'000, 1, 200'000, 200'001}, {TypeKind::Lint, INT64_MAX - 2, INT64_MAX, 1, 3, INT64_MAX},
-        {TypeKind::Ulint, 1, 7, 3, 3, 10},       {TypeKind::Sint, -128, 127, 100, 3, 72},  {TypeKind::Int, 1, 10, 0, 0, 1},
+        {TypeKind::Int, 5, 5, 1, 1, 6},
+        {TypeKind::Int, 1, 10, 1, 10, 11},
+        {TypeKind::Int, 10, 1, 1, 0, 10},
+        {TypeKind::Int, 10, 1, -3, 4, -2},
+        {TypeKind::Int, 0, 32767, 1, 32768, 32767},
+        {TypeKind::Usint, 250, 255, 1, 6, 255},
+        {TypeKind::Usint, 5, 0, -1, 6, 0},
+        {TypeKind::Dint, 1, 200'000, 1, 200'000, 200'001},
+        {TypeKind::Lint, INT64_MAX - 2, INT64_MAX, 1, 3, INT64_MAX},
+        {TypeKind::Ulint, 1, 7, 3, 3, 10},
+        {TypeKind::Sint, -128, 127, 100, 3, 72},
+        {TypeKind::Int, 1, 10, 0, 0, 1},
         {TypeKind::Sint, 127, -128, -1, 256, -128},
     };
     for (const ForRow& row : rows) {
@@ -121,10 +132,12 @@ TEST(Codegen, ForLoopsRunAsOftenAsTheyShouldAndEndOnePastTheLimit) {
             const auto type = of(row.kind), dint = of(TypeKind::Dint);
             const uint32_t i = t.global(type), n = t.global(dint), limit = t.global(type);
             const uint32_t main = t.function("Main");
-            std::vector<Stmt*> body{t.assign(t.at(n, dint), t.binary(BinaryOp::Add, t.load(t.at(n, dint)), t.constant(dint, 1)))};
+            std::vector<Stmt*> body{
+                t.assign(t.at(n, dint), t.binary(BinaryOp::Add, t.load(t.at(n, dint)), t.constant(dint, 1)))};
             if (isWritten) body.push_back(t.assign(t.at(i, type), t.load(t.at(i, type)))); // no longer counted
             t.add(main, t.assign(t.at(limit, type), t.constant(type, row.last)));
-            t.add(main, t.forLoop(t.at(i, type), t.constant(type, row.first), t.load(t.at(limit, type)), t.constant(type, row.step), body));
+            t.add(main, t.forLoop(t.at(i, type), t.constant(type, row.first), t.load(t.at(limit, type)),
+                                  t.constant(type, row.step), body));
             EXPECT_EQ(FaultCode::None, t.runBoth(main));
             EXPECT_EQ(row.passes, t.get<int32_t>(n)) << row.first << " to " << row.last << " by " << row.step;
             int64_t after = 0;
@@ -143,9 +156,11 @@ TEST(Codegen, AForCountsDownAnUnsignedVariableToALimitBelowItsType) {
         const uint32_t i = t.global(usint), n = t.global(dint), limit = t.global(integer);
         t.set<int16_t>(limit, -1);
         const uint32_t main = t.function("Main");
-        std::vector<Stmt*> body{t.assign(t.at(n, dint), t.binary(BinaryOp::Add, t.load(t.at(n, dint)), t.constant(dint, 1)))};
+        std::vector<Stmt*> body{
+            t.assign(t.at(n, dint), t.binary(BinaryOp::Add, t.load(t.at(n, dint)), t.constant(dint, 1)))};
         if (isWritten) body.push_back(t.assign(t.at(i, usint), t.load(t.at(i, usint))));
-        Stmt* loop = t.forLoop(t.at(i, usint), t.constant(integer, 10), t.load(t.at(limit, integer)), t.constant(integer, -1), body);
+        Stmt* loop = t.forLoop(t.at(i, usint), t.constant(integer, 10), t.load(t.at(limit, integer)),
+                               t.constant(integer, -1), body);
         loop->operandType = integer;
         t.add(main, loop);
         EXPECT_EQ(FaultCode::None, t.runBoth(main));
@@ -189,7 +204,10 @@ TEST(Codegen, RecursionWithoutEndIsAStackOverflow) {
     const uint32_t f = t.function("Deeper", dint);
     const uint32_t in = t.local(f, dint, LocalKind::Input);
     t.fn(f).mayRecurse = true;
-    t.add(f, t.assign(t.local(0, dint), t.binary(BinaryOp::Add, t.call(f, {{in, ArgumentMode::Input, t.load(t.local(in, dint)), nullptr}}), t.constant(dint, 1))));
+    t.add(f,
+          t.assign(t.local(0, dint),
+                   t.binary(BinaryOp::Add, t.call(f, {{in, ArgumentMode::Input, t.load(t.local(in, dint)), nullptr}}),
+                            t.constant(dint, 1))));
     const uint32_t main = t.function("Main");
     t.add(main, t.statement(StmtKind::Evaluate, t.call(f, {{in, ArgumentMode::Input, t.constant(dint, 1), nullptr}})));
     EXPECT_EQ(FaultCode::StackOverflow, t.runBoth(main));
@@ -216,7 +234,9 @@ TEST(Codegen, CaseTakesTheArmOfItsRange) {
     for (int64_t n = 0; n < 10; ++n) {
         t.add(main, t.assign(t.at(i, lint), t.constant(lint, values[n])));
         Stmt* s = t.statement(StmtKind::Case, t.load(t.at(i, lint)));
-        const auto put = [&](int64_t v) { return t.assign(t.element(t.at(out, array), {t.constant(lint, n)}), t.constant(dint, v)); };
+        const auto put = [&](int64_t v) {
+            return t.assign(t.element(t.at(out, array), {t.constant(lint, n)}), t.constant(dint, v));
+        };
         s->arms.push_back({{{-10, -1}}, {put(1)}});
         s->arms.push_back({{{0, 0}, {4, 4}}, {put(2)}});
         s->arms.push_back({{{100, 90'000}}, {put(3)}});

@@ -1,5 +1,5 @@
-// Under the thread sanitizer generated code is instrumented like the rest: a race between two threads in it is reported.
-// Elsewhere asking for the instrumentation is an error that says so, not a crash.
+// Under the thread sanitizer generated code is instrumented like the rest: a race between two threads in it is
+// reported. Elsewhere asking for the instrumentation is an error that says so, not a crash.
 #include "tests/runtime/compiler/codegen/tree_builder.h"
 
 #include <atomic>

@@ -17,7 +17,9 @@ void usedUp(image::RuntimeContext* context) {
     context->fault = image::FaultCode::Watchdog;
     std::longjmp(g_exit, 1);
 }
-void atSite(image::RuntimeContext*, uint32_t site, uint32_t, uint32_t frame) { g_running->stops.push_back({site, frame}); }
+void atSite(image::RuntimeContext*, uint32_t site, uint32_t, uint32_t frame) {
+    g_running->stops.push_back({site, frame});
+}
 } // namespace
 
 Bench::Bench() : types(*(program.types = std::make_shared<TypeTable>())) {
@@ -187,7 +189,8 @@ Expr* Bench::convert(Expr* a, TypeId to, Place* ok) {
     return e;
 }
 
-Expr* Bench::intrinsic(library::Intrinsic which, TypeId type, std::vector<Expr*> operands, int64_t selector, Place* ok) {
+Expr* Bench::intrinsic(library::Intrinsic which, TypeId type, std::vector<Expr*> operands, int64_t selector,
+                       Place* ok) {
     Expr* e = constant(type, 0);
     e->kind = tree::ExprKind::Intrinsic;
     e->intrinsic = which;
@@ -250,7 +253,8 @@ void Bench::prepare() {
     image::Task task;
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
         bool hasParameters = false;
-        for (const tree::Local& local : fn(f).locals) hasParameters = hasParameters || local.kind != tree::LocalKind::Local;
+        for (const tree::Local& local : fn(f).locals)
+            hasParameters = hasParameters || local.kind != tree::LocalKind::Local;
         if (!hasParameters && !fn(f).isAbstract) task.programs.push_back({0, f, 0, 0});
     }
     program.tasks.push_back(task);

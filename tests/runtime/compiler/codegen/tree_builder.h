@@ -1,5 +1,5 @@
-// Builds checked trees by hand for tests of code generation, compiles them in both tiers and runs them on a small image.
-// Owned by each test.
+// Builds checked trees by hand for tests of code generation, compiles them in both tiers and runs them on a small
+// image. Owned by each test.
 #pragma once
 #include "runtime/compiler/jit/jit.h"
 
@@ -10,13 +10,13 @@
 
 namespace plc::test {
 
+using library::BinaryOp;
 using tree::Expr;
 using tree::Place;
 using tree::Stmt;
 using types::TypeId;
 using types::TypeKind;
 using types::TypeTable;
-using library::BinaryOp;
 
 inline TypeId of(TypeKind kind) { return TypeTable::of(kind); }
 
@@ -49,7 +49,8 @@ public:
     Expr* binary(BinaryOp op, Expr* a, Expr* b);
     Expr* unary(library::UnaryOp op, Expr* a);
     Expr* convert(Expr* a, TypeId to, Place* ok = nullptr);
-    Expr* intrinsic(library::Intrinsic which, TypeId type, std::vector<Expr*> operands, int64_t selector = -1, Place* ok = nullptr);
+    Expr* intrinsic(library::Intrinsic which, TypeId type, std::vector<Expr*> operands, int64_t selector = -1,
+                    Place* ok = nullptr);
     Expr* addressOf(Place* place, TypeId type);
     Expr* call(uint32_t callee, std::vector<tree::CallArgument> arguments = {}, Place* instance = nullptr);
 
@@ -71,7 +72,9 @@ public:
     template <class T> void set(uint32_t offset, T value) { std::memcpy(m_initial.data() + offset, &value, sizeof(T)); }
     std::string text(uint32_t offset) const { return reinterpret_cast<const char*>(image() + offset); }
     void makeFresh();
-    std::byte* image() const { return const_cast<std::byte*>(m_image.data()) + 64 - reinterpret_cast<uintptr_t>(m_image.data()) % 64; }
+    std::byte* image() const {
+        return const_cast<std::byte*>(m_image.data()) + 64 - reinterpret_cast<uintptr_t>(m_image.data()) % 64;
+    }
 
     tree::Program program;
     TypeTable& types;

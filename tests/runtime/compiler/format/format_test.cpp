@@ -31,12 +31,16 @@ std::string contents(std::string_view text) {
     size_t comment = 0;
     for (const lex::Token& token : list.tokens) {
         for (; comment < list.comments.size() && list.comments[comment].begin < token.begin; ++comment) {
-            std::string_view c = text.substr(list.comments[comment].begin, list.comments[comment].end - list.comments[comment].begin);
+            std::string_view c =
+                text.substr(list.comments[comment].begin, list.comments[comment].end - list.comments[comment].begin);
             while (!c.empty() && (c.back() == ' ' || c.back() == '\t')) c.remove_suffix(1);
             out += "|" + std::string(c);
         }
         out += "|";
-        for (char c : text.substr(token.begin, token.end - token.begin)) out += static_cast<char>(lex::isKeyword(token.kind) || token.soft != lex::SoftWord::None ? std::tolower(static_cast<unsigned char>(c)) : c);
+        for (char c : text.substr(token.begin, token.end - token.begin))
+            out += static_cast<char>(lex::isKeyword(token.kind) || token.soft != lex::SoftWord::None
+                                         ? std::tolower(static_cast<unsigned char>(c))
+                                         : c);
     }
     return out;
 }
@@ -53,31 +57,45 @@ std::vector<fs::path> texts() {
 } // namespace
 
 TEST(Format, TidiesBlanksCaseAndIndentation) {
-    EXPECT_EQ(tidy("program  p\nvar\n a:int:=3; (* one *)\nlonger   :  BOOL;// two\nend_var\nif  a>3 and not longer then\nf( a,b:=-1,c=>d );\nelsif x then\ny:=z [1 , 2].q ^;\n   else\n\n\n\ng();\nend_if;\n"
-                   "case s of\n1,2 ..4 :a:=1;\nred: b := AND (a,b);\nelse\nc:=1;\nend_case\nfor i:=1 to 3 do\nx:=INT# 5+- 3;\nend_for\nend_program"),
-              "PROGRAM p\nVAR\n    a : int := 3;  (* one *)\n    longer : BOOL; // two\nEND_VAR\nIF a > 3 AND NOT longer THEN\n    f(a, b := -1, c => d);\nELSIF x THEN\n    y := z[1, 2].q^;\nELSE\n\n    g();\nEND_IF;\n"
-              "CASE s OF\n    1, 2..4: a := 1;\n    red: b := AND(a, b);\nELSE\n    c := 1;\nEND_CASE\nFOR i := 1 TO 3 DO\n    x := INT#5 + -3;\nEND_FOR\nEND_PROGRAM\n");
+    EXPECT_EQ(tidy("program  p\nvar\n a:int:=3; (* one *)\nlonger   :  BOOL;// two\nend_var\nif  a>3 and not longer "
+                   "then\nf( a,b:=-1,c=>d );\nelsif x then\ny:=z [1 , 2].q ^;\n   else\n\n\n\ng();\nend_if;\n"
+                   "case s of\n1,2 ..4 :a:=1;\nred: b := AND (a,b);\nelse\nc:=1;\nend_case\nfor i:=1 to 3 do\nx:=INT# "
+                   "5+- 3;\nend_for\nend_program"),
+              "PROGRAM p\nVAR\n    a : int := 3;  (* one *)\n    longer : BOOL; // two\nEND_VAR\nIF a > 3 AND NOT "
+              "longer THEN\n    f(a, b := -1, c => d);\nELSIF x THEN\n    y := z[1, 2].q^;\nELSE\n\n    g();\nEND_IF;\n"
+              "CASE s OF\n    1, 2..4: a := 1;\n    red: b := AND(a, b);\nELSE\n    c := 1;\nEND_CASE\nFOR i := 1 TO 3 "
+              "DO\n    x := INT#5 + -3;\nEND_FOR\nEND_PROGRAM\n");
 }
 
 TEST(Format, KnowsChartsTypesAndConfigurations) {
-    EXPECT_EQ(tidy("type a:(red,\ngreen:=2)int;\ns:struct\nx:array [1..3] of int;\nend_struct\nend_type\nprogram p\ninitial_step S0{minTime := T#1s} :\na( N );b(D,T#1s);\nend_step\ntransition t1(priority:=1) from S0 to( S0 , S1 ):=x;\nend_transition\naction a :\nx:=1;\nend_action\nend_program\n"
-                   "configuration c\nresource r on cpu\ntask t( interval:=T#1s );\nprogram q with t : p( i:=%IX0.0 );\nend_resource\nend_configuration\ntest 'x'\nrun 3 scans;\nassert a=b,'m';\nend_test\n"),
-              "TYPE a : (red,\n        green := 2) int;\n    s : STRUCT\n        x : ARRAY[1..3] OF int;\n    END_STRUCT\nEND_TYPE\nPROGRAM p\nINITIAL_STEP S0 {minTime := T#1s}:\n    a(N); b(D, T#1s);\nEND_STEP\n"
-              "TRANSITION t1 (PRIORITY := 1) FROM S0 TO (S0, S1) := x;\nEND_TRANSITION\nACTION a:\n    x := 1;\nEND_ACTION\nEND_PROGRAM\n"
-              "CONFIGURATION c\n    RESOURCE r ON cpu\n        TASK t(interval := T#1s);\n        PROGRAM q WITH t : p(i := %IX0.0);\n    END_RESOURCE\nEND_CONFIGURATION\nTEST 'x'\n    RUN 3 SCANS;\n    ASSERT a = b, 'm';\nEND_TEST\n");
+    EXPECT_EQ(tidy("type a:(red,\ngreen:=2)int;\ns:struct\nx:array [1..3] of int;\nend_struct\nend_type\nprogram "
+                   "p\ninitial_step S0{minTime := T#1s} :\na( N );b(D,T#1s);\nend_step\ntransition t1(priority:=1) "
+                   "from S0 to( S0 , S1 ):=x;\nend_transition\naction a :\nx:=1;\nend_action\nend_program\n"
+                   "configuration c\nresource r on cpu\ntask t( interval:=T#1s );\nprogram q with t : p( i:=%IX0.0 "
+                   ");\nend_resource\nend_configuration\ntest 'x'\nrun 3 scans;\nassert a=b,'m';\nend_test\n"),
+              "TYPE a : (red,\n        green := 2) int;\n    s : STRUCT\n        x : ARRAY[1..3] OF int;\n    "
+              "END_STRUCT\nEND_TYPE\nPROGRAM p\nINITIAL_STEP S0 {minTime := T#1s}:\n    a(N); b(D, T#1s);\nEND_STEP\n"
+              "TRANSITION t1 (PRIORITY := 1) FROM S0 TO (S0, S1) := x;\nEND_TRANSITION\nACTION a:\n    x := "
+              "1;\nEND_ACTION\nEND_PROGRAM\n"
+              "CONFIGURATION c\n    RESOURCE r ON cpu\n        TASK t(interval := T#1s);\n        PROGRAM q WITH t : "
+              "p(i := %IX0.0);\n    END_RESOURCE\nEND_CONFIGURATION\nTEST 'x'\n    RUN 3 SCANS;\n    ASSERT a = b, "
+              "'m';\nEND_TEST\n");
 }
 
 TEST(Format, KeepsContinuationsRelativeAndInstructionListsAsTheyAre) {
-    EXPECT_EQ(tidy("PROGRAM p\n  x := a +\n       b;\nf(a,\nb);\nEND_PROGRAM\n"), "PROGRAM p\nx := a +\n     b;\nf(a,\n    b);\nEND_PROGRAM\n");
+    EXPECT_EQ(tidy("PROGRAM p\n  x := a +\n       b;\nf(a,\nb);\nEND_PROGRAM\n"),
+              "PROGRAM p\nx := a +\n     b;\nf(a,\n    b);\nEND_PROGRAM\n");
     const std::string il = "PROGRAM p\n          LD    a    (* x *)\nnext:     AND(  b\n          )\nEND_PROGRAM\n";
     EXPECT_EQ(tidy(il), il);
 }
 
 TEST(Format, HasOptions) {
     const std::string_view text = "PROGRAM p\nIF a THEN\nb();\nEND_IF\nEND_PROGRAM\n";
-    EXPECT_EQ(tidy(text, {.keywords = format::KeywordCase::Lower, .indentWidth = 2}), "program p\nif a then\n  b();\nend_if\nend_program\n");
+    EXPECT_EQ(tidy(text, {.keywords = format::KeywordCase::Lower, .indentWidth = 2}),
+              "program p\nif a then\n  b();\nend_if\nend_program\n");
     EXPECT_EQ(tidy(text, {.useTabs = true}), "PROGRAM p\nIF a THEN\n\tb();\nEND_IF\nEND_PROGRAM\n");
-    EXPECT_EQ(tidy("program p\r\n\r\n\r\na();\r\nend_program", {.keywords = format::KeywordCase::AsWritten}), "program p\r\n\r\na();\r\nend_program\r\n");
+    EXPECT_EQ(tidy("program p\r\n\r\n\r\na();\r\nend_program", {.keywords = format::KeywordCase::AsWritten}),
+              "program p\r\n\r\na();\r\nend_program\r\n");
 }
 
 TEST(Format, LeavesUnitsWithMistakesByteForByte) {
@@ -89,7 +107,9 @@ TEST(Format, LeavesUnitsWithMistakesByteForByte) {
 TEST(Format, KeepsEveryTokenAndCommentAndIsDoneAfterOnce) {
     for (const fs::path& path : texts()) {
         const std::string text = readFile(path);
-        for (const FormatOptions& options : {FormatOptions{}, FormatOptions{.keywords = format::KeywordCase::Lower, .indentWidth = 2, .alignComments = false}}) {
+        for (const FormatOptions& options :
+             {FormatOptions{},
+              FormatOptions{.keywords = format::KeywordCase::Lower, .indentWidth = 2, .alignComments = false}}) {
             const std::string once = tidy(text, options);
             EXPECT_EQ(contents(once), contents(text)) << path;
             EXPECT_EQ(tidy(once, options), once) << path;
@@ -113,9 +133,15 @@ TEST(Format, SurvivesBrokenTexts) {
 TEST(Format, AlignsTheColonsOfNeighbouringDeclarations) {
     FormatOptions options;
     options.alignDeclarations = true;
-    const std::string tidied = tidy("PROGRAM p\nVAR\na:INT:=3; // one\nlonger, and2 : BOOL; // two\nx AT %IX0.0 : BOOL;\n\nsmall : INT;\nEND_VAR\na := 3;\nCASE a OF\n1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
-                                    "TYPE T : STRUCT\na : INT;\nbbb : REAL := 1.5;\nEND_STRUCT END_TYPE\n", options);
-    EXPECT_EQ(tidied, "PROGRAM p\nVAR\n    a            : INT := 3; // one\n    longer, and2 : BOOL;     // two\n    x AT %IX0.0  : BOOL;\n\n    small : INT;\nEND_VAR\na := 3;\nCASE a OF\n    1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
-                      "TYPE T : STRUCT\n        a   : INT;\n        bbb : REAL := 1.5;\n    END_STRUCT END_TYPE\n");
+    const std::string tidied =
+        tidy("PROGRAM p\nVAR\na:INT:=3; // one\nlonger, and2 : BOOL; // two\nx AT %IX0.0 : BOOL;\n\nsmall : "
+             "INT;\nEND_VAR\na := 3;\nCASE a OF\n1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
+             "TYPE T : STRUCT\na : INT;\nbbb : REAL := 1.5;\nEND_STRUCT END_TYPE\n",
+             options);
+    EXPECT_EQ(
+        tidied,
+        "PROGRAM p\nVAR\n    a            : INT := 3; // one\n    longer, and2 : BOOL;     // two\n    x AT %IX0.0  : "
+        "BOOL;\n\n    small : INT;\nEND_VAR\na := 3;\nCASE a OF\n    1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
+        "TYPE T : STRUCT\n        a   : INT;\n        bbb : REAL := 1.5;\n    END_STRUCT END_TYPE\n");
     EXPECT_EQ(tidy(tidied, options), tidied);
 }

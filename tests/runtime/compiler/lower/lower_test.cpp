@@ -21,9 +21,13 @@ struct Lowered {
     std::string variables() const { return pou().sections.empty() ? "" : outline(*pou().sections.back()); }
 };
 
-std::string program(const std::string& body, const std::string& variables = "") { return "PROGRAM p\n" + (variables.empty() ? "" : "VAR " + variables + " END_VAR\n") + body + "\nEND_PROGRAM\n"; }
+std::string program(const std::string& body, const std::string& variables = "") {
+    return "PROGRAM p\n" + (variables.empty() ? "" : "VAR " + variables + " END_VAR\n") + body + "\nEND_PROGRAM\n";
+}
 
-std::string function(const std::string& body, const std::string& variables) { return "FUNCTION p : INT\nVAR " + variables + " END_VAR\n" + body + "\nEND_FUNCTION\n"; }
+std::string function(const std::string& body, const std::string& variables) {
+    return "FUNCTION p : INT\nVAR " + variables + " END_VAR\n" + body + "\nEND_FUNCTION\n";
+}
 
 struct Row {
     const char* list;
@@ -46,14 +50,18 @@ TEST(InstructionListLowering, FollowsTheCurrentResult) {
              {"LD 0\nLIMIT(MN := 1, IN := a, MX := 9)\nST d", "__il0 := LIMIT(MN := 1, IN := a, MX := 9); d := __il0"},
              {"LD w\nBCD_TO_INT\nST i", "__il0 := BCD_TO_INT(w); i := __il0"},
              {"CAL LIMIT(MN := 1, IN := a, MX := 9)\nST d", "d := LIMIT(MN := 1, IN := a, MX := 9)"},
-             {"LD a\nCALC tmr(IN := b)\nCALCN tmr\nLD tmr.Q\nST c", "__il0 := a; IF __il0 {tmr(IN := b)}; IF (NOT __il0) {tmr()}; c := tmr.Q"},
+             {"LD a\nCALC tmr(IN := b)\nCALCN tmr\nLD tmr.Q\nST c",
+              "__il0 := a; IF __il0 {tmr(IN := b)}; IF (NOT __il0) {tmr()}; c := tmr.Q"},
              {"LD a\nIN tmr\nLD T#1s\nPT tmr\nLD tmr.Q\nST c", "tmr(IN := a); tmr(PT := T#1s); c := tmr.Q"},
              {"CAL tmr(IN := (LD a\nANDN b\n), PT := T#1s)", "tmr(IN := (a AND (NOT b)), PT := T#1s)"},
              {"LD a\nS1 ff\nLD b\nR ff", "ff(S1 := a); ff(R := b)"},
              {"LD a\nJMPC there\nLD b\nST c\nthere: RET", "JMP there if a; c := b; there:; RETURN"},
-             {"LD a\nRETC\nJMPCN there\nthere:\nLD b\nST c", "__il0 := a; IF __il0 {RETURN}; JMP there if (NOT __il0); there:; c := b"},
-             {"again: LD i\nADD 1\nST i\nLT 10\nJMPC again", "again:; __il0 := (i + 1); i := __il0; JMP again if (__il0 < 10)"},
-             {"LD a\nJMPC x\nLD 5\nJMP out\nx: LD i\nout: ST j", "JMP x if a; __at_out_0 := 5; JMP out; x:; __at_out_0 := i; out:; j := __at_out_0"},
+             {"LD a\nRETC\nJMPCN there\nthere:\nLD b\nST c",
+              "__il0 := a; IF __il0 {RETURN}; JMP there if (NOT __il0); there:; c := b"},
+             {"again: LD i\nADD 1\nST i\nLT 10\nJMPC again",
+              "again:; __il0 := (i + 1); i := __il0; JMP again if (__il0 < 10)"},
+             {"LD a\nJMPC x\nLD 5\nJMP out\nx: LD i\nout: ST j",
+              "JMP x if a; __at_out_0 := 5; JMP out; x:; __at_out_0 := i; out:; j := __at_out_0"},
          }) {
         const Lowered lowered(function(row.list, "tmr : TON; ff : SR; a, b, c, d : BOOL; i : INT;"));
         EXPECT_EQ(lowered.statements(), row.statements) << row.list;
@@ -82,9 +90,14 @@ TEST(InstructionListLowering, TellsMistakes) {
 }
 
 TEST(ChartLowering, DeclaresWhatAChartNeeds) {
-    const Lowered lowered(program("INITIAL_STEP A: x(N); END_STEP\nTRANSITION FROM A TO B := go; END_TRANSITION\nSTEP B: y(SD, T#1s); run(P1); END_STEP\nTRANSITION FROM B TO A := NOT go; END_TRANSITION\nACTION run: n := n + 1; END_ACTION", "go, x, y : BOOL; n : INT;"));
+    const Lowered lowered(program(
+        "INITIAL_STEP A: x(N); END_STEP\nTRANSITION FROM A TO B := go; END_TRANSITION\nSTEP B: y(SD, T#1s); run(P1); "
+        "END_STEP\nTRANSITION FROM B TO A := NOT go; END_TRANSITION\nACTION run: n := n + 1; END_ACTION",
+        "go, x, y : BOOL; n : INT;"));
     EXPECT_EQ(lowered.codes, "");
-    EXPECT_EQ(lowered.variables(), "VAR(A:SFC_STEP; B:SFC_STEP; __chart0:BOOL; __fired0:array[0..1] BOOL; __timed_y_0_0:SFC_STORED_DELAY; __action_x:SFC_ACTION; __action_y:SFC_ACTION; __action_run:SFC_ACTION)");
+    EXPECT_EQ(lowered.variables(),
+              "VAR(A:SFC_STEP; B:SFC_STEP; __chart0:BOOL; __fired0:array[0..1] BOOL; __timed_y_0_0:SFC_STORED_DELAY; "
+              "__action_x:SFC_ACTION; __action_y:SFC_ACTION; __action_run:SFC_ACTION)");
     EXPECT_EQ(lowered.statements(),
               "A.update(); B.update(); __fired0[0] := FALSE; __fired0[1] := FALSE; "
               "IF (NOT __chart0) {__chart0 := TRUE; A.enter := TRUE} else {"
@@ -92,7 +105,8 @@ TEST(ChartLowering, DeclaresWhatAChartNeeds) {
               "IF (B.X AND (NOT B.leave)) {IF (NOT go) {B.leave := TRUE; A.enter := TRUE; __fired0[1] := TRUE}}}; "
               "A(); B(); IF A.on {A.enter := FALSE}; IF B.on {B.enter := FALSE}; "
               "__action_x(N := A.X, S := FALSE, R := FALSE, P1 := FALSE, P0 := FALSE); "
-              "__timed_y_0_0(X := B.X, R := FALSE, PT := T#1s); __action_y(N := __timed_y_0_0.Q, S := FALSE, R := FALSE, P1 := FALSE, P0 := FALSE); "
+              "__timed_y_0_0(X := B.X, R := FALSE, PT := T#1s); __action_y(N := __timed_y_0_0.Q, S := FALSE, R := "
+              "FALSE, P1 := FALSE, P0 := FALSE); "
               "__action_run(N := FALSE, S := FALSE, R := FALSE, P1 := B.on, P0 := FALSE); "
               "x := __action_x.B; y := __action_y.B; "
               "IF __action_run.last {run()}; IF __action_run.entry {run()}; IF __action_run.Q {run()}");
@@ -100,14 +114,17 @@ TEST(ChartLowering, DeclaresWhatAChartNeeds) {
 }
 
 TEST(ChartLowering, OrdersTransitionsByPriorityThenText) {
-    const Lowered lowered(program("INITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A := a; END_TRANSITION\nTRANSITION (PRIORITY := 2) FROM A TO A := b; END_TRANSITION\nTRANSITION (PRIORITY := 1) FROM A TO A := c; END_TRANSITION"));
+    const Lowered lowered(
+        program("INITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A := a; END_TRANSITION\nTRANSITION (PRIORITY := 2) "
+                "FROM A TO A := b; END_TRANSITION\nTRANSITION (PRIORITY := 1) FROM A TO A := c; END_TRANSITION"));
     const std::string text = lowered.statements();
     EXPECT_LT(text.find("IF c "), text.find("IF b "));
     EXPECT_LT(text.find("IF b "), text.find("IF a "));
 }
 
 TEST(ChartLowering, KeepsPlacesInTheText) {
-    const std::string text = program("INITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A := go; END_TRANSITION", "go : BOOL;");
+    const std::string text =
+        program("INITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A := go; END_TRANSITION", "go : BOOL;");
     const Lowered lowered(text);
     for (const syntax::Stmt* s : lowered.pou().body.statements) {
         EXPECT_LE(s->range.end, text.size());
@@ -115,4 +132,9 @@ TEST(ChartLowering, KeepsPlacesInTheText) {
     }
 }
 
-TEST(ChartLowering, RefusesChartsInFunctions) { EXPECT_EQ(Lowered("FUNCTION f : INT\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A := x; END_TRANSITION\nEND_FUNCTION").codes, "P3018"); }
+TEST(ChartLowering, RefusesChartsInFunctions) {
+    EXPECT_EQ(
+        Lowered("FUNCTION f : INT\nINITIAL_STEP A: END_STEP\nTRANSITION FROM A TO A := x; END_TRANSITION\nEND_FUNCTION")
+            .codes,
+        "P3018");
+}

@@ -31,7 +31,9 @@ TEST(Corpus, IsReadAsItsIndexSays) {
     size_t count = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(folder) / "st")) {
         const std::string name = entry.path().filename().string();
-        if (name.ends_with(".decl.st") || name.starts_with("063_") || name.starts_with("226_") || name.starts_with("230_")) continue; // templates and drawings
+        if (name.ends_with(".decl.st") || name.starts_with("063_") || name.starts_with("226_") ||
+            name.starts_with("230_"))
+            continue; // templates and drawings
         const bool isFixed = name.ends_with(".fixed.st");
         std::string stem = name.substr(0, name.find('.'));
         if (!isFixed && !name.ends_with(".harness.st") && fixed.contains(stem)) continue;

@@ -82,7 +82,8 @@ TEST(SyntaxErrors, InDeclarations) {
              {"PROGRAM p STEP a: TRANSITION FROM a TO b := x; END_TRANSITION END_PROGRAM", "P1012@1:11"},
              {"PROGRAM p\nLD a\nAND( b\nST c\nEND_PROGRAM", "P4022@3:1"},
              {"PROGRAM p\nLD a\nx := 5;\nST c\nEND_PROGRAM", "P1013@3:3"},
-             {"CONFIGURATION c RESOURCE r TASK t(INTERVAL := T#1s) PROGRAM p : q; END_RESOURCE END_CONFIGURATION", "P1011@1:51"},
+             {"CONFIGURATION c RESOURCE r TASK t(INTERVAL := T#1s) PROGRAM p : q; END_RESOURCE END_CONFIGURATION",
+              "P1011@1:51"},
              {"{wrongpragma x}\nPROGRAM p END_PROGRAM", "P1020@1:1"},
          })
         EXPECT_EQ(Parsed(row.body).codes(), row.codes) << row.body;
@@ -97,16 +98,22 @@ TEST(SyntaxErrors, TwentyMistakesGiveAboutTwentyMessages) {
 }
 
 TEST(SyntaxErrors, OfferAFixThatMends) {
-    for (const char* text : {"PROGRAM p\na := 1\nb := 2;\nEND_PROGRAM", "PROGRAM p\ny = ln(x);\nEND_PROGRAM", "PROGRAM p\nIF a := b THEN c(); END_IF\nEND_PROGRAM", "PROGRAM p\nx := 3,14;\nEND_PROGRAM",
-                             "PROGRAM p VAR x INT; END_VAR END_PROGRAM", "TYPE t STRUCT END_STRUCT END_TYPE", "PROGRAM p VAR_IN_OUT x : ARRAY[1.., 0..] OF INT; END_VAR END_PROGRAM",
-                             "PROGRAM p\nIF a\n b(); END_IF\nEND_PROGRAM", "PROGRAM p\nx := 'a;\nEND_PROGRAM", "PROGRAM p\nIFF a THEN END_IF\nEND_PROGRAM", "PROGRAM p\nx := a \xE2\x80\x93 b;\nEND_PROGRAM",
-                             "PROGRAM p\nx := \xE2\x80\x98t\xE2\x80\x99;\nEND_PROGRAM", "PROGRAM p END_FUNCTION", "PROGRAM p\nIF a THEN\n b();\nEND_PROGRAM", "PROGRAM p\nVAR x : INT;\nx := 1;\nEND_PROGRAM"}) {
+    for (const char* text :
+         {"PROGRAM p\na := 1\nb := 2;\nEND_PROGRAM", "PROGRAM p\ny = ln(x);\nEND_PROGRAM",
+          "PROGRAM p\nIF a := b THEN c(); END_IF\nEND_PROGRAM", "PROGRAM p\nx := 3,14;\nEND_PROGRAM",
+          "PROGRAM p VAR x INT; END_VAR END_PROGRAM", "TYPE t STRUCT END_STRUCT END_TYPE",
+          "PROGRAM p VAR_IN_OUT x : ARRAY[1.., 0..] OF INT; END_VAR END_PROGRAM",
+          "PROGRAM p\nIF a\n b(); END_IF\nEND_PROGRAM", "PROGRAM p\nx := 'a;\nEND_PROGRAM",
+          "PROGRAM p\nIFF a THEN END_IF\nEND_PROGRAM", "PROGRAM p\nx := a \xE2\x80\x93 b;\nEND_PROGRAM",
+          "PROGRAM p\nx := \xE2\x80\x98t\xE2\x80\x99;\nEND_PROGRAM", "PROGRAM p END_FUNCTION",
+          "PROGRAM p\nIF a THEN\n b();\nEND_PROGRAM", "PROGRAM p\nVAR x : INT;\nx := 1;\nEND_PROGRAM"}) {
         const Parsed parsed(text);
         ASSERT_EQ(parsed.diagnostics.size(), 1u) << text << parsed.codes();
         ASSERT_EQ(parsed.diagnostics[0].fixes.size(), 1u) << text;
         std::string mended = text;
         auto edits = parsed.diagnostics[0].fixes[0].edits;
-        for (auto it = edits.rbegin(); it != edits.rend(); ++it) mended.replace(it->range.begin, it->range.length(), it->text);
+        for (auto it = edits.rbegin(); it != edits.rend(); ++it)
+            mended.replace(it->range.begin, it->range.length(), it->text);
         const Parsed again(mended);
         EXPECT_EQ(again.codes(), "") << mended;
     }

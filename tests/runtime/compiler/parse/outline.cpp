@@ -41,39 +41,61 @@ std::string instruction(const IlInstruction& il) {
 
 std::string statement(const Stmt& s) {
     switch (s.kind) {
-    case StmtKind::Empty: return ";";
-    case StmtKind::Assign: return outline(s.target) + " " + text(lex::spelling(s.op)) + " " + outline(s.value);
-    case StmtKind::Call: return outline(s.value);
+    case StmtKind::Empty:
+        return ";";
+    case StmtKind::Assign:
+        return outline(s.target) + " " + text(lex::spelling(s.op)) + " " + outline(s.value);
+    case StmtKind::Call:
+        return outline(s.value);
     case StmtKind::If: {
         std::string out = "IF";
-        for (const IfBranch& branch : s.branches) out += (branch.condition ? " " + outline(branch.condition) : " else") + " {" + outline(branch.body) + "}";
+        for (const IfBranch& branch : s.branches)
+            out += (branch.condition ? " " + outline(branch.condition) : " else") + " {" + outline(branch.body) + "}";
         return out;
     }
     case StmtKind::Case: {
         std::string out = "CASE " + outline(s.value);
         for (const CaseArm& arm : s.arms) {
             out += " ";
-            for (const CaseLabel& label : arm.labels) out += (&label == &arm.labels[0] ? "" : ",") + outline(label.low) + (label.high ? ".." + outline(label.high) : "");
+            for (const CaseLabel& label : arm.labels)
+                out += (&label == &arm.labels[0] ? "" : ",") + outline(label.low) +
+                       (label.high ? ".." + outline(label.high) : "");
             out += ": {" + outline(arm.body) + "}";
         }
         return out + (s.hasElse ? " else {" + outline(s.elseBody) + "}" : "");
     }
     case StmtKind::For:
-        return "FOR " + outline(s.target) + " " + outline(s.from) + " " + outline(s.to) + (s.by ? " by " + outline(s.by) : "") + " {" + outline(s.body) + "}";
-    case StmtKind::While: return "WHILE " + outline(s.value) + " {" + outline(s.body) + "}";
-    case StmtKind::Repeat: return "REPEAT {" + outline(s.body) + "} " + outline(s.value);
-    case StmtKind::Exit: return "EXIT";
-    case StmtKind::Continue: return "CONTINUE";
-    case StmtKind::Return: return s.value ? "RETURN " + outline(s.value) : "RETURN";
-    case StmtKind::Label: return text(s.name.text) + ":";
-    case StmtKind::Jump: return "JMP " + text(s.name.text) + (s.value ? " if " + outline(s.value) : "");
-    case StmtKind::Block: return "{" + outline(s.body) + "}";
-    case StmtKind::Il: return instruction(*s.il);
-    case StmtKind::Run: return "RUN " + (s.value ? "until " + outline(s.value) + " for " : std::string()) + outline(s.to) + (s.countsScans ? " scans" : "");
-    case StmtKind::Assert: return "ASSERT " + outline(s.value) + (s.to ? ", " + outline(s.to) : "");
-    case StmtKind::Force: return "FORCE " + outline(s.target) + " := " + outline(s.value);
-    case StmtKind::Release: return "RELEASE " + outline(s.target);
-    case StmtKind::Compare: return "COMPARE " + outline(s.value) + (s.to ? ", " + outline(s.to) : "");
+        return "FOR " + outline(s.target) + " " + outline(s.from) + " " + outline(s.to) +
+               (s.by ? " by " + outline(s.by) : "") + " {" + outline(s.body) + "}";
+    case StmtKind::While:
+        return "WHILE " + outline(s.value) + " {" + outline(s.body) + "}";
+    case StmtKind::Repeat:
+        return "REPEAT {" + outline(s.body) + "} " + outline(s.value);
+    case StmtKind::Exit:
+        return "EXIT";
+    case StmtKind::Continue:
+        return "CONTINUE";
+    case StmtKind::Return:
+        return s.value ? "RETURN " + outline(s.value) : "RETURN";
+    case StmtKind::Label:
+        return text(s.name.text) + ":";
+    case StmtKind::Jump:
+        return "JMP " + text(s.name.text) + (s.value ? " if " + outline(s.value) : "");
+    case StmtKind::Block:
+        return "{" + outline(s.body) + "}";
+    case StmtKind::Il:
+        return instruction(*s.il);
+    case StmtKind::Run:
+        return "RUN " + (s.value ? "until " + outline(s.value) + " for " : std::string()) + outline(s.to) +
+               (s.countsScans ? " scans" : "");
+    case StmtKind::Assert:
+        return "ASSERT " + outline(s.value) + (s.to ? ", " + outline(s.to) : "");
+    case StmtKind::Force:
+        return "FORCE " + outline(s.target) + " := " + outline(s.value);
+    case StmtKind::Release:
+        return "RELEASE " + outline(s.target);
+    case StmtKind::Compare:
+        return "COMPARE " + outline(s.value) + (s.to ? ", " + outline(s.to) : "");
     }
     return "?";
 }
@@ -98,21 +120,30 @@ std::string variable(const VarDecl& decl) {
 
 std::string body(const Body& b) {
     switch (b.language) {
-    case BodyLanguage::None: return "";
-    case BodyLanguage::St: return " ST{" + outline(b.statements) + "}";
-    case BodyLanguage::Il: return " IL{" + outline(b.statements) + "}";
-    case BodyLanguage::Sfc: return " SFC{" + outline(*b.chart) + "}";
+    case BodyLanguage::None:
+        return "";
+    case BodyLanguage::St:
+        return " ST{" + outline(b.statements) + "}";
+    case BodyLanguage::Il:
+        return " IL{" + outline(b.statements) + "}";
+    case BodyLanguage::Sfc:
+        return " SFC{" + outline(*b.chart) + "}";
     }
     return "";
 }
 
 std::string access(Access a) {
     switch (a) {
-    case Access::Default: return "";
-    case Access::Public: return "public ";
-    case Access::Private: return "private ";
-    case Access::Protected: return "protected ";
-    case Access::Internal: return "internal ";
+    case Access::Default:
+        return "";
+    case Access::Public:
+        return "public ";
+    case Access::Private:
+        return "private ";
+    case Access::Protected:
+        return "protected ";
+    case Access::Internal:
+        return "internal ";
     }
     return "";
 }
@@ -132,12 +163,14 @@ std::string unit(const Pou& pou) {
     out += body(pou.body);
     for (const Pou* method : pou.methods) out += " <" + unit(*method) + ">";
     for (const Property* property : pou.properties) {
-        out += " <PROPERTY " + access(property->access) + text(property->name.text) + (property->type ? ":" + outline(*property->type) : "");
+        out += " <PROPERTY " + access(property->access) + text(property->name.text) +
+               (property->type ? ":" + outline(*property->type) : "");
         if (property->get) out += " " + unit(*property->get);
         if (property->set) out += " " + unit(*property->set);
         out += ">";
     }
-    for (const ActionDecl* action : pou.actions) out += " <ACTION " + text(action->name.text) + body(action->body) + ">";
+    for (const ActionDecl* action : pou.actions)
+        out += " <ACTION " + text(action->name.text) + body(action->body) + ">";
     return out;
 }
 
@@ -146,24 +179,42 @@ std::string unit(const Pou& pou) {
 std::string outline(const Expr* e) {
     if (!e) return "null";
     switch (e->kind) {
-    case ExprKind::Error: return "error";
-    case ExprKind::Literal: return (e->prefix.isValid() ? text(e->prefix.text) + "#" : "") + text(e->text);
-    case ExprKind::TypedName: return text(e->prefix.text) + "#" + text(e->name.text);
-    case ExprKind::NameRef: return text(e->name.text);
-    case ExprKind::Address: return text(e->text);
-    case ExprKind::Member: return outline(e->base) + "." + text(e->name.text);
-    case ExprKind::Bit: return outline(e->base) + ".:" + text(e->text);
-    case ExprKind::Index: return outline(e->base) + "[" + arguments(e->arguments) + "]";
-    case ExprKind::Deref: return outline(e->base) + "^";
-    case ExprKind::Call: return outline(e->base) + "(" + arguments(e->arguments) + ")";
-    case ExprKind::Unary: return "(" + text(lex::spelling(e->op)) + " " + outline(e->base) + ")";
-    case ExprKind::Binary: return "(" + outline(e->base) + " " + text(lex::spelling(e->op)) + " " + outline(e->right) + ")";
-    case ExprKind::AssignChain: return "(" + outline(e->base) + " " + text(lex::spelling(e->op)) + " " + outline(e->right) + ")";
-    case ExprKind::ArrayInit: return "[" + arguments(e->arguments) + "]";
-    case ExprKind::StructInit: return "{" + arguments(e->arguments) + "}";
-    case ExprKind::Repeat: return outline(e->base) + "*(" + arguments(e->arguments) + ")";
-    case ExprKind::This: return "THIS";
-    case ExprKind::Super: return "SUPER";
+    case ExprKind::Error:
+        return "error";
+    case ExprKind::Literal:
+        return (e->prefix.isValid() ? text(e->prefix.text) + "#" : "") + text(e->text);
+    case ExprKind::TypedName:
+        return text(e->prefix.text) + "#" + text(e->name.text);
+    case ExprKind::NameRef:
+        return text(e->name.text);
+    case ExprKind::Address:
+        return text(e->text);
+    case ExprKind::Member:
+        return outline(e->base) + "." + text(e->name.text);
+    case ExprKind::Bit:
+        return outline(e->base) + ".:" + text(e->text);
+    case ExprKind::Index:
+        return outline(e->base) + "[" + arguments(e->arguments) + "]";
+    case ExprKind::Deref:
+        return outline(e->base) + "^";
+    case ExprKind::Call:
+        return outline(e->base) + "(" + arguments(e->arguments) + ")";
+    case ExprKind::Unary:
+        return "(" + text(lex::spelling(e->op)) + " " + outline(e->base) + ")";
+    case ExprKind::Binary:
+        return "(" + outline(e->base) + " " + text(lex::spelling(e->op)) + " " + outline(e->right) + ")";
+    case ExprKind::AssignChain:
+        return "(" + outline(e->base) + " " + text(lex::spelling(e->op)) + " " + outline(e->right) + ")";
+    case ExprKind::ArrayInit:
+        return "[" + arguments(e->arguments) + "]";
+    case ExprKind::StructInit:
+        return "{" + arguments(e->arguments) + "}";
+    case ExprKind::Repeat:
+        return outline(e->base) + "*(" + arguments(e->arguments) + ")";
+    case ExprKind::This:
+        return "THIS";
+    case ExprKind::Super:
+        return "SUPER";
     }
     return "?";
 }
@@ -171,21 +222,31 @@ std::string outline(const Expr* e) {
 std::string outline(const TypeSpec& spec) {
     const auto bounds = [&] {
         std::string out;
-        for (const Bounds& b : spec.bounds) out += (out.empty() ? "" : ", ") + (b.low ? outline(b.low) + ".." + outline(b.high) : "*");
+        for (const Bounds& b : spec.bounds)
+            out += (out.empty() ? "" : ", ") + (b.low ? outline(b.low) + ".." + outline(b.high) : "*");
         return out;
     };
     switch (spec.kind) {
-    case TypeSpecKind::Error: return "error";
-    case TypeSpecKind::Named: return path(spec.path) + (spec.constructor.empty() ? "" : "(" + arguments(spec.constructor) + ")");
-    case TypeSpecKind::String: return path(spec.path) + (spec.length ? "(" + outline(spec.length) + ")" : "");
+    case TypeSpecKind::Error:
+        return "error";
+    case TypeSpecKind::Named:
+        return path(spec.path) + (spec.constructor.empty() ? "" : "(" + arguments(spec.constructor) + ")");
+    case TypeSpecKind::String:
+        return path(spec.path) + (spec.length ? "(" + outline(spec.length) + ")" : "");
     case TypeSpecKind::Array:
-    case TypeSpecKind::OpenArray: return "array[" + bounds() + "] " + outline(*spec.element);
-    case TypeSpecKind::Pointer: return "pointer " + outline(*spec.element);
-    case TypeSpecKind::RefTo: return "ref_to " + outline(*spec.element);
-    case TypeSpecKind::Reference: return "reference " + outline(*spec.element);
+    case TypeSpecKind::OpenArray:
+        return "array[" + bounds() + "] " + outline(*spec.element);
+    case TypeSpecKind::Pointer:
+        return "pointer " + outline(*spec.element);
+    case TypeSpecKind::RefTo:
+        return "ref_to " + outline(*spec.element);
+    case TypeSpecKind::Reference:
+        return "reference " + outline(*spec.element);
     case TypeSpecKind::Enum: {
         std::string out = "enum(";
-        for (const EnumeratorDecl& e : spec.enumerators) out += (&e == &spec.enumerators[0] ? "" : ",") + text(e.name.text) + (e.value ? "=" + outline(e.value) : "");
+        for (const EnumeratorDecl& e : spec.enumerators)
+            out +=
+                (&e == &spec.enumerators[0] ? "" : ",") + text(e.name.text) + (e.value ? "=" + outline(e.value) : "");
         return out + ")" + (spec.element ? outline(*spec.element) : "");
     }
     case TypeSpecKind::Struct:
@@ -196,20 +257,24 @@ std::string outline(const TypeSpec& spec) {
         for (const VarDecl* field : spec.fields) out += (field == spec.fields[0] ? "" : "; ") + variable(*field);
         return out + "}";
     }
-    case TypeSpecKind::Subrange: return path(spec.path) + "(" + bounds() + ")";
-    case TypeSpecKind::Inferred: return "inferred " + outline(spec.inferredFrom);
+    case TypeSpecKind::Subrange:
+        return path(spec.path) + "(" + bounds() + ")";
+    case TypeSpecKind::Inferred:
+        return "inferred " + outline(spec.inferredFrom);
     }
     return "?";
 }
 
 std::string outline(const VarSection& section) {
-    static const char* words[] = {"VAR", "IN", "OUT", "IN_OUT", "TEMP", "STAT", "INST", "GLOBAL", "EXTERNAL", "ACCESS", "CONFIG"};
+    static const char* words[] = {"VAR",  "IN",     "OUT",      "IN_OUT", "TEMP",  "STAT",
+                                  "INST", "GLOBAL", "EXTERNAL", "ACCESS", "CONFIG"};
     std::string out = words[static_cast<int>(section.kind)];
     if (section.constant) out += " constant";
     if (section.retain) out += " retain";
     if (section.persistent) out += " persistent";
     out += "(";
-    for (const VarDecl* decl : section.declarations) out += (decl == section.declarations[0] ? "" : "; ") + variable(*decl);
+    for (const VarDecl* decl : section.declarations)
+        out += (decl == section.declarations[0] ? "" : "; ") + variable(*decl);
     return out + ")";
 }
 
@@ -224,13 +289,15 @@ std::string outline(const SfcBody& chart) {
     for (const StepDecl* step : chart.steps) {
         out += (step->isInitial ? "initial " : "step ") + text(step->name.text);
         for (const ActionAssociation& a : step->actions) {
-            out += " " + text(a.action.text) + "(" + text(a.qualifier.text) + (a.time ? "," + outline(a.time) : "") + (a.indicators.empty() ? "" : "," + names(a.indicators)) + ")";
+            out += " " + text(a.action.text) + "(" + text(a.qualifier.text) + (a.time ? "," + outline(a.time) : "") +
+                   (a.indicators.empty() ? "" : "," + names(a.indicators)) + ")";
         }
         for (const Pragma& p : step->pragmas) out += " {" + text(p.key) + "=" + text(p.value) + "}";
         out += "; ";
     }
     for (const TransitionDecl* t : chart.transitions) {
-        out += "from " + names(t->from) + " to " + names(t->to) + (t->priority ? " prio " + outline(t->priority) : "") + " when " + (t->condition ? outline(t->condition) : "IL " + outline(t->ilCondition)) + "; ";
+        out += "from " + names(t->from) + " to " + names(t->to) + (t->priority ? " prio " + outline(t->priority) : "") +
+               " when " + (t->condition ? outline(t->condition) : "IL " + outline(t->ilCondition)) + "; ";
     }
     for (const ActionDecl* a : chart.actions) out += "action " + text(a->name.text) + body(a->body) + "; ";
     if (!out.empty()) out.resize(out.size() - 2);
@@ -239,9 +306,13 @@ std::string outline(const SfcBody& chart) {
 
 std::string outline(const Decl& decl) {
     switch (decl.kind) {
-    case DeclKind::Pou: return unit(*decl.pou);
-    case DeclKind::Type: return "TYPE " + access(decl.type->access) + text(decl.type->name.text) + ":" + outline(*decl.type->spec) + (decl.type->initial ? "=" + outline(decl.type->initial) : "");
-    case DeclKind::Globals: return "GVL " + text(decl.globals->name) + " " + outline(*decl.globals->section);
+    case DeclKind::Pou:
+        return unit(*decl.pou);
+    case DeclKind::Type:
+        return "TYPE " + access(decl.type->access) + text(decl.type->name.text) + ":" + outline(*decl.type->spec) +
+               (decl.type->initial ? "=" + outline(decl.type->initial) : "");
+    case DeclKind::Globals:
+        return "GVL " + text(decl.globals->name) + " " + outline(*decl.globals->section);
     case DeclKind::Configuration: {
         const ConfigurationDecl& c = *decl.configuration;
         std::string out = "CONFIGURATION " + text(c.name.text);
@@ -257,7 +328,8 @@ std::string outline(const Decl& decl) {
                 out += arguments(t->others);
             }
             for (const ProgramInstance* p : r->programs) {
-                out += " PROGRAM " + text(p->name.text) + (p->task.isValid() ? " with " + text(p->task.text) : "") + ":" + path(p->type) + "(" + arguments(p->connections) + ")";
+                out += " PROGRAM " + text(p->name.text) + (p->task.isValid() ? " with " + text(p->task.text) : "") +
+                       ":" + path(p->type) + "(" + arguments(p->connections) + ")";
                 for (const Argument& a : p->blockTasks) out += " " + text(a.name.text) + " with " + outline(a.value);
             }
             out += ")";
@@ -271,7 +343,8 @@ std::string outline(const Decl& decl) {
     }
     case DeclKind::Namespace: {
         std::string out = "NAMESPACE " + path(decl.space->path) + " {";
-        for (const Decl* d : decl.space->declarations) out += (d == decl.space->declarations[0] ? "" : " | ") + outline(*d);
+        for (const Decl* d : decl.space->declarations)
+            out += (d == decl.space->declarations[0] ? "" : " | ") + outline(*d);
         return out + "}";
     }
     case DeclKind::Using: {
@@ -301,7 +374,8 @@ std::string Parsed::codes() const {
     std::string out;
     for (const auto& d : diagnostics) {
         const LineColumn at = sources[d.range.file].lineColumn(d.range.begin);
-        out += (out.empty() ? "" : " ") + std::string(diagnostics::codeOf(d.kind)) + "@" + std::to_string(at.line) + ":" + std::to_string(at.column);
+        out += (out.empty() ? "" : " ") + std::string(diagnostics::codeOf(d.kind)) + "@" + std::to_string(at.line) +
+               ":" + std::to_string(at.column);
     }
     return out;
 }

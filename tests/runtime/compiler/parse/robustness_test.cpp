@@ -28,15 +28,21 @@ std::vector<fs::path> libraryFiles() {
 
 /// One text with every construct, for the loops that break it at each token.
 const char* everything() {
-    return "NAMESPACE n\nTYPE e : (a, b := 2) INT := a; s : STRUCT x : ARRAY[1..2] OF INT := [1, 2]; END_STRUCT; END_TYPE\nEND_NAMESPACE\n"
+    return "NAMESPACE n\nTYPE e : (a, b := 2) INT := a; s : STRUCT x : ARRAY[1..2] OF INT := [1, 2]; END_STRUCT; "
+           "END_TYPE\nEND_NAMESPACE\n"
            "{gvl G}\nVAR_GLOBAL g AT %QX0.0 : BOOL; END_VAR\n"
            "INTERFACE i METHOD m : INT END_METHOD END_INTERFACE\n"
-           "FUNCTION_BLOCK f IMPLEMENTS i\nVAR_INPUT c : BOOL R_EDGE; END_VAR\nMETHOD m : INT m := 1; END_METHOD\nPROPERTY p : INT GET p := 1; END_GET SET END_SET END_PROPERTY\n"
-           "IF c THEN x[1, 2].y := f(a := 1, b => q) + INT#16#7F; ELSIF d THEN ; ELSE JMP l; END_IF\nl: CASE s OF 1, 2..3: a(); ELSE b(); END_CASE\n"
-           "FOR i := 1 TO 10 BY 2 DO EXIT; END_FOR WHILE a DO CONTINUE; END_WHILE REPEAT a := b := c; UNTIL d END_REPEAT\nRETURN;\nEND_FUNCTION_BLOCK\n"
+           "FUNCTION_BLOCK f IMPLEMENTS i\nVAR_INPUT c : BOOL R_EDGE; END_VAR\nMETHOD m : INT m := 1; "
+           "END_METHOD\nPROPERTY p : INT GET p := 1; END_GET SET END_SET END_PROPERTY\n"
+           "IF c THEN x[1, 2].y := f(a := 1, b => q) + INT#16#7F; ELSIF d THEN ; ELSE JMP l; END_IF\nl: CASE s OF 1, "
+           "2..3: a(); ELSE b(); END_CASE\n"
+           "FOR i := 1 TO 10 BY 2 DO EXIT; END_FOR WHILE a DO CONTINUE; END_WHILE REPEAT a := b := c; UNTIL d "
+           "END_REPEAT\nRETURN;\nEND_FUNCTION_BLOCK\n"
            "PROGRAM il\nLD a\nAND( b\nOR c\n)\nst: JMPC st\nCAL t(IN := a)\nEND_PROGRAM\n"
-           "PROGRAM sfc\nINITIAL_STEP s0: a(N); b(D, T#1s, c); END_STEP\nTRANSITION FROM s0 TO (s1, s0) := a AND s0.X; END_TRANSITION\nSTEP s1: END_STEP\nACTION a: x := 'it$'s'; END_ACTION\nEND_PROGRAM\n"
-           "CONFIGURATION c RESOURCE r ON x TASK t(INTERVAL := T#1s, PRIORITY := 1); PROGRAM p WITH t : q(a := %IX0.0); END_RESOURCE VAR_CONFIG r.p.x AT %QW0 : INT; END_VAR END_CONFIGURATION\n"
+           "PROGRAM sfc\nINITIAL_STEP s0: a(N); b(D, T#1s, c); END_STEP\nTRANSITION FROM s0 TO (s1, s0) := a AND s0.X; "
+           "END_TRANSITION\nSTEP s1: END_STEP\nACTION a: x := 'it$'s'; END_ACTION\nEND_PROGRAM\n"
+           "CONFIGURATION c RESOURCE r ON x TASK t(INTERVAL := T#1s, PRIORITY := 1); PROGRAM p WITH t : q(a := "
+           "%IX0.0); END_RESOURCE VAR_CONFIG r.p.x AT %QW0 : INT; END_VAR END_CONFIGURATION\n"
            "TEST 'x' RUN T#1s; ASSERT a = b, 'm'; END_TEST\n";
 }
 
@@ -55,7 +61,8 @@ void breakAtEveryToken(const std::string& text, const std::string& what) {
         EXPECT_LE(dropped.errors(), 12u) << what << " without the token at " << token.begin << " " << dropped.codes();
         // swap with the next
         const auto& next = tokens[i + 1];
-        const Parsed swapped(text.substr(0, token.begin) + text.substr(next.begin, next.end - next.begin) + " " + text.substr(token.begin, token.end - token.begin) + text.substr(next.end));
+        const Parsed swapped(text.substr(0, token.begin) + text.substr(next.begin, next.end - next.begin) + " " +
+                             text.substr(token.begin, token.end - token.begin) + text.substr(next.end));
         EXPECT_LE(swapped.errors(), 15u) << what << " swapped at " << token.begin << " " << swapped.codes();
     }
 }
@@ -71,7 +78,8 @@ TEST(Robustness, TheLibraryIsReadAndSurvivesBreaking) {
         const Parsed parsed(readFile(path));
         EXPECT_EQ(parsed.errors(), 0u) << path << " " << parsed.codes();
     }
-    for (size_t i = 0; i < files.size(); i += std::max<size_t>(1, files.size() / 6)) breakAtEveryToken(readFile(files[i]), files[i].string());
+    for (size_t i = 0; i < files.size(); i += std::max<size_t>(1, files.size() / 6))
+        breakAtEveryToken(readFile(files[i]), files[i].string());
 }
 
 TEST(Robustness, AnyBytesAreRead) {
@@ -80,8 +88,60 @@ TEST(Robustness, AnyBytesAreRead) {
         state = state * 1664525u + 1013904223u;
         return (state >> 8) % limit;
     };
-    static const char* words[] = {"IF", "THEN", "END_IF", "VAR", "END_VAR", "(", ")", "[", "]", "{", "}", "'", "\"", "(*", "*)", "//", "\n", ":=", ":", ";", ",", "..", ".", "#", "16#", "T#", "x", "5", "%IX", "CASE", "OF", "STEP",
-                                  "TRANSITION", "FROM", "TO", "PROGRAM", "END_PROGRAM", "LD", "AND(", "METHOD", "ACTION", "TYPE", "STRUCT", "ELSE", "TEST", "NAMESPACE", "CONFIGURATION", "\xff", "\xe2\x80", "ü", "$", "END_CASE", "-", "NOT"};
+    static const char* words[] = {"IF",
+                                  "THEN",
+                                  "END_IF",
+                                  "VAR",
+                                  "END_VAR",
+                                  "(",
+                                  ")",
+                                  "[",
+                                  "]",
+                                  "{",
+                                  "}",
+                                  "'",
+                                  "\"",
+                                  "(*",
+                                  "*)",
+                                  "//",
+                                  "\n",
+                                  ":=",
+                                  ":",
+                                  ";",
+                                  ",",
+                                  "..",
+                                  ".",
+                                  "#",
+                                  "16#",
+                                  "T#",
+                                  "x",
+                                  "5",
+                                  "%IX",
+                                  "CASE",
+                                  "OF",
+                                  "STEP",
+                                  "TRANSITION",
+                                  "FROM",
+                                  "TO",
+                                  "PROGRAM",
+                                  "END_PROGRAM",
+                                  "LD",
+                                  "AND(",
+                                  "METHOD",
+                                  "ACTION",
+                                  "TYPE",
+                                  "STRUCT",
+                                  "ELSE",
+                                  "TEST",
+                                  "NAMESPACE",
+                                  "CONFIGURATION",
+                                  "\xff",
+                                  "\xe2\x80",
+                                  "ü",
+                                  "$",
+                                  "END_CASE",
+                                  "-",
+                                  "NOT"};
     for (int round = 0; round < 400; ++round) {
         std::string text;
         for (int i = 0; i < 200; ++i) {
@@ -95,9 +155,13 @@ TEST(Robustness, AnyBytesAreRead) {
 }
 
 TEST(Robustness, LongInputIsReadInLinearTime) {
-    std::string unit = "FUNCTION_BLOCK fb\nVAR_INPUT\n    start : BOOL; // starts\n    level : REAL := 1.5;\nEND_VAR\nVAR\n    t : TON;\n    state : INT;\n    buffer : ARRAY[0..9] OF REAL;\nEND_VAR\n"
-                       "t(IN := start AND NOT t.Q, PT := T#100ms);\nIF t.Q THEN\n    state := state + 1;\nELSIF level > 10.0 THEN\n    state := 0;\nEND_IF\n"
-                       "CASE state OF\n    0: buffer[0] := level * 2.0;\n    1, 2: buffer[state] := buffer[state - 1] + level / 3.0;\nELSE\n    state := LIMIT(0, state, 9);\nEND_CASE\nEND_FUNCTION_BLOCK\n";
+    std::string unit =
+        "FUNCTION_BLOCK fb\nVAR_INPUT\n    start : BOOL; // starts\n    level : REAL := 1.5;\nEND_VAR\nVAR\n    t : "
+        "TON;\n    state : INT;\n    buffer : ARRAY[0..9] OF REAL;\nEND_VAR\n"
+        "t(IN := start AND NOT t.Q, PT := T#100ms);\nIF t.Q THEN\n    state := state + 1;\nELSIF level > 10.0 THEN\n   "
+        " state := 0;\nEND_IF\n"
+        "CASE state OF\n    0: buffer[0] := level * 2.0;\n    1, 2: buffer[state] := buffer[state - 1] + level / "
+        "3.0;\nELSE\n    state := LIMIT(0, state, 9);\nEND_CASE\nEND_FUNCTION_BLOCK\n";
     std::string text;
     for (int i = 0; i < 400; ++i) text += unit;
     double best = 1e9;
@@ -105,7 +169,8 @@ TEST(Robustness, LongInputIsReadInLinearTime) {
     for (int i = 0; i < 3; ++i) {
         const auto begin = std::chrono::steady_clock::now();
         const Parsed parsed(text);
-        best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+        best =
+            std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
         EXPECT_EQ(parsed.errors(), 0u);
         lines = parsed.sources.files[0].lineCount();
     }
@@ -116,5 +181,12 @@ TEST(Robustness, LongInputIsReadInLinearTime) {
     for (int i = 0; i < 50000; ++i) ifs += "CASE a OF 1: ";
     EXPECT_NE(Parsed("PROGRAM p x := " + parens).file, nullptr);
     EXPECT_NE(Parsed("PROGRAM p " + ifs).file, nullptr);
-    EXPECT_NE(Parsed("PROGRAM p VAR x : " + [] { std::string s; for (int i = 0; i < 50000; ++i) s += "ARRAY[1..2] OF "; return s; }()).file, nullptr);
+    EXPECT_NE(Parsed("PROGRAM p VAR x : " +
+                     [] {
+                         std::string s;
+                         for (int i = 0; i < 50000; ++i) s += "ARRAY[1..2] OF ";
+                         return s;
+                     }())
+                  .file,
+              nullptr);
 }

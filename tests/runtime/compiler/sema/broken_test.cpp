@@ -61,9 +61,17 @@ void cutAndSwap(const std::string& text, size_t step) {
         static_cast<void>(check({{"cut.st", text.substr(0, token.begin), ""}}, false));
         static_cast<void>(check({{"gap.st", text.substr(0, token.begin) + text.substr(token.end), ""}}, false));
         const auto& next = tokens.tokens[i + 1];
-        static_cast<void>(check({{"swap.st", text.substr(0, token.begin) + text.substr(next.begin, next.end - next.begin) + " " + text.substr(token.begin, token.end - token.begin) + text.substr(next.end), ""}}, false));
+        static_cast<void>(check({{"swap.st",
+                                  text.substr(0, token.begin) + text.substr(next.begin, next.end - next.begin) + " " +
+                                      text.substr(token.begin, token.end - token.begin) + text.substr(next.end),
+                                  ""}},
+                                false));
         const auto& other = tokens.tokens[(i * 7 + 13) % (tokens.tokens.size() - 1)];
-        static_cast<void>(check({{"other.st", text.substr(0, token.begin) + text.substr(other.begin, other.end - other.begin) + text.substr(token.end), ""}}, false));
+        static_cast<void>(check(
+            {{"other.st",
+              text.substr(0, token.begin) + text.substr(other.begin, other.end - other.begin) + text.substr(token.end),
+              ""}},
+            false));
     }
 }
 

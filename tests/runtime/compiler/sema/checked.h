@@ -25,14 +25,16 @@ struct CheckedText {
         for (const diagnostics::Diagnostic& diagnostic : analysis->diagnostics) {
             if (!withInfos && diagnostic.severity == diagnostics::Severity::Info) continue;
             std::string line(diagnostics::codeOf(diagnostic.kind));
-            if (diagnostic.range.file.isValid()) line += " '" + std::string((*sources)[diagnostic.range.file].slice(diagnostic.range)) + "'";
+            if (diagnostic.range.file.isValid())
+                line += " '" + std::string((*sources)[diagnostic.range.file].slice(diagnostic.range)) + "'";
             out.push_back(std::move(line));
         }
         return out;
     }
     [[nodiscard]] std::string all() const {
         std::string out;
-        for (const diagnostics::Diagnostic& diagnostic : analysis->diagnostics) out += diagnostics::renderText(*sources, diagnostic, false);
+        for (const diagnostics::Diagnostic& diagnostic : analysis->diagnostics)
+            out += diagnostics::renderText(*sources, diagnostic, false);
         return out;
     }
 };

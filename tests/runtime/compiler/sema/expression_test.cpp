@@ -71,11 +71,16 @@ TEST(Expressions, AreSeenFromTheirInstance) {
     ASSERT_FALSE(plant().analysis->hasErrors) << plant().all();
     for (const Row& row : kRows) {
         Arena arena;
-        const sema::CheckedExpression checked = sema::checkExpression(*plant().analysis, *plant().sources, row.text, row.scope, arena);
+        const sema::CheckedExpression checked =
+            sema::checkExpression(*plant().analysis, *plant().sources, row.text, row.scope, arena);
         std::string seen;
-        if (checked.root) seen = (*plant().analysis->program->types)[checked.root->type].name;
-        else if (!checked.diagnostics.empty()) seen = std::string(diagnostics::codeOf(checked.diagnostics.front().kind));
-        EXPECT_EQ(seen, row.expected) << row.text << " in '" << row.scope << "'" << (checked.diagnostics.empty() ? "" : ": " + checked.diagnostics.front().message());
+        if (checked.root)
+            seen = (*plant().analysis->program->types)[checked.root->type].name;
+        else if (!checked.diagnostics.empty())
+            seen = std::string(diagnostics::codeOf(checked.diagnostics.front().kind));
+        EXPECT_EQ(seen, row.expected) << row.text << " in '" << row.scope << "'"
+                                      << (checked.diagnostics.empty() ? ""
+                                                                      : ": " + checked.diagnostics.front().message());
     }
 }
 

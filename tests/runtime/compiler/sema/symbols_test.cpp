@@ -16,7 +16,9 @@ std::string targetOf(const CheckedText& checked, std::string_view needle, int nt
         if (reference.range.file != FileId(0) || reference.range.begin != at) continue;
         const sema::Symbol& symbol = checked.analysis->symbols[reference.symbol.index()];
         std::string where = symbol.name;
-        if (symbol.declaration.file.isValid()) where += "@" + std::to_string((*checked.sources)[symbol.declaration.file].lineColumn(symbol.declaration.begin).line);
+        if (symbol.declaration.file.isValid())
+            where += "@" + std::to_string(
+                               (*checked.sources)[symbol.declaration.file].lineColumn(symbol.declaration.begin).line);
         return where + (reference.isWrite ? " written" : "") + (reference.isRead ? " read" : "");
     }
     return "nothing";
