@@ -45,6 +45,18 @@ struct Denoted {
     bool isReadOnly = false;
     std::string whyReadOnly;
 };
+[[nodiscard]] inline Denoted placeOf(tree::Place* place) {
+    Denoted out;
+    out.kind = Denoted::Kind::Place;
+    out.place = place;
+    return out;
+}
+[[nodiscard]] inline Denoted valueOf(Operand value) {
+    Denoted out;
+    out.kind = Denoted::Kind::Value;
+    out.value = value;
+    return out;
+}
 
 class Checker {
 public:

@@ -8,22 +8,7 @@ namespace plc::sema {
 using diagnostics::Kind;
 using syntax::ExprKind;
 
-namespace {
 using DK = Denoted::Kind;
-
-Denoted placeOf(tree::Place* place) {
-    Denoted out;
-    out.kind = DK::Place;
-    out.place = place;
-    return out;
-}
-Denoted valueOf(Operand value) {
-    Denoted out;
-    out.kind = DK::Value;
-    out.value = value;
-    return out;
-}
-} // namespace
 
 Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     Denoted from = denote(*e.base, access == Access::Address ? Access::ReadWrite

@@ -13,18 +13,6 @@ using types::TypeTable;
 namespace {
 using DK = Denoted::Kind;
 
-Denoted placeOf(tree::Place* place) {
-    Denoted out;
-    out.kind = DK::Place;
-    out.place = place;
-    return out;
-}
-Denoted valueOf(Operand value) {
-    Denoted out;
-    out.kind = DK::Value;
-    out.value = value;
-    return out;
-}
 Denoted unitOf(Unit& unit, tree::Place* instance) {
     Denoted out;
     out.kind = DK::Unit;
