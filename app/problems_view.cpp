@@ -1,6 +1,7 @@
 #include "app/problems_view.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
 #include <QCoreApplication>
@@ -115,8 +116,7 @@ void ProblemsView::reload() {
                     place = QString("%1:%2").arg(file).arg(source.lineColumn(d.range.begin).line);
                 }
                 const auto code = diagnostics::codeOf(d.kind);
-                if (QTreeWidgetItem* item = add(d.severity, translated(d),
-                                                QString::fromUtf8(code.data(), static_cast<int>(code.size())), place)) {
+                if (QTreeWidgetItem* item = add(d.severity, translated(d), kit::fromView(code), place)) {
                     item->setData(0, Qt::UserRole, file);
                     item->setData(0, Qt::UserRole + 1, d.range.begin);
                 }

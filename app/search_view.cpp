@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
 #include <QCheckBox>
@@ -70,8 +71,7 @@ void SearchView::addLine(const QString& file, const SourceText& source, SourceRa
     const uint32_t line = source.lineColumn(range.begin).line;
     const std::string_view text = source.line(line);
     auto* item =
-        new QTreeWidgetItem(m_results, {QString("%1:%2").arg(file).arg(line), kind,
-                                        QString::fromUtf8(text.data(), static_cast<int>(text.size())).trimmed()});
+        new QTreeWidgetItem(m_results, {QString("%1:%2").arg(file).arg(line), kind, kit::fromView(text).trimmed()});
     item->setFont(2, QFont("Noto Sans Mono"));
     item->setForeground(0, kit::colors().muted);
     item->setData(0, Qt::UserRole, file);

@@ -2,6 +2,7 @@
 // a transition's end to another step, an action up, down or to another step. Each drop is one edit of the text.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
+#include "editor/kit/texts.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -13,10 +14,6 @@ namespace plc::editor {
 
 using chart::StepId;
 using chart::TransitionId;
-
-namespace {
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
-} // namespace
 
 bool ChartView::dragEvent(QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress) {
@@ -99,7 +96,7 @@ ChartView::Drop ChartView::dropStep(const QPointF& at) const {
     const StepId step(m_dragged.index);
     const chart::Step& moved = (*m_chart)[step];
     Drop drop;
-    drop.select = view(moved.decl->name.text);
+    drop.select = kit::fromView(moved.decl->name.text);
     // behind a transition
     for (size_t i = 0; i < m_chart->transitions.size(); ++i) {
         const QRectF bar = m_scene->barRect(static_cast<int>(i));
@@ -144,7 +141,7 @@ ChartView::Drop ChartView::dropTransition(const QPointF& at) const {
         if (!m_scene->stepRect(static_cast<int>(i)).adjusted(-4, -4, 4, 4).contains(at)) continue;
         if (moved.to.size() != 1 || moved.to.front() == StepId(i)) return {};
         drop.hint = m_scene->stepRect(static_cast<int>(i)).adjusted(-5, -5, 5, 5);
-        drop.text = tr("leads to %1").arg(view(m_chart->steps[i].decl->name.text));
+        drop.text = tr("leads to %1").arg(kit::fromView(m_chart->steps[i].decl->name.text));
         drop.edits = editor().setTarget(id, moved.to.front(), StepId(i));
         return drop;
     }
@@ -176,7 +173,8 @@ ChartView::Drop ChartView::dropAction(const QPointF& at) const {
         const std::string time =
             action.time ? m_text.substr(action.time->range.begin, action.time->range.length()) : std::string();
         drop.hint = box.adjusted(-5, -5, 5, 5);
-        drop.text = tr("%1 in step %2").arg(view(action.action.text), view(m_chart->steps[i].decl->name.text));
+        drop.text = tr("%1 in step %2")
+                        .arg(kit::fromView(action.action.text), kit::fromView(m_chart->steps[i].decl->name.text));
         const Result<chart::Edits> gone = editor().deleteAction(StepId(from), static_cast<size_t>(sub));
         const Result<chart::Edits> come =
             editor().insertAction(StepId(i), m_chart->steps[i].decl->actions.size(), action.action.text,

@@ -2,6 +2,7 @@
 // of.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
+#include "editor/kit/texts.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/compiler/sema/sema.h"
@@ -14,8 +15,6 @@ using chart::StepId;
 using chart::TransitionId;
 
 namespace {
-
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
 /// "D T#2s Lamp", "S Motor" or just the name.
 struct ActionWords {
@@ -113,8 +112,8 @@ std::vector<kit::Completion> ChartView::completions(const QString& text, int cur
         for (const auto* list : {&m_place.chart->actions, &m_place.pou->actions})
             for (const syntax::ActionDecl* action : *list)
                 if (std::none_of(out.begin(), out.end(),
-                                 [&](const kit::Completion& c) { return c.text == view(action->name.text); }))
-                    out.push_back({view(action->name.text), tr("action"), kit::Icon::Action});
+                                 [&](const kit::Completion& c) { return c.text == kit::fromView(action->name.text); }))
+                    out.push_back({kit::fromView(action->name.text), tr("action"), kit::Icon::Action});
     }
     // As if it stood in the text already: names resolve as they will there.
     const uint32_t at = std::min(m_fieldAt, static_cast<uint32_t>(m_text.size()));
@@ -162,15 +161,15 @@ void ChartView::editSelected() {
     if (p.kind == ChartScene::Step) {
         const syntax::StepDecl& step = *m_chart->steps[index].decl;
         return openField(
-            m_scene->stepRect(p.index), view(step.name.text), FieldKind::Name, step.range.begin,
+            m_scene->stepRect(p.index), kit::fromView(step.name.text), FieldKind::Name, step.range.begin,
             [this, p](const QString& text) { return editor().renameStep(StepId(p.index), text.toStdString()); }, true);
     }
     if (p.kind == ChartScene::Transition) {
         const syntax::TransitionDecl& decl = *m_chart->transitions[index].decl;
         QString present; // a list becomes an expression
         if (decl.condition)
-            present =
-                view(std::string_view(m_text).substr(decl.condition->range.begin, decl.condition->range.length()));
+            present = kit::fromView(
+                std::string_view(m_text).substr(decl.condition->range.begin, decl.condition->range.length()));
         const uint32_t at = decl.condition ? decl.condition->range.begin : decl.range.begin;
         return openField(m_scene->conditionRect(p.index).adjusted(-4, -2, 120, 2), present, FieldKind::Condition, at,
                          [this, p](const QString& text) {
@@ -178,8 +177,9 @@ void ChartView::editSelected() {
                          });
     }
     const syntax::ActionAssociation& action = m_chart->steps[index].decl->actions[static_cast<size_t>(p.sub)];
-    openField(m_scene->actionRect(p.index, p.sub), qualifierOf(action, m_text) + " " + view(action.action.text),
-              FieldKind::Action, action.range.begin, [this, p](const QString& text) {
+    openField(m_scene->actionRect(p.index, p.sub),
+              qualifierOf(action, m_text) + " " + kit::fromView(action.action.text), FieldKind::Action,
+              action.range.begin, [this, p](const QString& text) {
                   const ActionWords words(text);
                   return editor().changeAction(StepId(p.index), static_cast<size_t>(p.sub), words.name, words.qualifier,
                                                words.time);
@@ -191,8 +191,9 @@ void ChartView::editPriority() {
     if (!m_chart || m_isStale || p.kind != ChartScene::Transition) return;
     const syntax::TransitionDecl& decl = *m_chart->transitions[static_cast<size_t>(p.index)].decl;
     const QString present =
-        decl.priority ? view(std::string_view(m_text).substr(decl.priority->range.begin, decl.priority->range.length()))
-                      : QStringLiteral("0");
+        decl.priority
+            ? kit::fromView(std::string_view(m_text).substr(decl.priority->range.begin, decl.priority->range.length()))
+            : QStringLiteral("0");
     openField(m_scene->barRect(p.index).adjusted(-60, 10, -20, -10), present, FieldKind::Name, decl.range.begin,
               [this, p](const QString& text) -> Result<chart::Edits> {
                   bool isNumber = false;

@@ -1,5 +1,6 @@
 #include "editor/graph/chart_items.h"
 
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
 #include <QFontMetricsF>
@@ -11,7 +12,6 @@
 namespace plc::editor {
 
 namespace {
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 QColor faded(const QColor& colour, double alpha) {
     QColor out = colour;
     out.setAlphaF(alpha);
@@ -42,14 +42,14 @@ double widthOf(const QString& text) {
 }
 
 QString qualifierOf(const syntax::ActionAssociation& action, std::string_view text) {
-    QString out = action.qualifier.text.empty() ? QStringLiteral("N") : view(action.qualifier.text);
-    if (action.time) out += " " + view(text.substr(action.time->range.begin, action.time->range.length()));
+    QString out = action.qualifier.text.empty() ? QStringLiteral("N") : kit::fromView(action.qualifier.text);
+    if (action.time) out += " " + kit::fromView(text.substr(action.time->range.begin, action.time->range.length()));
     return out;
 }
 
 QString indicatorsOf(const syntax::ActionAssociation& action) {
     QStringList out;
-    for (const syntax::Name& name : action.indicators) out << view(name.text);
+    for (const syntax::Name& name : action.indicators) out << kit::fromView(name.text);
     return out.join(", ");
 }
 
@@ -127,7 +127,7 @@ void ChartItem::paintStep(QPainter& painter, bool isSmall) const {
         painter.setFont(bold);
     }
     painter.drawText(state.time.isEmpty() ? m_rect : m_rect.adjusted(0, 2, 0, -14), Qt::AlignCenter,
-                     view(step.name.text));
+                     kit::fromView(step.name.text));
     if (!state.time.isEmpty()) {
         QFont small = chartFont();
         small.setPointSizeF(7.5);
@@ -177,8 +177,9 @@ void ChartItem::paintTransition(QPainter& painter, bool isSmall) const {
         small.setPointSizeF(7.5);
         painter.setFont(small);
         painter.setPen(c.muted);
-        painter.drawText(QRectF(x - kBarHalf - 34, y - 16, 30, 14), Qt::AlignRight | Qt::AlignVCenter,
-                         view(m_scene.m_text.substr(decl.priority->range.begin, decl.priority->range.length())));
+        painter.drawText(
+            QRectF(x - kBarHalf - 34, y - 16, 30, 14), Qt::AlignRight | Qt::AlignVCenter,
+            kit::fromView(m_scene.m_text.substr(decl.priority->range.begin, decl.priority->range.length())));
         painter.setFont(chartFont());
     }
     painter.setPen(isSelected() ? c.accent : ink);
@@ -226,9 +227,9 @@ void ChartItem::paintAction(QPainter& painter, bool isSmall) const {
     if (isSmall) return;
     painter.setPen(c.text);
     painter.drawText(left, Qt::AlignCenter, qualifier);
-    const bool isChart = m_scene.m_charts.contains(view(action.action.text).toLower());
+    const bool isChart = m_scene.m_charts.contains(kit::fromView(action.action.text).toLower());
     painter.drawText(middle.adjusted(6, 0, isChart ? -14 : -2, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                     view(action.action.text));
+                     kit::fromView(action.action.text));
     if (isChart) { // a chart of its own inside
         const QPointF at(middle.right() - 9, middle.center().y());
         painter.setPen(QPen(c.muted, 1.1));

@@ -2,6 +2,7 @@
 // the qualifiers.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
+#include "editor/kit/texts.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 namespace plc::editor {
 
 namespace {
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 constexpr double kFadeMs = 1500;
 constexpr double kFadeNs = kFadeMs * 1e6;
 
@@ -45,7 +45,7 @@ void ChartView::refreshOnline() {
     online.associations.resize(count);
     for (size_t i = 0; i < count; ++i) {
         const syntax::StepDecl& step = *m_chart->steps[i].decl;
-        const QString name = view(step.name.text);
+        const QString name = kit::fromView(step.name.text);
         const ChartValue x = m_values(name + ".X");
         if (!x.text.isEmpty())
             online.isOn = true;
@@ -60,13 +60,13 @@ void ChartView::refreshOnline() {
             state.time = t.text.section('#', 1);
             for (const syntax::Pragma& pragma : step.pragmas)
                 if (equalsIgnoringCase(pragma.key, "maxTime"))
-                    state.isLate = since[i] > m_values(view(pragma.value)).nanoseconds;
+                    state.isLate = since[i] > m_values(kit::fromView(pragma.value)).nanoseconds;
         }
         online.associations[i].resize(step.actions.size());
         const bool isSeen = m_scene->stepRect(static_cast<int>(i)).adjusted(0, 0, 400, 0).intersects(seen);
         for (size_t k = 0; k < step.actions.size(); ++k) {
             const syntax::ActionAssociation& action = step.actions[k];
-            const QString key = view(action.action.text).toLower();
+            const QString key = kit::fromView(action.action.text).toLower();
             if (!online.actions.contains(key)) {
                 const QString control = QString::fromStdString(controlVariable(m_place.number, action.action.text));
                 online.actions[key] =
@@ -75,7 +75,7 @@ void ChartView::refreshOnline() {
             ChartOnline::ActionState& shown = online.associations[i][k];
             shown.isActive = online.actions[key];
             if (!isSeen) continue;
-            const int64_t time = action.time ? m_values(view(std::string_view(m_text).substr(
+            const int64_t time = action.time ? m_values(kit::fromView(std::string_view(m_text).substr(
                                                             action.time->range.begin, action.time->range.length())))
                                                    .nanoseconds
                                              : 0;
@@ -95,8 +95,8 @@ void ChartView::refreshOnline() {
             if (isSeen && !transition.decl->condition && i < m_listConditions.size() && !m_listConditions[i].isEmpty())
                 value = m_values(m_listConditions[i]);
             if (isSeen && transition.decl->condition)
-                value = m_values(view(std::string_view(m_text).substr(transition.decl->condition->range.begin,
-                                                                      transition.decl->condition->range.length())));
+                value = m_values(kit::fromView(std::string_view(m_text).substr(
+                    transition.decl->condition->range.begin, transition.decl->condition->range.length())));
             online.transitions.push_back(value.text.isEmpty() ? std::nullopt : std::optional(value.isTrue));
             // The last path: by the flag of this scan, by what changed since the last look, and by the age of the step
             // it led to.

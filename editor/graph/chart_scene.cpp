@@ -1,6 +1,7 @@
 #include "editor/graph/chart_scene.h"
 
 #include "editor/graph/chart_items.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 namespace plc::editor {
 
 namespace {
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 enum CellKind { StepCell, TransitionCell, JumpCell, DoubleBarCell };
 constexpr int kConditionColumns = 38, kConditionLines = 3;
 
@@ -39,8 +39,10 @@ ChartScene::ChartScene(QObject* parent) : QGraphicsScene(parent) {}
 
 QString ChartScene::makeConditionText(int transition) const {
     const syntax::TransitionDecl& decl = *m_chart->transitions[static_cast<size_t>(transition)].decl;
-    QString text = decl.name.isValid() ? view(decl.name.text) + ": " : QString();
-    const auto slice = [&](SourceRange range) { return view(m_text.substr(range.begin, range.length())).simplified(); };
+    QString text = decl.name.isValid() ? kit::fromView(decl.name.text) + ": " : QString();
+    const auto slice = [&](SourceRange range) {
+        return kit::fromView(m_text.substr(range.begin, range.length())).simplified();
+    };
     if (decl.condition) text += slice(decl.condition->range);
     QStringList lines;
     for (const syntax::Stmt* instruction : decl.ilCondition) lines << slice(instruction->range);
@@ -108,12 +110,12 @@ void ChartScene::measure() {
     for (size_t i = 0; i < steps.size(); ++i) {
         const chart::Cell cell = m_layout.steps[i];
         const syntax::StepDecl& step = *steps[i].decl;
-        boxWidths[i] = std::max(kStepLeast, widthOf(view(step.name.text)) + 28);
+        boxWidths[i] = std::max(kStepLeast, widthOf(kit::fromView(step.name.text)) + 28);
         double name = 0, mark = 0, qualifier = 0, indicator = 0; // a block's cells stand under each other
         for (const syntax::ActionAssociation& action : step.actions) {
             grow(qualifier, qualifierWidth(qualifierOf(action, m_text)));
-            grow(name, widthOf(view(action.action.text)) + 14);
-            if (m_charts.contains(view(action.action.text).toLower())) grow(mark, 14);
+            grow(name, widthOf(kit::fromView(action.action.text)) + 14);
+            if (m_charts.contains(kit::fromView(action.action.text).toLower())) grow(mark, 14);
             if (const QString indicators = indicatorsOf(action); !indicators.isEmpty())
                 grow(indicator, widthOf(indicators) + kIndicatorPad);
         }
@@ -133,7 +135,7 @@ void ChartScene::measure() {
         grow(heights[static_cast<size_t>(jump.at.row)], 30);
         if (jump.target.isValid())
             grow(right[static_cast<size_t>(jump.at.column)],
-                 14 + widthOf(view((*m_chart)[jump.target].decl->name.text)));
+                 14 + widthOf(kit::fromView((*m_chart)[jump.target].decl->name.text)));
     }
     m_rowTops.assign(1, 0);
     for (const double height : heights) m_rowTops.push_back(m_rowTops.back() + height);
@@ -223,8 +225,9 @@ void ChartScene::drawLines() {
         const double x = m_columnMiddles[static_cast<size_t>(jump.at.column)],
                      tip = m_rowTops[static_cast<size_t>(jump.at.row) + 1] - 2;
         stroke({x, rowTop(jump.at.row)}, {x, tip - 8});
-        lines->arrows.push_back(
-            {QPointF(x, tip), jump.target.isValid() ? view((*m_chart)[jump.target].decl->name.text) : QString()});
+        lines->arrows.push_back({QPointF(x, tip), jump.target.isValid()
+                                                      ? kit::fromView((*m_chart)[jump.target].decl->name.text)
+                                                      : QString()});
     }
     for (const chart::Link& link : m_layout.links) {
         const QPointF from(m_stepRects[link.step.index()].center().x(), m_stepRects[link.step.index()].bottom());
@@ -288,7 +291,7 @@ void ChartScene::showMessages(const std::vector<ChartMessage>& messages) {
         QString tip = m_transitionProblems.value(static_cast<int>(i)).text;
         const syntax::TransitionDecl& decl = *m_chart->transitions[i].decl;
         if (tip.isEmpty() && m_conditions[i].contains(QChar(0x2026)) && decl.condition)
-            tip = view(
+            tip = kit::fromView(
                 m_text.substr(decl.condition->range.begin, decl.condition->range.length())); // cut: the whole of it
         m_transitionItems[i]->setToolTip(tip);
     }

@@ -2,6 +2,7 @@
 
 #include "editor/graph/chart_items.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
@@ -26,10 +27,6 @@ namespace plc::editor {
 
 using chart::StepId;
 using chart::TransitionId;
-
-namespace {
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
-} // namespace
 
 ChartView::ChartView(QWidget* parent) : QWidget(parent) {
     m_scene = new ChartScene(this);
@@ -160,7 +157,7 @@ void ChartView::rebuild() {
     QSet<QString> charts;
     for (const auto* list : {&m_place.pou->actions, &m_place.chart->actions})
         for (const syntax::ActionDecl* action : *list)
-            if (action->body.chart) charts.insert(view(action->name.text).toLower());
+            if (action->body.chart) charts.insert(kit::fromView(action->name.text).toLower());
     m_scene->show(*m_chart, m_text, charts);
     m_takenAt.assign(m_chart->transitions.size(), -100000);
     m_enteredBy.assign(m_chart->steps.size(), -1);
@@ -175,7 +172,7 @@ void ChartView::rebuild() {
     applyBreakpoints();
     if (!m_selectAfter.isEmpty())
         for (size_t i = 0; i < m_chart->steps.size(); ++i)
-            if (view(m_chart->steps[i].decl->name.text) == m_selectAfter)
+            if (kit::fromView(m_chart->steps[i].decl->name.text) == m_selectAfter)
                 if (QGraphicsItem* item = m_scene->itemOf(ChartScene::Step, static_cast<int>(i))) {
                     item->setSelected(true);
                     m_canvas->ensureVisible(item->sceneBoundingRect(), 30, 30);
@@ -444,12 +441,12 @@ void ChartView::openAction() {
             const uint32_t at = action->body.range.begin;
             if (action->body.chart) {
                 const std::string text = m_text;
-                setUnit(m_unit.section('.', 0, 0) + "." + view(action->name.text));
+                setUnit(m_unit.section('.', 0, 0) + "." + kit::fromView(action->name.text));
                 setText(text);
             }
             return emit placeSelected(at);
         }
-    emit failed(tr("%1 is a variable: it has no body").arg(view(name)));
+    emit failed(tr("%1 is a variable: it has no body").arg(kit::fromView(name)));
 }
 
 void ChartView::openParent() {
@@ -464,8 +461,8 @@ void ChartView::openParent() {
                 if (each->body.chart)
                     for (const syntax::StepDecl* step : each->body.chart->steps)
                         for (const syntax::ActionAssociation& association : step->actions)
-                            if (view(association.action.text).compare(action, Qt::CaseInsensitive) == 0)
-                                parent = pou + "." + view(each->name.text);
+                            if (kit::fromView(association.action.text).compare(action, Qt::CaseInsensitive) == 0)
+                                parent = pou + "." + kit::fromView(each->name.text);
     setUnit(parent);
     setText(text);
 }
@@ -480,7 +477,7 @@ void ChartView::toggleBreakpoint() {
 void ChartView::forceSelected(bool active) {
     const Picked p = picked();
     if (!m_chart || p.kind != ChartScene::Step) return emit failed(tr("Select a step"));
-    emit forceStepRequested(view(m_chart->steps[static_cast<size_t>(p.index)].decl->name.text), active);
+    emit forceStepRequested(kit::fromView(m_chart->steps[static_cast<size_t>(p.index)].decl->name.text), active);
 }
 
 // ------------------------------------------------------------------ events

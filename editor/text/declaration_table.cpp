@@ -1,6 +1,7 @@
 #include "editor/text/declaration_table.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
 #include <QHeaderView>
@@ -22,7 +23,6 @@ QString sectionWord(const syntax::VarSection& section) {
     if (section.persistent) out += " PERSISTENT";
     return out;
 }
-QString view(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 } // namespace
 
 DeclarationTable::DeclarationTable(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
@@ -91,12 +91,14 @@ void DeclarationTable::fill() {
                         m_table->setItem(row, column, item);
                     };
                     set(Section, sectionWord(*section), false);
-                    set(Name, view(declaration->names[i].text), true);
-                    set(Address, view(declaration->address), false);
-                    set(Type, declaration->type ? view(source.slice(declaration->type->range)) : QString(), true);
-                    set(Initial, declaration->initial ? view(source.slice(declaration->initial->range)) : QString(),
+                    set(Name, kit::fromView(declaration->names[i].text), true);
+                    set(Address, kit::fromView(declaration->address), false);
+                    set(Type, declaration->type ? kit::fromView(source.slice(declaration->type->range)) : QString(),
                         true);
-                    set(Comment, view(declaration->comment), false);
+                    set(Initial,
+                        declaration->initial ? kit::fromView(source.slice(declaration->initial->range)) : QString(),
+                        true);
+                    set(Comment, kit::fromView(declaration->comment), false);
                     set(Value, {}, false);
                 }
     m_table->resizeColumnsToContents();
@@ -108,7 +110,7 @@ void DeclarationTable::refreshOnlineValues() {
     if (!m_values || !m_pou || !isVisible()) return;
     m_isFilling = true;
     for (int row = 0; row < m_table->rowCount() && row < static_cast<int>(m_rows.size()); ++row) {
-        const auto values = m_values({{m_table->item(row, Name)->text(), view(m_pou->name.text)}});
+        const auto values = m_values({{m_table->item(row, Name)->text(), kit::fromView(m_pou->name.text)}});
         m_table->item(row, Value)->setText(values.empty() ? QString() : values[0].value);
         if (!values.empty() && values[0].isBool)
             m_table->item(row, Value)->setForeground(values[0].isTrue ? kit::colors().good : kit::colors().muted);
@@ -151,7 +153,7 @@ void DeclarationTable::addVariable() {
     std::string name = "newVariable";
     const auto taken = [&](const std::string& wanted) {
         return std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& row) {
-            return view(row.declaration->names[row.nameIndex].text)
+            return kit::fromView(row.declaration->names[row.nameIndex].text)
                        .compare(QString::fromStdString(wanted), Qt::CaseInsensitive) == 0;
         });
     };

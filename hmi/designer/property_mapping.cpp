@@ -1,5 +1,6 @@
 #include "hmi/designer/property_mapping.h"
 
+#include "editor/kit/texts.h"
 #include "hmi/view/panel_theme.h"
 
 #include <QCoreApplication>
@@ -12,11 +13,9 @@ class Hmi {
     Q_DECLARE_TR_FUNCTIONS(Hmi)
 };
 
-QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
 kit::PropertyDescriptor base(const PropertyDescriptor& property, const std::string& prefix, const QString& part = {}) {
     kit::PropertyDescriptor row;
-    row.id = QString::fromStdString(prefix) + fromView(property.key) + part;
+    row.id = QString::fromStdString(prefix) + kit::fromView(property.key) + part;
     row.group = titleOf(property.group);
     row.label = Hmi::tr(property.title);
     row.toolTip = toolTipOf(property);
@@ -47,7 +46,7 @@ QString toolTipOf(const PropertyDescriptor& property) {
     if (property.type == PropertyType::Expression || property.type == PropertyType::Target) {
         const QString what =
             property.type == PropertyType::Target ? Hmi::tr("A variable that is written") : Hmi::tr("An ST expression");
-        return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, fromView(property.hint));
+        return property.hint.empty() ? what : QStringLiteral("%1 (%2)").arg(what, kit::fromView(property.hint));
     }
     if (property.type == PropertyType::Text)
         return Hmi::tr("Shown to the operator. A typed text gets its key by itself; @key names one.");
@@ -119,7 +118,7 @@ std::vector<kit::PropertyDescriptor> gridRows(const PropertyDescriptor& property
     case PropertyType::Symbol:
         row.kind = kit::PropertyKind::Enumeration;
         for (const std::string_view choice : property.choices())
-            row.choices.push_back({fromView(choice), fromView(choice), {}});
+            row.choices.push_back({kit::fromView(choice), kit::fromView(choice), {}});
         break;
     case PropertyType::Color:
         row.kind = kit::PropertyKind::Enumeration;
