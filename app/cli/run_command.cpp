@@ -57,16 +57,9 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
         plan.isReal = true;
     }
     plan.isReal = plan.isReal || arguments.has("--real");
-    for (const bool isForce : {true, false})
-        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
-            const auto write = parseWrite(word, isForce);
-            if (!write) return write.error();
-            if (!write->isRelease)
-                if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
-            plan.writes.push_back(*write);
-        }
-    std::stable_sort(plan.writes.begin(), plan.writes.end(),
-                     [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    auto writes = readWrites(arguments, built.checked, controller);
+    if (!writes) return writes.error();
+    plan.writes = std::move(*writes);
     for (const std::string& text : arguments.values("--watch")) {
         auto expression = driver::compileExpression(built.checked, text);
         if (!expression) return Error{"--watch: " + expression.error().message, text};

@@ -39,6 +39,22 @@ Result<types::Value> valueFor(const driver::Checked& checked, const controller::
     return session::parseValue(checked, place->type, write.text, write.path);
 }
 
+Result<std::vector<TimedWrite>> readWrites(const Arguments& arguments, const driver::Checked& checked,
+                                           const controller::Controller& controller) {
+    std::vector<TimedWrite> writes;
+    for (const bool isForce : {true, false})
+        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
+            const auto write = parseWrite(word, isForce);
+            if (!write) return write.error();
+            if (!write->isRelease)
+                if (const auto value = valueFor(checked, controller, *write); !value) return value.error();
+            writes.push_back(*write);
+        }
+    std::stable_sort(writes.begin(), writes.end(),
+                     [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    return writes;
+}
+
 Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write) {
     if (write.isRelease) return controller.release(write.path);
     const auto value = valueFor(checked, controller, write);
@@ -54,25 +70,16 @@ Result<void> runProject(const Arguments& arguments, const driver::Built& built, 
         if (!time) return time.error();
         length = *time;
     }
-    std::vector<TimedWrite> writes;
-    for (const bool isForce : {true, false})
-        for (const std::string& word : arguments.values(isForce ? "--force" : "--set")) {
-            const auto write = parseWrite(word, isForce);
-            if (!write) return write.error();
-            if (!write->isRelease)
-                if (const auto value = valueFor(built.checked, controller, *write); !value) return value.error();
-            writes.push_back(*write);
-        }
-    std::stable_sort(writes.begin(), writes.end(),
-                     [](const TimedWrite& a, const TimedWrite& b) { return a.at < b.at; });
+    const auto writes = readWrites(arguments, built.checked, controller);
+    if (!writes) return writes.error();
     controller.start();
     ProgressLine progress;
     size_t next = 0;
     for (uint64_t done = 0;
          !isInterrupted() && controller.state() == controller::State::Running && controller.nextDue() < length;
          ++done) {
-        for (; next < writes.size() && writes[next].at <= controller.nextDue(); ++next)
-            if (auto written = apply(built.checked, controller, writes[next]); !written) return written;
+        for (; next < writes->size() && (*writes)[next].at <= controller.nextDue(); ++next)
+            if (auto written = apply(built.checked, controller, (*writes)[next]); !written) return written;
         controller.scan();
         if ((done & 0xfff) == 0)
             progress.show("scan " + std::to_string(done) + ", " + types::durationText(controller.lastTime().count()));

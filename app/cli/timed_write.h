@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace plc::cli {
 
@@ -20,9 +21,10 @@ struct TimedWrite {
 };
 
 [[nodiscard]] Result<TimedWrite> parseWrite(const std::string& word, bool isForce);
-/// The value as the variable's type reads it.
-[[nodiscard]] Result<types::Value> valueFor(const driver::Checked& checked, const controller::Controller& controller,
-                                            const TimedWrite& write);
+/// What --force and --set say, in the order of their times, forces first. Refuses a variable that is not there and a
+/// value that its type does not read.
+[[nodiscard]] Result<std::vector<TimedWrite>> readWrites(const Arguments& arguments, const driver::Checked& checked,
+                                                         const controller::Controller& controller);
 Result<void> apply(const driver::Checked& checked, controller::Controller& controller, const TimedWrite& write);
 
 /// Runs the project as `run` does, in virtual time, with the writes and forces of --set and --force at their times,
