@@ -1,5 +1,8 @@
 // kill -9 in the middle of a save: every file the studio writes is the whole old or the whole new one. A second process
-// saves without end and is killed at moments from a seed; the files are compared with the two texts it writes in turn.
+// saves without end (saveWithoutEnd) and is killed at moments from a seed; the files are compared with the two texts it
+// writes in turn.
+#include "tests/app/killed_save.h"
+
 #include "editor/analysis/workspace.h"
 #include "editor/trace/trace_setup.h"
 #include "hmi/player/panel_project.h"
@@ -105,23 +108,6 @@ QString expected(const QString& folder, const QString& file, int form) {
     return folder + "/expected/" + QString(file).replace('/', '_') + (form ? ".b" : ".a");
 }
 
-/// The process that is killed; not a test of its own.
-TEST(KilledSave, DISABLED_SavesWithoutEnd) {
-    const QString folder = qEnvironmentVariable("STEPWISE_SAVE_FOLDER");
-    ASSERT_FALSE(folder.isEmpty());
-    Writers writers(folder);
-    for (const QString& file : Writers::files())
-        for (int form : {0, 1}) {
-            ASSERT_TRUE(writers.save(file, form)) << file.toStdString();
-            QFile::remove(expected(folder, file, form));
-            QFile::copy(folder + "/" + file, expected(folder, file, form));
-        }
-    std::printf("ready\n");
-    std::fflush(stdout);
-    for (int turn = 0;; ++turn)
-        for (const QString& file : Writers::files()) (void)writers.save(file, turn % 2);
-}
-
 TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
     QTemporaryDir folder;
     std::mt19937 random(20261121);
@@ -132,8 +118,7 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
         environment.insert("STEPWISE_SAVE_FOLDER", folder.path());
         environment.insert("QT_QPA_PLATFORM", "offscreen");
         process.setProcessEnvironment(environment);
-        process.start(QCoreApplication::applicationFilePath(),
-                      {"--gtest_also_run_disabled_tests", "--gtest_filter=KilledSave.DISABLED_SavesWithoutEnd"});
+        process.start(QCoreApplication::applicationFilePath(), QStringList());
         ASSERT_TRUE(process.waitForStarted());
         QByteArray output;
         while (!output.contains("ready\n") && process.waitForReadyRead(60'000)) output += process.readAll();
@@ -159,4 +144,19 @@ TEST(KilledSave, LeavesTheWholeOldOrTheWholeNewFile) {
 }
 
 } // namespace
+
+int saveWithoutEnd(const QString& folder) {
+    Writers writers(folder);
+    for (const QString& file : Writers::files())
+        for (int form : {0, 1}) {
+            if (!writers.save(file, form)) return 1;
+            QFile::remove(expected(folder, file, form));
+            QFile::copy(folder + "/" + file, expected(folder, file, form));
+        }
+    std::printf("ready\n");
+    std::fflush(stdout);
+    for (int turn = 0;; ++turn)
+        for (const QString& file : Writers::files()) (void)writers.save(file, turn % 2);
+}
+
 } // namespace plc::app
