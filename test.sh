@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds and runs every test. --long also takes the sanitizer presets, every token of the broken programs, and ten minutes of each
-# fuzz target (CONTRIBUTING.md says what that is and how long it takes).
+# fuzz target (CONTRIBUTING.md says what that is and how long it takes), and ends with a table of what ran and how long each part took.
+# FUZZ_SECONDS=600 and FUZZERS (how many at once, at most one per core) steer the fuzzers.
 source "$(dirname "$0")/.ci/setup.sh"
 long=0
 for word in "$@"; do
@@ -9,40 +10,119 @@ for word in "$@"; do
     *) echo "usage: ./test.sh [--long]" >&2; exit 2 ;;
     esac
 done
-if [ "$long" = 1 ]; then install_missing clang-19 libclang-rt-19-dev; else install_missing; fi
+
+parts=() # "title<tab>seconds" of what is done
+current=
+begun=0
+part() { # title command…   runs it and keeps how long it took
+    current=$1
+    begun=$SECONDS
+    shift
+    "$@"
+    parts+=("$current"$'\t'"$((SECONDS - begun))")
+    current=
+}
+at_end() {
+    local code=$? line
+    local left
+    left=$(jobs -p)
+    [ -z "$left" ] || kill $left 2>/dev/null || true
+    [ -z "$current" ] || parts+=("$current: FAILED"$'\t'"$((SECONDS - begun))")
+    if [ "$long" = 1 ] && [ ${#parts[@]} -gt 0 ]; then
+        say "what ran"
+        for line in "${parts[@]}" "all"$'\t'"$SECONDS"; do
+            printf '%-58s %4d min %02d s\n' "${line%$'\t'*}" "$((${line##*$'\t'} / 60))" "$((${line##*$'\t'} % 60))"
+        done
+    fi
+    return "$code"
+}
+trap at_end EXIT
 
 run_tests() { # preset
     say "tests: preset $1"
     ctest --preset "$1" -j "$(nproc)"
 }
-configure dev
-build dev
-run_tests dev
-say "tests: the shipped examples"
-build/dev/bin/stepwise test projects/examples
-if [ "$long" = 1 ]; then
-    say "tests: broken programs at each token, damaged files at length"
-    STEPWISE_LONG=1 build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Broken.*'
-    STEPWISE_LONG=1 build/dev/bin/test_loaders --gtest_brief=1
-    for preset in asan tsan; do
-        configure $preset
-        build $preset
-        run_tests $preset
+run_examples() {
+    say "tests: the shipped examples"
+    build/dev/bin/stepwise test projects/examples
+}
+
+# Runs FUNCTION NAME for each name, some side by side, each into a log of its own. All run to their end; then one failure fails the whole.
+side_by_side() { # how many at once, folder of the logs, function, names…
+    local most=$1 logs=$2 run=$3 name pid failed=()
+    local -A running=()
+    shift 3
+    reap() { # waits for one of them
+        local code=0
+        wait -n -p pid "${!running[@]}" || code=$?
+        name=${running[$pid]}
+        unset "running[$pid]"
+        if [ "$code" = 0 ]; then
+            say "$name: done"
+        else
+            failed+=("$name")
+            echo "$name failed ($code); the end of $logs/$name.log:" >&2
+            tail -n 40 "$logs/$name.log" >&2
+        fi
+        grep -a -E '^Done [0-9]|^\[ *PASSED' "$logs/$name.log" || true
+    }
+    mkdir -p "$logs"
+    local next
+    for next in "$@"; do
+        [ ${#running[@]} -lt "$most" ] || reap
+        say "$next (log: $logs/$next.log)"
+        "$run" "$next" >"$logs/$next.log" 2>&1 &
+        running[$!]=$next
     done
-    configure fuzz
-    build fuzz fuzz_targets
+    while [ ${#running[@]} -gt 0 ]; do reap; done
+    [ ${#failed[@]} -eq 0 ] || { echo "Failed: ${failed[*]}" >&2; exit 1; }
+}
+
+at_length() { # name of a long test
+    export STEPWISE_LONG=1 QT_QPA_PLATFORM=offscreen
+    case "$1" in
+    broken_goldens) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Broken.Goldens' ;;
+    broken_corpus) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Broken.Corpus' ;;
+    random_programs) exec build/dev/bin/test_golden --gtest_brief=1 --gtest_filter='Random.*' ;;
+    damaged_files) exec build/dev/bin/test_loaders --gtest_brief=1 ;;
+    esac
+}
+
+fuzz() { # fuzz target
+    local seeds=(tests/fuzz/seeds tests/fuzz/findings)
+    mkdir -p "build/fuzz/corpus/$1" build/fuzz/findings
+    if [ "$1" = fuzz_inputs ]; then # its seeds are the files of the examples
+        seeds=()
+        tests/fuzz/input_seeds.sh "build/fuzz/corpus/$1"
+    fi
     export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 QT_QPA_PLATFORM=offscreen
     export LSAN_OPTIONS=suppressions=$PWD/tests/sanitizers/leaks.supp:print_suppressions=0
-    for name in fuzz_lexer fuzz_parser fuzz_run fuzz_inputs; do
-        say "fuzz: $name for ten minutes"
-        mkdir -p "build/fuzz/corpus/$name" build/fuzz/findings
-        seeds=(tests/fuzz/seeds tests/fuzz/findings)
-        [ "$name" != fuzz_inputs ] || seeds=() # its seeds are the files of the examples
-        [ "$name" != fuzz_inputs ] || tests/fuzz/input_seeds.sh "build/fuzz/corpus/$name"
-        "build/fuzz/bin/$name" -max_total_time=600 -timeout=20 -rss_limit_mb=4096 -max_len=8192 -print_final_stats=1 \
-            "-artifact_prefix=build/fuzz/findings/${name}_" "build/fuzz/corpus/$name" "${seeds[@]}" >"build/fuzz/$name.log" 2>&1 ||
-            { tail -40 "build/fuzz/$name.log" >&2; echo "A finding lies in build/fuzz/findings" >&2; exit 1; }
-        grep -a -E '^Done|average_exec' "build/fuzz/$name.log"
+    exec "build/fuzz/bin/$1" -max_total_time="${FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -max_len=8192 -print_final_stats=1 \
+        "-artifact_prefix=build/fuzz/findings/${1}_" "build/fuzz/corpus/$1" "${seeds[@]}"
+}
+
+if [ "$long" = 1 ]; then install_missing clang-19 libclang-rt-19-dev; else install_missing; fi
+configure dev
+part "dev: build" build dev
+part "dev: every test" run_tests dev
+part "dev: tests of the shipped examples" run_examples
+if [ "$long" = 1 ]; then
+    say "tests: broken programs at each token, random programs and damaged files at length"
+    long_tests=(broken_goldens random_programs damaged_files)
+    [ -z "${STEPWISE_CORPUS:-}" ] || long_tests=(broken_corpus "${long_tests[@]}")
+    part "dev: broken programs, random programs, damaged files" \
+        side_by_side "$(nproc)" build/dev/long at_length "${long_tests[@]}"
+    for preset in asan tsan; do
+        configure $preset
+        part "$preset: build" build $preset
+        part "$preset: every test" run_tests $preset
     done
+    configure fuzz
+    part "fuzz: build" build fuzz fuzz_targets
+    at_once=${FUZZERS:-2}
+    [ "$at_once" -le "$(nproc)" ] || at_once=$(nproc)
+    say "fuzz: ${FUZZ_SECONDS:-600} s each, $at_once at once; a finding lies in build/fuzz/findings"
+    part "fuzz: four targets, ${FUZZ_SECONDS:-600} s each, $at_once at once" \
+        side_by_side "$at_once" build/fuzz/logs fuzz fuzz_lexer fuzz_parser fuzz_run fuzz_inputs
 fi
 say "all tests passed"
