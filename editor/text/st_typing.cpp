@@ -1,6 +1,7 @@
 // What StEditor does while the user types: completion, parameter help, indentation, closing of blocks.
 #include "editor/text/st_editor.h"
 
+#include "editor/text/st_marks.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 
@@ -15,7 +16,6 @@ namespace plc::editor {
 using S = QsciScintillaBase;
 
 namespace {
-constexpr int kListId = 1;
 bool isWord(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
 }

@@ -66,6 +66,9 @@ protected:
     void scrollContentsBy(int dx, int dy) override;
 
 private:
+    static constexpr int kRuler = 22;      // wide, above and left
+    static constexpr double kHandle = 4.5; // half the side of a handle
+
     QStringList droppedVariables(const QMimeData* mime) const;
     enum class Mode { Idle, Press, Move, Resize, Band, Point, Pan };
     struct Drag {

@@ -1,0 +1,237 @@
+// What the main window's actions do with the project's documents: panels, texts, alarms, traces.
+#include "app/editor_tabs.h"
+#include "app/live_views.h"
+#include "app/main_window.h"
+#include "app/new_project.h"
+#include "app/project_tree.h"
+#include "app/search_view.h"
+#include "editor/kit/icons.h"
+#include "hmi/designer/alarm_editor.h"
+#include "hmi/designer/panel_designer.h"
+#include "hmi/designer/text_editor.h"
+#include "projects/storage/project_file.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QRegularExpression>
+#include <QTimer>
+
+namespace plc::app {
+
+void MainWindow::newTrace() {
+    if (!m_workspace->isOpen()) return;
+    bool ok = false;
+    const QString name =
+        QInputDialog::getText(this, tr("New Trace"), tr("Name of the trace:"), QLineEdit::Normal, tr("trace"), &ok)
+            .trimmed();
+    if (!ok || name.isEmpty()) return;
+    if (name.contains('/') || name.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
+    const QString path = m_workspace->folder() + "/traces/" + name + ".trace.json";
+    if (QFile::exists(path)) return say(tr("There is a trace %1 already").arg(name), true);
+    QDir().mkpath(QFileInfo(path).path());
+    if (auto saved = trace::saveSetup({}, path.toStdString()); !saved)
+        return say(QString::fromStdString(saved.error().text()), true);
+    if (auto read = m_workspace->rereadProject(); !read) return say(QString::fromStdString(read.error().text()), true);
+    m_live->openTrace(name);
+    showDock("trace");
+}
+
+namespace {
+QString pathOf(const QString& folder, const QString& kind, const QString& name) {
+    return kind == "panel"   ? folder + "/hmi/" + name + ".panel.json"
+           : kind == "trace" ? folder + "/traces/" + name + ".trace.json"
+                             : folder + "/" + name;
+}
+/// Buttons and the like of other panels that lead to a panel.
+QRegularExpression leadsTo(const QString& panel) {
+    return QRegularExpression("(\"panel\"\\s*:\\s*)\"" + QRegularExpression::escape(panel) + "\"");
+}
+} // namespace
+
+void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
+    bool ok = false;
+    const QString shown = kind == "test" ? QFileInfo(name).completeBaseName() : name;
+    const QString chosen =
+        QInputDialog::getText(this, tr("Rename"), tr("New name of %1:").arg(shown), QLineEdit::Normal, shown, &ok)
+            .trimmed();
+    if (!ok || chosen.isEmpty() || chosen == shown) return;
+    if (chosen.contains('/') || chosen.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
+    const auto report = [this](const Result<void>& result) {
+        if (!result) say(QString::fromStdString(result.error().text()), true);
+        return static_cast<bool>(result);
+    };
+    if (kind == "test")
+        return void(report(m_workspace->renameFile(name, QFileInfo(name).path() + "/" + chosen + ".st")));
+    const QString from = pathOf(m_workspace->folder(), kind, name), to = pathOf(m_workspace->folder(), kind, chosen);
+    if (QFile::exists(to)) return say(tr("There is a file %1 already").arg(QFileInfo(to).fileName()), true);
+    if (kind == "panel" && !closeDesigns()) return;
+    if (kind == "trace") m_live->saveTrace();
+    if (!QFile::rename(from, to))
+        return say(tr("The file can not be renamed; check the permissions of the folder"), true);
+    if (kind == "panel") {
+        for (const QFileInfo& other :
+             QDir(m_workspace->folder() + "/hmi").entryInfoList({"*.panel.json"}, QDir::Files)) {
+            const auto text = projects::readFile(other.filePath().toStdString());
+            if (!text) continue;
+            QString changed = QString::fromStdString(*text);
+            changed.replace(leadsTo(name), "\\1\"" + chosen + "\"");
+            if (!report(projects::writeFileAtomically(other.filePath().toStdString(), changed.toStdString()))) return;
+        }
+        projects::Project project = m_workspace->project();
+        if (QString::fromStdString(project.startPanel) == name) {
+            project.startPanel = chosen.toStdString();
+            project.json["hmi"]["startPanel"] = project.startPanel;
+            if (!report(m_workspace->saveProjectFile(project))) return;
+        }
+    }
+    if (!report(m_workspace->rereadProject())) return;
+    if (kind == "panel")
+        m_live->reloadPanels();
+    else if (QFileInfo(m_live->traceView().setupPath()).fileName() == QFileInfo(from).fileName())
+        m_live->openTrace(chosen);
+}
+
+void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
+    QStringList users;
+    if (kind == "panel")
+        for (const QFileInfo& other : QDir(m_workspace->folder() + "/hmi").entryInfoList({"*.panel.json"}, QDir::Files))
+            if (const auto text = projects::readFile(other.filePath().toStdString());
+                text && QString::fromStdString(*text).contains(leadsTo(name)))
+                users << other.fileName();
+    QString question =
+        tr("Delete %1?").arg(kind == "test" ? name : QFileInfo(pathOf(m_workspace->folder(), kind, name)).fileName());
+    if (!users.isEmpty())
+        question += "\n" + tr("These panels lead to it; their buttons will be problems: %1").arg(users.join(", "));
+    if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
+    if (kind == "test") {
+        if (auto removed = m_workspace->removeFile(name); !removed)
+            say(QString::fromStdString(removed.error().text()), true);
+        return;
+    }
+    if (kind == "panel" && !closeDesigns()) return;
+    const QString path = pathOf(m_workspace->folder(), kind, name);
+    const bool isShown =
+        kind == "trace" && QFileInfo(m_live->traceView().setupPath()).fileName() == QFileInfo(path).fileName();
+    if (!QFile::moveToTrash(path) && !QFile::remove(path))
+        return say(tr("The file can not be removed; check the permissions of the folder"), true);
+    if (auto read = m_workspace->rereadProject(); !read) return say(QString::fromStdString(read.error().text()), true);
+    if (kind == "panel")
+        m_live->reloadPanels();
+    else if (isShown)
+        m_live->openTrace({});
+}
+
+bool MainWindow::closeDesigns() {
+    for (int i = m_tabs->count() - 1; i >= 0; --i) {
+        const QString key = m_tabs->widget(i)->property("pageKey").toString();
+        if ((key.startsWith("panel:") || key == "texts" || key == "alarms") && !m_tabs->closePage(i)) return false;
+    }
+    return true;
+}
+
+void MainWindow::newPanel() {
+    if (!m_workspace->isOpen()) return;
+    bool ok = false;
+    const QString name =
+        QInputDialog::getText(this, tr("New Panel"), tr("Name of the panel:"), QLineEdit::Normal, tr("overview"), &ok)
+            .trimmed();
+    if (!ok || name.isEmpty()) return;
+    if (name.contains('/') || name.contains('\\'))
+        return say(tr("A panel's name is a file name: no / and no \\"), true);
+    if (auto added = m_live->addPanel(name); !added) return say(QString::fromStdString(added.error().text()), true);
+    openDesigner(name);
+}
+
+void MainWindow::addDesignPage(QWidget* page, const QString& title, int icon, const QString& key) {
+    // A closed page dies a moment later, perhaps after the project: it keeps what it works on.
+    connect(page, &QObject::destroyed, [kept = m_live->sharedDesign()] { (void)kept; });
+    m_tabs->addPage(page, title, kit::icon(static_cast<kit::Icon>(icon)), key);
+}
+
+void MainWindow::openDesigner(const QString& panel) {
+    if (!m_live->design() || !m_live->panels().find(panel)) return;
+    const QString key = "panel:" + panel;
+    if (QWidget* open = m_tabs->pageByKey(key)) return m_tabs->setCurrentWidget(open);
+    auto* designer = new hmi::PanelDesigner(*m_live->design(), panel, m_tabs);
+    addDesignPage(designer, panel, static_cast<int>(kit::Icon::Panel), key);
+    QTimer::singleShot(0, designer, [designer] { // once it has its size: the whole panel
+        if (auto* fit = designer->findChild<QAction*>("zoom-fit")) fit->trigger();
+    });
+    connect(designer, &hmi::PanelDesigner::modifiedChanged, this, [this, designer, panel](bool modified) {
+        m_tabs->setTabText(m_tabs->indexOf(designer), panel + (modified ? " ●" : ""));
+    });
+}
+
+void MainWindow::openTexts() {
+    if (!m_live->design()) return;
+    if (QWidget* open = m_tabs->pageByKey("texts")) return m_tabs->setCurrentWidget(open);
+    addDesignPage(new hmi::TextEditor(*m_live->design(), m_tabs), tr("Texts"), static_cast<int>(kit::Icon::Texts),
+                  "texts");
+}
+
+void MainWindow::openAlarms() {
+    if (!m_live->design()) return;
+    if (QWidget* open = m_tabs->pageByKey("alarms")) return m_tabs->setCurrentWidget(open);
+    addDesignPage(new hmi::AlarmEditor(*m_live->design(), m_tabs), tr("Alarms"), static_cast<int>(kit::Icon::Alarm),
+                  "alarms");
+}
+
+void MainWindow::saveDocument() {
+    if (auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->currentWidget())) {
+        if (auto saved = designer->save(); !saved) return say(QString::fromStdString(saved.error().text()), true);
+        if (m_live->player()) m_live->player()->projectChanged();
+    }
+    if (m_live->design())
+        if (auto saved = m_live->design()->save(); !saved)
+            return say(QString::fromStdString(saved.error().text()), true);
+    saveLanguages();
+    m_tabs->saveCurrent();
+}
+
+void MainWindow::saveLanguages() {
+    if (!m_live->design()) return;
+    std::vector<std::string> languages;
+    for (const QString& tag : m_live->panels().texts.settings().languages) languages.push_back(tag.toStdString());
+    projects::Project project = m_workspace->project();
+    if (languages == project.languages) return;
+    project.languages = languages;
+    project.json["hmi"]["languages"] = languages;
+    if (auto saved = m_workspace->saveProjectFile(project); !saved)
+        say(QString::fromStdString(saved.error().text()), true);
+}
+
+void MainWindow::openDesignPlace(const QString& file, const QString& element) {
+    if (file.endsWith(".csv")) return openTexts();
+    if (!file.endsWith(".panel.json")) return openAlarms();
+    const QString panel = QFileInfo(file).fileName().chopped(QString(".panel.json").size());
+    openDesigner(panel);
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->pageByKey("panel:" + panel));
+    if (designer && designer->document().panel().find(element)) designer->selection().set({element});
+}
+
+bool MainWindow::maySwitchAway(QWidget* page) {
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(page);
+    const bool isTexts = qobject_cast<hmi::TextEditor*>(page) != nullptr,
+               isAlarms = qobject_cast<hmi::AlarmEditor*>(page) != nullptr;
+    hmi::DesignContext* design = m_live->design();
+    const bool changed = (designer && designer->isModified()) || (design && isTexts && design->areTextsChanged()) ||
+                         (design && isAlarms && design->areAlarmsChanged());
+    if (!changed) return true;
+    const QString name = designer ? tr("Panel %1").arg(designer->panelName()) : isTexts ? tr("Texts") : tr("Alarms");
+    const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(name),
+                                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    if (answer == QMessageBox::Cancel) return false;
+    Result<void> saved;
+    if (answer == QMessageBox::Save)
+        saved = designer ? designer->save() : design->save();
+    else if (designer)
+        m_live->discardPanel(designer->panelName());
+    else
+        m_live->discardTables();
+    if (!saved) say(QString::fromStdString(saved.error().text()), true);
+    return static_cast<bool>(saved);
+}
+
+} // namespace plc::app

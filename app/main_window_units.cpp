@@ -1,0 +1,197 @@
+// What the main window's actions do with program units and names: new, go to, find, rename, convert, delete.
+#include "app/conversion_dialog.h"
+#include "app/editor_tabs.h"
+#include "app/live_views.h"
+#include "app/main_window.h"
+#include "app/new_project.h"
+#include "app/project_tree.h"
+#include "app/search_view.h"
+#include "hmi/designer/panel_designer.h"
+
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <algorithm>
+#include <map>
+
+namespace plc::app {
+
+void MainWindow::newUnit() {
+    if (!m_workspace->isOpen()) return;
+    NewUnitDialog dialog(m_workspace->files(), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const std::string text = unitText(dialog.templateId().toStdString(), dialog.name().toStdString());
+    const QString file = dialog.file();
+    if (m_workspace->files().contains(file)) {
+        const std::string old = m_workspace->text(file);
+        const auto at = static_cast<uint32_t>(old.size());
+        if (StPage* page = m_tabs->openFile(file)) {
+            page->first().applyEdits(
+                {{{FileId(), at, at}, (old.empty() || old.ends_with('\n') ? "\n" : "\n\n") + text}});
+            page->first().goTo(at + 1);
+        }
+        return;
+    }
+    if (auto added = m_workspace->addFile(file, text); !added)
+        return say(QString::fromStdString(added.error().text()), true);
+    m_tabs->openFile(file);
+}
+
+void MainWindow::goToLine() {
+    auto* editor = m_tabs->currentEditor();
+    if (!editor) return;
+    bool ok = false;
+    const int line = QInputDialog::getInt(this, tr("Go to Line"), tr("Line (1 to %1)").arg(editor->lines()), 1, 1,
+                                          editor->lines(), 1, &ok);
+    if (ok) m_tabs->goToLine(editor->file(), line);
+}
+
+void MainWindow::findDefinition(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    const auto place = model->definition(*id, offset);
+    if (!place) return say(tr("Nothing is declared under this name"));
+    const QString target = QString::fromStdString(model->sources()[place->file].path());
+    m_tabs->goTo(target, place->begin, place->length());
+}
+
+void MainWindow::findUses(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    const auto symbol = model->symbolAt(*id, offset);
+    if (!symbol) return say(tr("There is no name at the cursor"));
+    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources());
+    showDock("search");
+}
+
+void MainWindow::definitionAtCursor() {
+    if (auto* editor = m_tabs->currentEditor()) findDefinition(editor->file(), editor->cursorOffset());
+}
+void MainWindow::usesAtCursor() {
+    if (auto* editor = m_tabs->currentEditor()) findUses(editor->file(), editor->cursorOffset());
+}
+void MainWindow::renameAtCursor() {
+    if (auto* editor = m_tabs->currentEditor()) renameSymbol(editor->file(), editor->cursorOffset());
+}
+
+void MainWindow::showConverted(analysis::TextLanguage to) {
+    auto* editor = m_tabs->currentEditor();
+    if (!editor) return;
+    const std::string path = editor->file().toStdString();
+    const auto places = [](const std::string& text, auto&& wanted) {
+        std::optional<analysis::BodyPlace> found;
+        for (const analysis::BodyPlace& place : analysis::bodiesOf(text))
+            if (wanted(place)) found = place; // the innermost is the last
+        return found;
+    };
+    const std::string text = editor->utf8();
+    const uint32_t at = editor->cursorOffset();
+    const auto before = places(
+        text, [&](const analysis::BodyPlace& place) { return at >= place.range.begin && at <= place.range.end; });
+    if (!before) return say(tr("Put the cursor into a unit that is written in ST or IL"), true);
+    driver::BuildInput input = m_workspace->buildInput();
+    for (driver::SourceFile& source : input.files)
+        if (source.path == path) source.text = text;
+    const auto converted = analysis::convertBody(input, path, before->unit, to);
+    if (!converted) return say(QString::fromStdString(converted.error().text()), true);
+    const auto after =
+        places(converted->text, [&](const analysis::BodyPlace& place) { return place.unit == before->unit; });
+    const auto slice = [](const std::string& whole, const std::optional<analysis::BodyPlace>& place) {
+        return place ? whole.substr(place->range.begin, place->range.length()) : whole;
+    };
+    auto* dialog = new ConversionDialog(slice(text, before), slice(converted->text, after), *converted, to, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ConversionDialog::replaceRequested, editor, [this, editor, text, edits = converted->edits] {
+        if (editor->utf8() == text)
+            editor->applyEdits(edits);
+        else
+            say(tr("The text has changed meanwhile"), true);
+    });
+    dialog->open();
+}
+
+void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    const auto symbol = model->symbolAt(*id, offset);
+    if (!symbol) return say(tr("There is no name at the cursor"));
+    const QString old = QString::fromStdString(model->symbol(*symbol).name);
+    bool ok = false;
+    const QString name = QInputDialog::getText(this, tr("Rename"), tr("New name of %1, in the whole project:").arg(old),
+                                               QLineEdit::Normal, old, &ok)
+                             .trimmed();
+    if (!ok || name.isEmpty() || name == old) return;
+    const auto edits = model->rename(*id, offset, name.toStdString());
+    if (!edits) return say(QString::fromStdString(edits.error().text()), true);
+    size_t places = 0;
+    for (const analysis::FileEdits& each : *edits) places += each.edits.size();
+    m_tabs->applyEdits(*edits, model->sources());
+    const sema::Symbol& symbolNow = model->symbol(*symbol);
+    const QString path = QString::fromStdString(symbolNow.path);
+    if (m_live->design() && path.endsWith(old, Qt::CaseInsensitive) &&
+        m_live->design()->renameVariable(path, path.left(path.size() - old.size()) + name))
+        (void)m_live->design()->save();
+    emit renamed(QString::fromStdString(model->symbol(*symbol).path), old, name);
+    say(tr("%1 is now %2 in %n place(s)", nullptr, static_cast<int>(places)).arg(old, name));
+}
+
+void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name) {
+    const auto model = m_workspace->model();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id) return;
+    int others = 0;
+    for (const analysis::Use& use : model->uses(*id, begin))
+        others += !use.isDeclaration && !(use.range.file == *id && use.range.begin >= begin && use.range.end <= end);
+    QString question = tr("Delete %1?").arg(name);
+    if (others) question += "\n" + tr("It is used in %n other place(s).", nullptr, others);
+    QMessageBox box(QMessageBox::Question, tr("Delete"), question, QMessageBox::Cancel, this);
+    QPushButton* plain = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
+    QPushButton* commentOut =
+        others ? box.addButton(tr("Delete and Comment Out the Uses"), QMessageBox::DestructiveRole) : nullptr;
+    QPushButton* show = others ? box.addButton(tr("Show the Uses"), QMessageBox::ActionRole) : nullptr;
+    box.exec();
+    if (show && box.clickedButton() == show) return findUses(file, begin);
+    const bool comments = commentOut && box.clickedButton() == commentOut;
+    if (!comments && box.clickedButton() != plain) return;
+    if (others) findUses(file, begin);
+    SourceRange range{*id, begin, end};
+    for (const analysis::OutlineItem& item : model->outline(*id))
+        if (item.nameRange.begin == begin) range = item.range;
+    const std::string text = m_workspace->text(file);
+    while (range.end < text.size() && (text[range.end] == ' ' || text[range.end] == '\t' || text[range.end] == ';'))
+        ++range.end;
+    if (range.end < text.size() && text[range.end] == '\n') ++range.end;
+    std::map<FileId, std::vector<diagnostics::TextEdit>> edits;
+    edits[*id].push_back({range, ""});
+    if (comments)
+        for (const analysis::Use& use : model->uses(*id, begin)) {
+            if (use.isDeclaration ||
+                (use.range.file == *id && use.range.begin >= range.begin && use.range.end <= range.end))
+                continue;
+            const std::string_view source = model->sources()[use.range.file].text();
+            const size_t newline =
+                use.range.begin == 0 ? std::string_view::npos : source.rfind('\n', use.range.begin - 1);
+            const auto lineBegin = static_cast<uint32_t>(newline == std::string_view::npos ? 0 : newline + 1);
+            auto& here = edits[use.range.file];
+            if (std::none_of(here.begin(), here.end(),
+                             [&](const diagnostics::TextEdit& each) { return each.range.begin == lineBegin; }))
+                here.push_back({{use.range.file, lineBegin, lineBegin}, "// "});
+        }
+    std::vector<analysis::FileEdits> all;
+    for (auto& [where, list] : edits) {
+        std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.range.begin < b.range.begin; });
+        all.push_back({where, std::move(list)});
+    }
+    m_tabs->applyEdits(all, model->sources());
+    // A file that held nothing else goes with it.
+    const std::string rest = m_workspace->text(file);
+    if (rest.find_first_not_of(" \t\r\n") == std::string::npos)
+        if (auto removed = m_workspace->removeFile(file); !removed)
+            say(QString::fromStdString(removed.error().text()), true);
+}
+
+} // namespace plc::app

@@ -1,0 +1,33 @@
+// The numbers of the editor's margins, line marks and indicators, for the files of StEditor. Values.
+#pragma once
+
+namespace plc::editor {
+
+/// The margins left of the text.
+enum Margin { kLineNumbers = 0, kMarks = 1, kChanges = 2, kFolds = 3 };
+/// The marks of a line; QScintilla draws the higher ones above.
+enum Marker {
+    kBreakpoint = 0,
+    kBreakpointOff = 1,
+    kExecuted = 2,
+    kErrorMark = 3,
+    kWarningMark = 4,
+    kChangedLine = 5,
+    kAddedLine = 6,
+    kExecutedArrow = 7
+};
+/// What is drawn beneath and around characters.
+enum Indicator {
+    kErrorSquiggle = 8,
+    kWarningSquiggle = 9,
+    kInfoDots = 10,
+    kSameWord = 11,
+    kBlockWords = 12,
+    kFound = 13,
+    kUnused = 14
+};
+
+/// The list of completions among QScintilla's user lists.
+constexpr int kListId = 1;
+
+} // namespace plc::editor

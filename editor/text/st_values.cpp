@@ -1,0 +1,153 @@
+// The values of the controller beside the text of StEditor: what of them is visible, and how they are drawn.
+#include "editor/text/st_editor.h"
+
+#include "editor/kit/theme.h"
+#include "editor/text/st_marks.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <map>
+
+namespace plc::editor {
+
+using S = QsciScintillaBase;
+
+void StEditor::setOnlineValues(OnlineValues values) {
+    m_onlineValues = std::move(values);
+    refreshOnlineValues();
+}
+
+void StEditor::refreshOnlineValues() {
+    auto before = std::exchange(m_shownValues, {});
+    const auto file = fileId();
+    if (m_onlineValues && m_settings.showOnlineValues && file && m_isAsAnalysed) {
+        const long top = SendScintilla(S::SCI_GETFIRSTVISIBLELINE), count = SendScintilla(S::SCI_LINESONSCREEN);
+        const auto& references = m_model->checked().analysis->references;
+        for (long visible = top; visible <= top + count; ++visible) {
+            const long line = SendScintilla(S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(visible));
+            const auto begin = static_cast<uint32_t>(
+                           SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line))),
+                       end = static_cast<uint32_t>(
+                           SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)));
+            auto it = std::lower_bound(
+                references.begin(), references.end(), std::pair(*file, begin),
+                [](const sema::Reference& r, const auto& key) { return std::pair(r.range.file, r.range.begin) < key; });
+            std::vector<std::pair<QString, QString>> wanted;
+            for (; it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
+                if (!it->symbol.isValid()) continue;
+                const sema::Symbol& symbol = m_model->symbol(it->symbol);
+                if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant || symbol.name.starts_with("__"))
+                    continue;
+                // a.b.c is one value: the chain that ends here, unless another member follows.
+                uint32_t from = it->range.begin;
+                while (from > begin && (m_analysedText[from - 1] == '.' ||
+                                        std::isalnum(static_cast<unsigned char>(m_analysedText[from - 1])) ||
+                                        m_analysedText[from - 1] == '_'))
+                    --from;
+                if (it->range.end < m_analysedText.size() && m_analysedText[it->range.end] == '.') continue;
+                const std::pair entry(QString::fromStdString(m_analysedText.substr(from, it->range.end - from)),
+                                      QString::fromStdString(m_model->pouAt(*file, it->range.begin)));
+                if (std::find(wanted.begin(), wanted.end(), entry) == wanted.end()) wanted.push_back(entry);
+            }
+            std::vector<OnlineValue> values;
+            if (!wanted.empty()) values = m_onlineValues(wanted);
+            auto result =
+                std::lower_bound(m_accumulators.begin(), m_accumulators.end(), begin,
+                                 [](const analysis::AccumulatorPlace& place, uint32_t at) { return place.at < at; });
+            for (; result != m_accumulators.end() && result->at <= end; ++result) { // the last one of the line counts
+                auto shown = m_onlineValues({{QString::fromStdString(result->expression),
+                                              QString::fromStdString(m_model->pouAt(*file, result->at))}});
+                if (shown.empty()) continue;
+                if (!values.empty() && values.front().isAccumulator) values.erase(values.begin());
+                shown.front().name = tr("CR", "current result of an instruction list");
+                shown.front().isAccumulator = true;
+                values.insert(values.begin(), std::move(shown.front()));
+            }
+            if (!values.empty()) m_shownValues.emplace_back(static_cast<int>(line), std::move(values));
+        }
+    }
+    if (before == m_shownValues) return;
+    // Only the lines whose values changed are painted again.
+    QRegion changed;
+    const auto add = [&](const auto& values, const auto& others) {
+        for (const auto& shown : values) {
+            if (std::find(others.begin(), others.end(), shown) != others.end()) continue;
+            const long at = SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(shown.first));
+            changed +=
+                QRect(0, static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, at)), viewport()->width(),
+                      static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(shown.first))));
+        }
+    };
+    add(m_shownValues, before);
+    add(before, m_shownValues);
+    viewport()->update(changed);
+}
+
+void StEditor::paintEvent(QPaintEvent* event) {
+    QsciScintilla::paintEvent(event);
+    if (m_shownValues.empty()) return;
+    QPainter painter(viewport());
+    drawOnlineValues(painter);
+}
+
+void StEditor::drawOnlineValues(QPainter& painter) {
+    const kit::ThemeColors& c = kit::colors();
+    QFont font = m_lexer->defaultFont(0);
+    font.setPointSizeF(std::max(6.0, font.pointSizeF() - 1 + static_cast<double>(SendScintilla(S::SCI_GETZOOM))));
+    painter.setFont(font);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetrics metrics(font);
+    // The results of an instruction list stand under each other: a column that is read downwards.
+    std::map<int, int> columns; // line → x
+    const auto endOf = [&](int line) {
+        return static_cast<int>(
+                   SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul,
+                                 SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line)))) +
+               24;
+    };
+    for (size_t i = 0; i < m_shownValues.size();) {
+        size_t next = i;
+        int x = 0;
+        while (next < m_shownValues.size() && m_shownValues[next].second.front().isAccumulator &&
+               m_shownValues[next].first <= m_shownValues[i].first + static_cast<int>(next - i) + 3)
+            x = std::max(x, endOf(m_shownValues[next++].first));
+        for (size_t k = i; k < next && x < viewport()->width() * 2 / 3; ++k)
+            columns[m_shownValues[k].first] = x; // not beyond long comments
+        i = std::max(next, i + 1);
+    }
+    for (const auto& [line, values] : m_shownValues) {
+        const auto end = SendScintilla(S::SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line));
+        const auto column = columns.find(line);
+        int x = column != columns.end() ? column->second : endOf(line);
+        const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)),
+                  height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
+        for (const OnlineValue& value : values) {
+            const QString name =
+                values.size() > 1 || value.isAccumulator ? value.name.section('.', -1) + " " : QString();
+            const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(value.value);
+            const QRectF box(x, y + 1.5, nameWidth + valueWidth + 10, height - 3);
+            QColor ground = value.isForced ? c.forced : value.isBool ? (value.isTrue ? c.good : c.muted) : c.online;
+            QColor fill = ground;
+            fill.setAlpha(value.isForced ? 90 : 38);
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(fill);
+            painter.drawRoundedRect(box, 4, 4);
+            if (value.isAccumulator) { // a frame of its own, so that the column of results is read downwards
+                painter.setPen(QPen(ground, 1));
+                painter.setBrush(Qt::NoBrush);
+                painter.drawRoundedRect(box, 4, 4);
+            }
+            painter.setPen(c.muted);
+            painter.drawText(QRectF(x + 5, y, nameWidth, height), Qt::AlignVCenter | Qt::AlignLeft, name);
+            painter.setPen(value.isBool && !value.isTrue && !value.isForced ? c.text
+                           : value.isForced                                 ? c.text
+                                                                            : ground.darker(c.dark ? 90 : 125));
+            painter.drawText(QRectF(x + 5 + nameWidth, y, valueWidth + 2, height), Qt::AlignVCenter | Qt::AlignLeft,
+                             value.value);
+            x += static_cast<int>(box.width()) + 6;
+        }
+    }
+}
+
+} // namespace plc::editor

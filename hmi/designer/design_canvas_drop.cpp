@@ -1,0 +1,107 @@
+// What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
+#include "hmi/designer/design_canvas.h"
+
+#include "editor/kit/variable_picker.h"
+#include "hmi/designer/palette.h"
+#include "runtime/base/read_json.h"
+
+#include <QDragEnterEvent>
+#include <QMimeData>
+
+#include <cmath>
+
+namespace plc::hmi {
+
+void DesignCanvas::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasFormat(kElementMime) || !droppedVariables(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+/// Variables of the picker or the watch list, or words dragged out of the code that name variables.
+QStringList DesignCanvas::droppedVariables(const QMimeData* mime) const {
+    if (mime->hasFormat(kit::VariableMime)) return kit::variablesOf(mime);
+    QStringList out;
+    if (!mime->hasText() || mime->text().size() > 2000) return out;
+    for (const QString& line : kit::variablesOf(mime))
+        if (const std::optional<QString> path = m_context.variableNamed(line)) out += *path;
+    return out;
+}
+
+void DesignCanvas::dragMoveEvent(QDragMoveEvent* event) {
+    QSizeF size(140, 40);
+    if (event->mimeData()->hasFormat(kElementMime)) {
+        const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
+        if (list.is_array() && !list.empty()) size = Element(list[0]).rect().size();
+    }
+    const QPointF at = toPanel(event->position());
+    QRectF rect(at - QPointF(size.width() / 2, size.height() / 2), size);
+    m_guides.clear();
+    if (m_snaps) {
+        const Snapped snapped = snapMove(rect, snapField({}));
+        rect.translate(snapped.offset);
+        m_guides = snapped.guides;
+    }
+    m_dropRect = rect;
+    viewport()->update();
+    event->acceptProposedAction();
+}
+
+void DesignCanvas::dragLeaveEvent(QDragLeaveEvent*) {
+    m_dropRect.reset();
+    m_guides.clear();
+    viewport()->update();
+}
+
+void DesignCanvas::dropEvent(QDropEvent* event) {
+    const QPointF at = m_dropRect ? m_dropRect->center() : toPanel(event->position());
+    m_dropRect.reset();
+    m_guides.clear();
+    if (event->mimeData()->hasFormat(kElementMime)) {
+        const Json list = readJson<Json>(event->mimeData()->data(kElementMime).toStdString()).value;
+        if (list.is_array()) insertElements(list, at);
+    } else {
+        insertVariables(droppedVariables(event->mimeData()), at, event->modifiers() & Qt::ShiftModifier);
+    }
+    event->acceptProposedAction();
+    setFocus();
+}
+
+void DesignCanvas::insertElements(const Json& elements, QPointF at) {
+    QRectF bounds;
+    for (const Json& fields : elements)
+        if (fields.is_object())
+            bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
+    QPointF corner = at - QPointF(bounds.width() / 2, bounds.height() / 2);
+    corner = QPointF(std::round(corner.x()), std::round(corner.y()));
+    if (m_snaps) corner += snapMove(QRectF(corner, bounds.size()), snapField({})).offset;
+    Json placed = elements;
+    int page = 0;
+    const ElementId tab = tabAt(at, &page);
+    for (Json& fields : placed) {
+        if (!fields.is_object() || tab.isEmpty() || fields.contains("parent")) continue;
+        Element element{fields};
+        element.set("parent", toUtf8(tab));
+        if (page) element.set("page", page);
+        fields = element.fields();
+    }
+    ElementIds added;
+    const Edit edit = pasted(m_document.panel(), placed, corner, &added);
+    m_document.perform(tr("Insert"), edit);
+    m_selection.set(added);
+}
+
+void DesignCanvas::insertVariables(const QStringList& paths, QPointF at, bool operates) {
+    Json list = Json::array();
+    double y = 0;
+    int number = 0;
+    for (const QString& path : paths)
+        for (Element& element : elementsForVariable(path, m_context, operates)) {
+            element.setField("id", "new" + std::to_string(++number), 0);
+            element.set("rect", rectToJson(element.rect().translated(0, y)));
+            y += element.rect().height() + 12;
+            list.push_back(element.fields());
+        }
+    if (!list.empty()) insertElements(list, at);
+}
+
+} // namespace plc::hmi
