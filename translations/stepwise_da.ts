@@ -440,8 +440,28 @@
         <translation>{0} har ingen virkning uden {1}; erklær begge</translation>
     </message>
     <message>
+        <source>A step names its actions here; write statements in an ACTION</source>
+        <translation>Et trin nævner her sine handlinger; skriv sætninger i en ACTION</translation>
+    </message>
+    <message>
+        <source>No transition leads away from step {0}; the chart ends here</source>
+        <translation>Ingen transition fører væk fra trin {0}; diagrammet slutter her</translation>
+    </message>
+    <message>
+        <source>{0} stands twice in this step with the qualifier {1}</source>
+        <translation>{0} står to gange i dette trin med kvalifikatoren {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a variable too; steps and calls mean the ACTION</source>
+        <translation>{0} er også en variabel; trin og kald betyder ACTION'en</translation>
+    </message>
+    <message>
         <source>{0} is a word of the language and can not be a name</source>
         <translation>{0} er et ord i sproget og kan ikke være et navn</translation>
+    </message>
+    <message>
+        <source>{0} is written {1} in Structured Text</source>
+        <translation>{0} skrives {1} i struktureret tekst</translation>
     </message>
     <message>
         <source>This loop never ends; the controller would stop in it</source>
@@ -450,6 +470,18 @@
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method of this name</source>
         <translation>{0} er mærket OVERRIDE, men ingen basis har en metode med dette navn</translation>
+    </message>
+    <message>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
+        <translation>Tasken {0} har intet INTERVAL over nul og intet SINGLE; den kører i hvert scan</translation>
+    </message>
+    <message>
+        <source>{0} is read as {1}; a time is written with its unit</source>
+        <translation>{0} læses som {1}; en tid skrives med sin enhed</translation>
+    </message>
+    <message>
+        <source>The address {0} holds {1} bit(s), {2} has {3}; write {4}</source>
+        <translation>Adressen {0} rummer {1} bit, {2} har {3}; skriv {4}</translation>
     </message>
 </context>
 <context>

@@ -440,8 +440,28 @@
         <translation>{0} wirkt nicht ohne {1}; beide deklarieren</translation>
     </message>
     <message>
+        <source>A step names its actions here; write statements in an ACTION</source>
+        <translation>Ein Schritt nennt hier seine Aktionen; Anweisungen gehören in eine ACTION</translation>
+    </message>
+    <message>
+        <source>No transition leads away from step {0}; the chart ends here</source>
+        <translation>Von Schritt {0} führt keine Transition weg; die Schrittkette endet hier</translation>
+    </message>
+    <message>
+        <source>{0} stands twice in this step with the qualifier {1}</source>
+        <translation>{0} steht in diesem Schritt doppelt mit dem Bestimmungszeichen {1}</translation>
+    </message>
+    <message>
+        <source>{0} is a variable too; steps and calls mean the ACTION</source>
+        <translation>{0} ist auch eine Variable; Schritte und Aufrufe meinen die ACTION</translation>
+    </message>
+    <message>
         <source>{0} is a word of the language and can not be a name</source>
         <translation>{0} ist ein Wort der Sprache und kann kein Name sein</translation>
+    </message>
+    <message>
+        <source>{0} is written {1} in Structured Text</source>
+        <translation>{0} wird in Strukturiertem Text {1} geschrieben</translation>
     </message>
     <message>
         <source>This loop never ends; the controller would stop in it</source>
@@ -450,6 +470,18 @@
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method of this name</source>
         <translation>{0} ist mit OVERRIDE bezeichnet, aber keine Basis hat eine Methode dieses Namens</translation>
+    </message>
+    <message>
+        <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
+        <translation>Die Task {0} hat kein INTERVAL über null und kein SINGLE; sie läuft in jedem Zyklus</translation>
+    </message>
+    <message>
+        <source>{0} is read as {1}; a time is written with its unit</source>
+        <translation>{0} wird als {1} gelesen; eine Zeit wird mit ihrer Einheit geschrieben</translation>
+    </message>
+    <message>
+        <source>The address {0} holds {1} bit(s), {2} has {3}; write {4}</source>
+        <translation>Die Adresse {0} fasst {1} Bit, {2} hat {3}; zu schreiben ist {4}</translation>
     </message>
 </context>
 <context>

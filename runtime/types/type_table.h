@@ -4,6 +4,7 @@
 #include "runtime/types/type.h"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -46,6 +47,10 @@ public:
     void layoutArray(TypeId id);
     /// "MIN..MAX" of an integer kind.
     [[nodiscard]] static std::pair<int64_t, uint64_t> integerRange(TypeKind kind);
+
+    /// How a pointer, reference or interface that is not null is shown: the path of what it points to, "" when it has
+    /// none. Set once, when the program stands, before others read the table.
+    std::function<std::string(TypeId type, int64_t offset)> referenceText;
 
 private:
     TypeId add(Type type);

@@ -30,7 +30,11 @@ std::string integerText(TypeKind kind, int64_t value, NumberFormat format) {
     return isUnsigned64 ? std::to_string(static_cast<uint64_t>(value)) : std::to_string(value);
 }
 
-std::string offsetText(int64_t offset) {
+std::string offsetText(const TypeTable& types, TypeId type, int64_t offset) {
+    if (types.referenceText) {
+        std::string path = types.referenceText(type, offset);
+        if (!path.empty()) return path;
+    }
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "16#%08llX", static_cast<unsigned long long>(offset));
     return buffer;
@@ -129,7 +133,7 @@ std::string realText(TypeKind kind, double value) {
 std::string scalarText(const TypeTable& types, TypeId type, int64_t value, NumberFormat format) {
     const TypeKind kind = types.storageKind(type);
     if (kind == TypeKind::Bool) return value ? "TRUE" : "FALSE";
-    if (isReferenceLike(kind)) return value ? offsetText(value) : "NULL";
+    if (isReferenceLike(kind)) return value ? offsetText(types, type, value) : "NULL";
     if (kind == TypeKind::Char || kind == TypeKind::Wchar)
         return quoted(decoded(characterUtf8(kind, value)), kind == TypeKind::Char ? '\'' : '"');
     std::string text = namedText(types, type, value);
@@ -139,7 +143,7 @@ std::string scalarText(const TypeTable& types, TypeId type, int64_t value, Numbe
 std::string scalarJson(const TypeTable& types, TypeId type, int64_t value) {
     const TypeKind kind = types.storageKind(type);
     if (kind == TypeKind::Bool) return value ? "true" : "false";
-    if (isReferenceLike(kind)) return value ? jsonString(offsetText(value)) : "null";
+    if (isReferenceLike(kind)) return value ? jsonString(offsetText(types, type, value)) : "null";
     if (kind == TypeKind::Char || kind == TypeKind::Wchar) return jsonString(characterUtf8(kind, value));
     const std::string text = namedText(types, type, value);
     if (!text.empty()) return jsonString(text);

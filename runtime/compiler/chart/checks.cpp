@@ -49,8 +49,12 @@ void checkInitialSteps(const Chart& chart, Sink& sink) {
     std::vector<const syntax::StepDecl*> initial(chart.networks, nullptr);
     std::vector<const syntax::StepDecl*> any(chart.networks, nullptr);
     std::vector<bool> connected(chart.networks, false);
+    std::vector<StepId> firstOf(chart.networks);
     for (const Step& step : chart.steps) {
-        if (!any[step.network]) any[step.network] = step.decl;
+        if (!any[step.network]) {
+            any[step.network] = step.decl;
+            firstOf[step.network] = StepId(static_cast<size_t>(&step - chart.steps.data()));
+        }
         if (!step.in.empty() || !step.out.empty()) connected[step.network] = true;
         if (!step.decl->isInitial) continue;
         const syntax::StepDecl*& have = initial[step.network];
@@ -70,7 +74,8 @@ void checkInitialSteps(const Chart& chart, Sink& sink) {
             d.fixes.push_back(
                 {"Make " + std::string(any[n]->name.text) + " the initial step", {{word, "INITIAL_STEP"}}});
         } else {
-            sink.emit(any[n]->name.range, Kind::UnreachableStep, {std::string(any[n]->name.text)});
+            if (chart.find(any[n]->name.text) == firstOf[n])
+                sink.emit(any[n]->name.range, Kind::UnreachableStep, {std::string(any[n]->name.text)});
         }
     }
 }
@@ -114,6 +119,40 @@ void checkQualifiers(const Chart& chart, Sink& sink) {
             else if (timed && !a.time)
                 sink.emit(a.qualifier.range, Kind::QualifierNeedsTime, {std::string(a.qualifier.text)});
         }
+}
+
+/// The same action twice in a step: the second adds nothing.
+///   ok:    a(P1); a(P0);      wrong: a(N); a;  (P4016)
+void checkDoubles(const Chart& chart, Sink& sink) {
+    for (const Step& step : chart.steps) {
+        std::map<std::string, const syntax::ActionAssociation*> first;
+        for (const syntax::ActionAssociation& a : step.decl->actions) {
+            if (!a.action.isValid()) continue;
+            const std::string qualifier = a.qualifier.isValid() ? std::string(a.qualifier.text) : "N";
+            const auto [it, isNew] = first.emplace(foldCase(a.action.text) + " " + foldCase(qualifier), &a);
+            if (isNew) continue;
+            auto& d = sink.emit(a.range, Kind::AssociatedTwice, {std::string(a.action.text), qualifier});
+            d.related.push_back({it->second->range, "the first one"});
+        }
+    }
+}
+
+/// A step that is never left: the end of the chart, or a forgotten transition.
+///   ok:    STEP a … TRANSITION FROM a TO b …      advice: STEP a … and no FROM a  (P4015)
+void checkFinalSteps(const Chart& chart, Sink& sink) {
+    for (uint32_t i = 0; i < chart.steps.size(); ++i) {
+        const Step& step = chart.steps[i];
+        const bool stands = step.decl->isInitial || !step.in.empty(); // else told as not reached
+        if (step.out.empty() && stands && step.decl->name.isValid() && chart.find(step.decl->name.text) == StepId(i))
+            sink.emit(step.decl->name.range, Kind::FinalStep, {std::string(step.decl->name.text)});
+    }
+}
+
+bool hasUnknownNames(const Chart& chart) {
+    return std::any_of(chart.transitions.begin(), chart.transitions.end(), [](const Transition& t) {
+        return t.from.size() != t.decl->from.size() || t.to.size() != t.decl->to.size() || t.decl->from.empty() ||
+               t.decl->to.empty();
+    });
 }
 
 // ---------------------------------------------------------------- tokens
@@ -245,7 +284,8 @@ void checkReachability(const Chart& chart, Sink& sink) {
                 }
     }
     for (uint32_t i = 0; i < chart.steps.size(); ++i)
-        if (!reached[i] && hasInitial[chart.steps[i].network] && chart.steps[i].decl->name.isValid())
+        if (!reached[i] && hasInitial[chart.steps[i].network] && chart.steps[i].decl->name.isValid() &&
+            chart.find(chart.steps[i].decl->name.text) == StepId(i)) // a doubled name is told as that
             sink.emit(chart.steps[i].decl->name.range, Kind::UnreachableStep,
                       {std::string(chart.steps[i].decl->name.text)});
 }
@@ -259,9 +299,13 @@ void check(const Chart& chart, Sink& sink) {
     }
     checkNames(chart, sink);
     checkInitialSteps(chart, sink);
-    checkReachability(chart, sink);
+    if (!hasUnknownNames(chart)) { // else what is told there is the cause
+        checkReachability(chart, sink);
+        checkFinalSteps(chart, sink);
+    }
     checkConditions(chart, sink);
     checkQualifiers(chart, sink);
+    checkDoubles(chart, sink);
     for (uint32_t n = 0; n < chart.networks; ++n) exploreNetwork(chart, n, sink);
 }
 

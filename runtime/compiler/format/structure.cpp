@@ -41,6 +41,7 @@ Structure::Structure(const SyntaxFile& file, std::string_view text,
     for (size_t i = 0; i < m_tokens.size(); ++i) { // TYPE … END_TYPE
         if (m_tokens[i].kind != TokenKind::TypeWord) continue;
         begins(m_tokens[i].begin);
+        if (i + 1 < m_tokens.size() && !m_tokens[i + 1].afterNewline) continue; // TYPE Name : and STRUCT below it
         for (size_t j = i + 1; j < m_tokens.size(); ++j) {
             if (m_tokens[j].kind == TokenKind::TypeWord) break;
             if (m_tokens[j].kind != TokenKind::EndType) continue;
@@ -132,8 +133,7 @@ void Structure::declarations(const std::vector<Decl*>& list) {
         if (decl->globals) section(*decl->globals->section);
         if (decl->configuration) configuration(*decl->configuration);
         if (decl->test) {
-            soft(decl->test->range.begin);
-            inside(decl->test->range);
+            soft(decl->test->range.begin); // its body stands as a unit's does
             for (const VarSection* s : decl->test->sections) section(*s);
             block(decl->test->body);
         }
@@ -173,7 +173,6 @@ void Structure::property(const Property& property) {
 void Structure::action(const ActionDecl& action) {
     begins(action.range.begin);
     soft(action.range.begin);
-    inside(action.range);
     labelColonBehind(action.name.range.end);
     for (const VarSection* s : action.sections) section(*s);
     body(action.body);

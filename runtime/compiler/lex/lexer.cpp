@@ -169,7 +169,7 @@ private:
         default:
             break;
         }
-        if (symbol()) return;
+        if (foreign() || symbol()) return;
         if (static_cast<unsigned char>(c) >= 0x80) {
             size_t next = m_at;
             const char32_t character = decodeUtf8(m_text, next);
@@ -177,6 +177,36 @@ private:
             if (typographic(character, next)) return;
         }
         unknown();
+    }
+
+    /// Operators of other languages: one message with the word of this one, read as it.
+    bool foreign() {
+        struct Row {
+            std::string_view text, meant;
+            TokenKind kind;
+        };
+        if (m_text[m_at] == '%' && !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::At) {
+            const size_t begin = m_at++; // AT %Z5
+            m_at = wordEnd(m_at);
+            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "address"});
+            push(TokenKind::DirectAddress, begin, m_at);
+            return true;
+        }
+        static constexpr Row rows[] = {{"==", "=", TokenKind::Equal}, {"!=", "<>", TokenKind::NotEqual},
+                                       {"&&", "AND", TokenKind::And}, {"||", "OR", TokenKind::Or},
+                                       {"!", "NOT", TokenKind::Not},  {"%", "MOD", TokenKind::Mod}};
+        for (const Row& row : rows) {
+            if (!m_text.substr(m_at).starts_with(row.text)) continue;
+            if (row.text == "%" && !(peek(1) == ' ' || isDigit(peek(1)))) continue; // a direct address to be
+            const auto end = static_cast<uint32_t>(m_at + row.text.size());
+            std::string word(row.meant);
+            if (row.kind == TokenKind::Not) word += ' ';
+            emit(m_at, end, Kind::ForeignOperator, {std::string(row.text), std::string(row.meant)})
+                .fixes.push_back(
+                    {"Write " + std::string(row.meant), {{{m_file, static_cast<uint32_t>(m_at), end}, word}}});
+            return takeSymbol(row.kind, row.text.size());
+        }
+        return false;
     }
 
     bool symbol() {
@@ -411,7 +441,15 @@ private:
     void finishNumber(size_t begin, TokenKind kind, const char* what) {
         const size_t good = m_at;
         m_at = wordEnd(m_at);
-        if (good != m_at) emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), what});
+        if (good != m_at) {
+            const std::string text(slice(begin, m_at));
+            auto& d = emit(begin, m_at, Kind::InvalidLiteral, {text, what});
+            if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'b' || text[1] == 'o')) { // 0x1F
+                const std::string own = (text[1] == 'x' ? "16#" : text[1] == 'b' ? "2#" : "8#") + text.substr(2);
+                d.fixes.push_back(
+                    {"Write " + own, {{{m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at)}, own}}});
+            }
+        }
         push(kind, begin, m_at);
     }
 

@@ -335,7 +335,7 @@ private:
         for (const syntax::Pragma& pragma : s.pragmas) {
             if (!equalsIgnoringCase(pragma.key, key)) continue;
             Block block = m_builder.statements("__x := " + std::string(pragma.value) + ";", pragma.range);
-            if (block.size() == 1 && block[0]->kind == StmtKind::Assign) return block[0]->value;
+            if (block.size() == 1 && block[0]->kind == StmtKind::Assign) return duration(block[0]->value);
         }
         return nullptr;
     }
@@ -386,13 +386,17 @@ private:
             m_builder.declare(m_unit.section, m_builder.name(control.variable, control.name.range), "SFC_ACTION");
         }
     }
+    static Expr* duration(Expr* e) {
+        if (e) e->isDuration = true;
+        return e;
+    }
     /// The inputs of the action control block (2.6.4.5, figures 14 and 15). L, D and DS need no timer: the step has
     /// one.
     void associate(Control& control, const StepDecl& s, const ActionAssociation& a) {
         const std::string q = foldCase(a.qualifier.text);
         const std::string active = step(s) + ".X";
         const auto hole = [&] {
-            control.holes.push_back(a.time ? m_builder.clone(a.time) : nullptr);
+            control.holes.push_back(duration(m_builder.clone(a.time)));
             return "__hole" + std::to_string(control.holes.size() - 1);
         };
         const bool timed = q == "l" || q == "d" || q == "ds" || q == "sd" || q == "sl";
@@ -420,7 +424,7 @@ private:
                 "__timed_" + identifierFrom(a.action.text) + "_" + m_number + "_" + std::to_string(m_timed++);
             m_builder.declare(m_unit.section, m_builder.name(variable, a.range),
                               q == "sd" ? "SFC_STORED_DELAY" : "SFC_STORED_LIMIT");
-            control.holes.push_back(m_builder.clone(a.time));
+            control.holes.push_back(duration(m_builder.clone(a.time)));
             control.timed.push_back({variable, active, control.holes.size() - 1});
             control.non.push_back(variable + ".Q");
         }

@@ -78,11 +78,32 @@ StepDecl* Parser::parseStep() {
     return step;
 }
 
+/// IF …, x := …, block.x := …, block(in := …): what belongs into an ACTION.
+bool Parser::startsStatementInStep() const {
+    if (atAny({TokenKind::If, TokenKind::Case, TokenKind::For, TokenKind::While, TokenKind::Repeat, TokenKind::Return}))
+        return true;
+    if (!atName()) return false;
+    if (kind(1) == TokenKind::LeftParen) return kind(2) == TokenKind::Identifier && kind(3) == TokenKind::Assign;
+    return kind(1) == TokenKind::Assign || kind(1) == TokenKind::SetAssign || kind(1) == TokenKind::ResetAssign ||
+           kind(1) == TokenKind::LeftBracket || kind(1) == TokenKind::Caret ||
+           (kind(1) == TokenKind::Dot && kind(2) == TokenKind::Identifier &&
+            (kind(3) == TokenKind::Assign || kind(3) == TokenKind::LeftParen || kind(3) == TokenKind::Dot));
+}
+
 void Parser::parseAssociations(StepDecl& step) {
     while (!atEnd() && !atStatementEnd()) {
         if (take(TokenKind::Semicolon)) continue;
         if (atChart() || atPouMember() || atDeclaration()) return;
         const size_t first = mark();
+        if (startsStatementInStep()) {
+            auto* told = report(rangeOf(peek()), Kind::StatementInStep);
+            do advance();
+            while (!atEnd() && !atAny({TokenKind::EndStep, TokenKind::EndTransition}) && !atChart() && !atPouMember() &&
+                   !atDeclaration() && !atVarSection());
+            if (told) told->range = joined(told->range, rangeOf(previous()));
+            m_lastErrorAt = SIZE_MAX;
+            return;
+        }
         ActionAssociation association;
         association.action = takeName("an action");
         if (!association.action.isValid()) {

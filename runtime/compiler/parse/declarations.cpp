@@ -46,6 +46,7 @@ bool Parser::atDeclaration() const {
     switch (peek().soft) {
     case SoftWord::Configuration:
     case SoftWord::Interface:
+    case SoftWord::Class:
         return nameFollows;
     case SoftWord::Namespace:
     case SoftWord::Using:
@@ -132,6 +133,10 @@ Decl* Parser::parseDeclaration() {
                 decl->kind = DeclKind::Configuration;
                 decl->configuration = parseConfiguration();
                 break;
+            case SoftWord::Class: // edition 3: a block without a body
+                decl->pou = parsePou(PouKind::FunctionBlock, TokenKind::EndClass);
+                decl->range = rangeFrom(first);
+                return decl;
             case SoftWord::Interface:
                 decl->pou = parseInterface();
                 break;
@@ -283,9 +288,10 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
         } else if (!isBlock && atPouMember()) {
             break; // a method without its END_METHOD
         } else if (atStatementEnd()) {
-            const bool unitEnd = atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock,
-                                        TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndInterface,
-                                        TokenKind::EndProperty, TokenKind::EndGet, TokenKind::EndSet});
+            const bool unitEnd =
+                atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndClass,
+                       TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndInterface, TokenKind::EndProperty,
+                       TokenKind::EndGet, TokenKind::EndSet});
             if (endIsOpen(kind()) || at(TokenKind::EndNamespace)) break; // of the unit around this one
             if (unitEnd) {                                               // closed by the wrong word
                 const std::string word(lex::spelling(end));
@@ -422,11 +428,14 @@ Property* Parser::parseProperty(bool inInterface) {
             break;
     }
     if (!take(TokenKind::EndProperty)) {
-        if (inInterface || atPouMember() || atAny({TokenKind::EndFunctionBlock, TokenKind::EndProgram})) {
+        if (inInterface || atPouMember() ||
+            atAny({TokenKind::EndFunctionBlock, TokenKind::EndClass, TokenKind::EndProgram})) {
             insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_PROPERTY"}), "\nEND_PROPERTY");
         } else {
             expected("GET, SET or END_PROPERTY");
-            while (!atEnd() && !atAny({TokenKind::EndProperty, TokenKind::EndFunctionBlock, TokenKind::EndProgram}) &&
+            while (!atEnd() &&
+                   !atAny({TokenKind::EndProperty, TokenKind::EndFunctionBlock, TokenKind::EndClass,
+                           TokenKind::EndProgram}) &&
                    !atPouMember() && !atDeclaration())
                 advance();
             take(TokenKind::EndProperty);
@@ -481,8 +490,9 @@ ActionDecl* Parser::parseAction() {
         m_inCaseArm = arm;
     }
     if (!take(TokenKind::EndAction)) {
-        if (atPouMember() || atEnd() || atAny({TokenKind::EndProgram, TokenKind::EndFunctionBlock}) ||
-            atDeclaration() || atStep() || atTransition()) {
+        if (atPouMember() || atEnd() ||
+            atAny({TokenKind::EndProgram, TokenKind::EndFunctionBlock, TokenKind::EndClass}) || atDeclaration() ||
+            atStep() || atTransition()) {
             insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_ACTION"}), "\nEND_ACTION");
         } else {
             expectEnd(TokenKind::EndAction, opening);

@@ -257,6 +257,10 @@ private:
     void expectWord(TokenKind word, const char* fixText);
     Block parseBlock(TokenKind end);
     void parseIlOperands(IlInstruction& il);
+    void missingBound(const Expr* low);
+    bool atCompoundAssignment() const;
+    Stmt* parseCompoundAssignment(Expr* place);
+    bool startsStatementInStep() const;
     void parseAssociations(StepDecl& step);
     void parseStepNames(std::vector<Name>& out);
     void parseResourceParts(ResourceDecl& resource, ConfigurationDecl* configuration, TokenKind end);

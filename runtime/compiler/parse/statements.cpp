@@ -59,6 +59,7 @@ bool Parser::atStatementEnd() const {
     case TokenKind::EndWhile:
     case TokenKind::EndFunction:
     case TokenKind::EndFunctionBlock:
+    case TokenKind::EndClass:
     case TokenKind::EndProgram:
     case TokenKind::EndStruct:
     case TokenKind::EndType:
@@ -139,8 +140,8 @@ Stmt* Parser::parseStatement() {
     if (m_depth > kMaxDepth - 8) {
         // jump over the whole depth: every level above would stumble over the same place
         while (!atEnd() && !atDeclaration() &&
-               !atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndMethod,
-                       TokenKind::EndAction, TokenKind::EndTest}))
+               !atAny({TokenKind::EndProgram, TokenKind::EndFunction, TokenKind::EndFunctionBlock, TokenKind::EndClass,
+                       TokenKind::EndMethod, TokenKind::EndAction, TokenKind::EndTest}))
             advance();
         m_lastErrorAt = m_at;
         stmt = makeStmt(StmtKind::Empty);
@@ -184,6 +185,35 @@ Stmt* Parser::parseStatement() {
         break;
     }
     stmt->range = rangeFrom(first);
+    return stmt;
+}
+
+/// i += 1;  i++;  of other languages.
+bool Parser::atCompoundAssignment() const {
+    if (!atAny({TokenKind::Plus, TokenKind::Minus, TokenKind::Star, TokenKind::Slash})) return false;
+    if (peek().end != peek(1).begin) return false;
+    return kind(1) == TokenKind::Equal ||
+           (kind(1) == kind() && atAny({TokenKind::Plus, TokenKind::Minus}) && kind(2) == TokenKind::Semicolon);
+}
+
+Stmt* Parser::parseCompoundAssignment(Expr* place) {
+    const Token op = peek();
+    const bool isStep = kind(1) == kind();
+    const SourceRange range = joined(rangeOf(op), rangeOf(peek(1)));
+    const std::string name(m_text.substr(place->range.begin, place->range.end - place->range.begin));
+    const std::string sign(textOf(op));
+    advance();
+    advance();
+    const std::string meant = " := " + name + " " + sign + (isStep ? " 1" : "");
+    if (auto* d =
+            report(range, Kind::ForeignOperator,
+                   {std::string(textOf(op)) + std::string(isStep ? sign : "="), name + meant + (isStep ? "" : " …")}))
+        d->fixes.push_back({"Write " + name + meant, {{{range.file, place->range.end, range.end}, meant}}});
+    Stmt* stmt = makeStmt(StmtKind::Assign);
+    stmt->op = TokenKind::Assign;
+    stmt->target = place;
+    stmt->value = isStep ? place : parseAssigned();
+    endStatement();
     return stmt;
 }
 
@@ -250,6 +280,7 @@ Stmt* Parser::parseSimple() {
         endStatement();
         return stmt;
     }
+    if (atCompoundAssignment()) return parseCompoundAssignment(place);
     Stmt* stmt = makeStmt(StmtKind::Call);
     stmt->value = place;
     if (place->kind != ExprKind::Call && place->kind != ExprKind::Error && !at(TokenKind::Semicolon) &&

@@ -63,7 +63,8 @@ struct Expr {
     ExprKind kind = ExprKind::Error;
     lex::TokenKind op = lex::TokenKind::Error; // Unary, Binary; Literal: the literal's token kind
     bool parenthesised = false;
-    uint32_t height = 1; // of the tree below, limited by the parser: whoever walks it may recurse
+    bool isDuration = false; // lowering: the time of an action or step, which must be one
+    uint32_t height = 1;     // of the tree below, limited by the parser: whoever walks it may recurse
     SourceRange range;
     SourceRange operatorRange;
     Name name;             // NameRef, Member, TypedName

@@ -133,7 +133,8 @@ declarations:
                     else if (k >= TokenKind::Var && k <= TokenKind::VarConfig)
                         break;
                     else if (k == TokenKind::EndProgram || k == TokenKind::EndFunction ||
-                             k == TokenKind::EndFunctionBlock || k == TokenKind::EndMethod || k == TokenKind::EndTest)
+                             k == TokenKind::EndFunctionBlock || k == TokenKind::EndClass ||
+                             k == TokenKind::EndMethod || k == TokenKind::EndTest)
                         break;
                 }
             if (!closed) {
@@ -371,7 +372,7 @@ TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {
                 pointing(TypeSpecKind::Reference, true);
             else if (at(SoftWord::RefTo))
                 pointing(TypeSpecKind::RefTo, false);
-            else if (at(SoftWord::Union) && kind(1) == TokenKind::Identifier)
+            else if (at(SoftWord::Union) && (kind(1) == TokenKind::Identifier || kind(1) == TokenKind::EndUnion))
                 spec = parseStructSpec(TypeSpecKind::Union);
             else if (isWord(textOf(peek()), "STRING") || isWord(textOf(peek()), "WSTRING"))
                 spec = parseStringSpec();
@@ -391,11 +392,32 @@ TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {
     return spec;
 }
 
+/// ARRAY[3]: the count, as other languages write it.
+void Parser::missingBound(const Expr* low) {
+    auto* d = report(rangeOf(peek()), Kind::Expected, {"..", shown(peek())});
+    if (!d || low->kind != ExprKind::Literal || low->op != TokenKind::IntegerLiteral || low->text.size() > 9 ||
+        low->text.find_first_not_of("0123456789") != std::string_view::npos)
+        return;
+    const int count = std::stoi(std::string(low->text));
+    for (const std::string& bounds : {"0.." + std::to_string(count - 1), "1.." + std::to_string(count)})
+        d->fixes.push_back({"Write " + bounds, {{low->range, bounds}}});
+}
+
 TypeSpec* Parser::parseArraySpec() {
     TypeSpec* spec = make<TypeSpec>();
     spec->kind = TypeSpecKind::Array;
     advance();
-    if (expect(TokenKind::LeftBracket)) {
+    const bool isRound = at(TokenKind::LeftParen); // ARRAY(1..3)
+    const TokenKind close = isRound ? TokenKind::RightParen : TokenKind::RightBracket;
+    diagnostics::Diagnostic* rounded = nullptr;
+    if (isRound) {
+        const SourceRange range = rangeOf(peek());
+        rounded = report(range, Kind::Expected, {"[", "("});
+        if (rounded) rounded->fixes.push_back({"Write [ ]", {{range, "["}}});
+        advance();
+        m_lastErrorAt = SIZE_MAX;
+    }
+    if (isRound || expect(TokenKind::LeftBracket)) {
         const Token open = previous();
         bool draft = false;
         do {
@@ -406,7 +428,7 @@ TypeSpec* Parser::parseArraySpec() {
                 bounds.low = parseExpression();
                 if (!take(TokenKind::DotDot)) {
                     // one number: the count, as other languages write it
-                    expected("..");
+                    missingBound(bounds.low);
                     m_lastErrorAt = m_at;
                 } else if (at(TokenKind::RightBracket) || at(TokenKind::Comma)) {
                     draft = true;
@@ -418,8 +440,8 @@ TypeSpec* Parser::parseArraySpec() {
             }
             spec->bounds.push_back(bounds);
         } while (take(TokenKind::Comma));
-        if (!take(TokenKind::RightBracket))
-            expected("]");
+        if (!take(close))
+            expected(isRound ? ")" : "]");
         else if (draft) {
             std::string stars = "*";
             for (size_t i = 1; i < spec->bounds.size(); ++i) stars += ", *";

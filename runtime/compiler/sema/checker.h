@@ -63,6 +63,8 @@ public:
     Checker(World& world, Scope scope, diagnostics::Sink& sink, Arena& arena);
 
     // expressions.cpp
+    Operand durationExpression(const syntax::Expr& e);
+    Operand anyExpression(const syntax::Expr& e, TypeId hint);
     Operand expression(const syntax::Expr& e, TypeId hint = {});
     Operand value(Denoted denoted, const syntax::Expr& e, TypeId hint);
     Operand load(tree::Place* place, SourceRange range);

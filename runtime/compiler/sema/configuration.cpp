@@ -329,6 +329,25 @@ void World::applyVarConfig() {
     }
 }
 
+/// A task that nothing starts runs in every scan, which SINGLE := FALSE says on purpose.
+///   ok:    TASK Slow(INTERVAL := T#1s);  TASK Free(SINGLE := FALSE);     advice: TASK Slow(PRIORITY := 1);  (P3035)
+void World::tellFreewheeling(const syntax::TaskDecl& task) {
+    const SourceRange range = task.interval ? task.interval->range : task.name.range;
+    auto& diagnostic = emit(range, Kind::FreewheelingTask, {std::string(task.name.text)});
+    if (task.interval) {
+        diagnostic.fixes.push_back({"Write T#10ms", {{range, "T#10ms"}}});
+        return;
+    }
+    const std::string_view text = sources[range.file].text();
+    const size_t open = text.find('(', range.end);
+    if (open == std::string_view::npos || open >= task.range.end) return;
+    const auto at = static_cast<uint32_t>(open + 1);
+    const bool isEmpty = text.find_first_not_of(" \t\r\n", at) == text.find(')', at);
+    for (const std::string_view start : {"INTERVAL := T#10ms", "SINGLE := FALSE"})
+        diagnostic.fixes.push_back(
+            {"Insert " + std::string(start), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
+}
+
 void World::buildTasks() {
     struct Declared {
         image::Task task;
@@ -356,8 +375,14 @@ void World::buildTasks() {
                 Checker checker(*this, scope, sink, arena);
                 const TypeId time = types::TypeTable::of(TypeKind::Time);
                 Operand value = checker.expression(e, time);
-                if (value.isFlexible && std::holds_alternative<int64_t>(value.expr->value.data))
-                    return std::chrono::milliseconds(value.expr->value.integer());
+                if (value.isFlexible && std::holds_alternative<int64_t>(value.expr->value.data)) {
+                    const std::chrono::milliseconds read(
+                        std::clamp<int64_t>(value.expr->value.integer(), -1'000'000'000, 1'000'000'000));
+                    const std::string text = types::durationText(std::chrono::nanoseconds(read).count());
+                    emit(e.range, Kind::NumberAsDuration, {std::string(textOf(e.range)), text})
+                        .fixes.push_back({"Write " + text, {{e.range, text}}});
+                    return read;
+                }
                 value = checker.converted(value, time);
                 if (value.isUnknown()) return std::nullopt;
                 if (!value.isConstant()) {
@@ -373,8 +398,10 @@ void World::buildTasks() {
                              {std::to_string(*priority), "PRIORITY (0..1000000)"});
                     made.task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
                 }
+            bool isZero = false;
             if (declared->interval)
                 if (const auto interval = duration(*declared->interval)) { // zero: as if there were none
+                    isZero = interval->count() == 0;
                     if (interval->count() < 0)
                         emit(declared->interval->range, Kind::ConstantOutOfRange,
                              {types::durationText(interval->count()), "INTERVAL (0..)"});
@@ -405,6 +432,7 @@ void World::buildTasks() {
                          {denoted.place ? nameOf(denoted.place->type) : std::string(textOf(declared->single->range))});
                 }
             }
+            if (!declared->single && (!declared->interval || isZero)) tellFreewheeling(*declared);
             for (const syntax::Argument& argument : declared->others) {
                 if (!argument.value) continue;
                 if (equalsIgnoringCase(argument.name.text, "WATCHDOG")) {

@@ -88,6 +88,16 @@ void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
     };
     if (!named(a).empty() && !named(b).empty() && range.file.isValid()) {
         const std::string function = named(a) + "_TO_" + named(b);
+        const std::string text(textOf(range));
+        if (types.family(to) == types::Family::Duration && !text.empty() && text.size() < 10 &&
+            text.find_first_not_of("0123456789") == std::string::npos) { // a number without its unit
+            for (const char* unit : {"ms", "s"}) {
+                const std::string duration = (b == TypeKind::Ltime ? "LT#" : "T#") + text + unit;
+                diagnostic.fixes.push_back({"Write " + duration, {{range, duration}}});
+            }
+            diagnostic.arguments[0] = text;
+            return;
+        }
         if (library::findConversion(function))
             diagnostic.fixes.push_back({"Convert with " + function,
                                         {{{range.file, range.begin, range.begin}, function + "("},

@@ -10,6 +10,13 @@ using syntax::SectionKind;
 
 namespace {
 
+bool isNamed(const syntax::TypeSpec* spec, std::string_view type) {
+    return spec && spec->kind == syntax::TypeSpecKind::Named && spec->path.size() == 1 &&
+           equalsIgnoringCase(spec->path[0].text, type);
+}
+
+bool isStepOfChart(const Variable* variable) { return variable && isNamed(variable->spec, "SFC_STEP"); }
+
 std::string pathText(const syntax::Path& path) {
     std::string text;
     for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
@@ -331,9 +338,13 @@ void World::declareMembers(Unit& unit) {
     for (const syntax::ActionDecl* action : pou.actions) {
         if (!action->name.isValid()) continue;
         const auto known = unit.members.find(key(action->name.text));
-        if (known != unit.members.end() && !known->second.variable) {
-            emit(action->name.range, Kind::DuplicateName, {std::string(action->name.text)});
-            continue;
+        const Variable* namesake = known == unit.members.end() ? nullptr : known->second.variable;
+        if (known != unit.members.end() && !isStepOfChart(namesake)) {
+            const bool isBool = namesake && isNamed(namesake->spec, "BOOL"); // some charts have both
+            auto& diagnostic = emit(action->name.range, isBool ? Kind::ActionAndVariable : Kind::DuplicateName,
+                                    {std::string(action->name.text)});
+            if (namesake) diagnostic.related.push_back({namesake->range, "the variable"});
+            if (!isBool) continue;
         }
         Unit& made = units.emplace_back();
         made.kind = UnitKind::Action;
@@ -349,7 +360,7 @@ void World::declareMembers(Unit& unit) {
         made.symbol = addSymbol(SymbolKind::Action, made.name, unit.name, made.range);
         declareVariables(made, action->sections);
         unit.actions.push_back(&made);
-        unit.members[made.id].unit = &made; // an action may share its name with a BOOL of the chart
+        unit.members[made.id].unit = &made; // an action may share its name with a step of the chart
     }
 }
 

@@ -99,7 +99,21 @@ Operand Checker::value(Denoted denoted, const syntax::Expr& e, TypeId hint) {
     return unknown(e.range);
 }
 
+/// The time of a chart's action or step.
+///   ok:    lamp(L, T#5s); lamp(D, delay);      wrong: lamp(L, 5);  (P2003)
+Operand Checker::durationExpression(const syntax::Expr& e) {
+    const TypeId time = elementary(TypeKind::Time);
+    Operand value = anyExpression(e, time);
+    if (value.isUnknown() || types.family(value.type()) == types::Family::Duration) return value;
+    mismatch(e.range, value.type(), time);
+    return unknown(e.range);
+}
+
 Operand Checker::expression(const syntax::Expr& e, TypeId hint) {
+    return e.isDuration ? durationExpression(e) : anyExpression(e, hint);
+}
+
+Operand Checker::anyExpression(const syntax::Expr& e, TypeId hint) {
     switch (e.kind) {
     case ExprKind::Error:
         return unknown(e.range);

@@ -45,9 +45,24 @@ void World::gatherConfigured() {
         if (unit.kind == UnitKind::Program && unit.pou) gather(unit.pou->sections);
 }
 
+/// ACTIONs that no step, call or panel names.
+void World::checkUnusedActions() {
+    std::vector<bool> used(symbols.size(), false);
+    for (const Reference& reference : references)
+        if (reference.symbol.isValid() && reference.range != symbols[reference.symbol.index()].declaration)
+            used[reference.symbol.index()] = true;
+    for (const Unit& unit : units) {
+        if (unit.kind != UnitKind::Action || unit.isLibrary() || !unit.symbol.isValid() || used[unit.symbol.index()] ||
+            options.usedElsewhere.contains("." + foldCase(unit.name)) || hasSyntaxErrorAt(unit.range))
+            continue;
+        emit(unit.range, Kind::UnusedVariable, {unit.name});
+    }
+}
+
 void World::checkUsage() {
     gatherConfigured();
     checkUnusedGlobals();
+    checkUnusedActions();
     for (Unit& unit : units) {
         if (unit.isLibrary() || unit.kind == UnitKind::Interface ||
             (unit.owner && unit.owner->kind == UnitKind::Interface))
@@ -63,7 +78,7 @@ void World::checkUsage() {
                 continue;
             const auto known = unit.members.find(variable.id);
             if (types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() ||
-                known->second.variable != &variable)
+                known->second.variable != &variable || known->second.unit)
                 continue;
             if (options.usedElsewhere.contains("." + foldCase(variable.name)) || hasSyntaxErrorAt(variable.range))
                 continue;

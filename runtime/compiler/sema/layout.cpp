@@ -123,8 +123,26 @@ void World::locate(Variable& variable, std::string_view text) {
         if (kind == TypeKind::Bool)
             variable.bit = address->bit;
         else if (kind != TypeKind::Unknown && address->bit != 0)
-            emit(range, Kind::TypeMismatch, {std::string(text), nameOf(variable.type)});
+            return (void)emit(range, Kind::TypeMismatch, {std::string(text), nameOf(variable.type)});
     }
+    checkAddressSize(variable, text, range);
+}
+
+/// The letter of an address and the type say the same size.
+///   ok:    a AT %IW4 : INT; b AT %QX0.1 : BOOL;      wrong: a AT %IX4.0 : INT; b AT %QW0 : BOOL;  (P3037)
+void World::checkAddressSize(const Variable& variable, std::string_view text, SourceRange range) {
+    const auto address = parseAddress(text);
+    const types::Family family = types.family(variable.type);
+    const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Bool;
+    const unsigned has = types::bitsOf(types.storageKind(variable.type)), holds = types::bitsOf(address->kind);
+    if (!isNumber || has == holds || address->isOpen) return;
+    const char letter = has == 1 ? 'X' : has == 8 ? 'B' : has == 16 ? 'W' : has == 32 ? 'D' : 'L';
+    const std::string own =
+        std::string(text.substr(0, 2)) + letter + std::to_string(address->byte) + (has == 1 ? ".0" : "");
+    auto& diagnostic =
+        emit(range, Kind::AddressSize,
+             {std::string(text), std::to_string(holds), nameOf(variable.type), std::to_string(has), own});
+    if (range != variable.range) diagnostic.fixes.push_back({"Write " + own, {{range, own}}});
 }
 
 void World::measureAddresses() {

@@ -437,6 +437,14 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
                       std::holds_alternative<int64_t>(to.expr->value.data) &&
                       (stepNegative ? from.expr->value.integer() >= to.expr->value.integer()
                                     : from.expr->value.integer() <= to.expr->value.integer());
+    const auto isWritten = [](const syntax::Expr* e) {
+        return e && (e->kind == syntax::ExprKind::Literal ||
+                     (e->kind == syntax::ExprKind::Unary && e->base->kind == syntax::ExprKind::Literal));
+    };
+    if (!runs && from.isConstant() && to.isConstant() && by.isConstant() && isWritten(stmt.from) &&
+        isWritten(stmt.to) && std::holds_alternative<int64_t>(from.expr->value.data) &&
+        std::holds_alternative<int64_t>(to.expr->value.data))
+        emit(joined(stmt.from->range, stmt.to->range), Kind::UnreachableCode); // FOR i := 5 TO 1
     const bool setInside = flow.isResultSet && (!loops.back().hasExit || loops.back().resultSetAtExit);
     loops.pop_back();
     flow.isReachable = before.isReachable;

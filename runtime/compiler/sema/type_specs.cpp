@@ -46,6 +46,23 @@ std::optional<int64_t> World::constantInteger(const syntax::Expr* expr, const Sc
     return operand.expr->value.integer();
 }
 
+namespace {
+
+/// What other languages call the elementary types.
+std::string_view ownNameOf(std::string_view foreign) {
+    static constexpr std::pair<std::string_view, std::string_view> rows[] = {
+        {"BOOLEAN", "BOOL"}, {"BIT", "BOOL"},      {"INTEGER", "INT"},  {"SHORT", "INT"},   {"LONG", "DINT"},
+        {"INT8", "SINT"},    {"INT16", "INT"},     {"INT32", "DINT"},   {"INT64", "LINT"},  {"UINT8", "USINT"},
+        {"UINT16", "UINT"},  {"UINT32", "UDINT"},  {"UINT64", "ULINT"}, {"FLOAT", "REAL"},  {"FLOAT32", "REAL"},
+        {"SINGLE", "REAL"},  {"FLOAT64", "LREAL"}, {"DOUBLE", "LREAL"}, {"TEXT", "STRING"}, {"DATETIME", "DT"},
+        {"TIMESPAN", "TIME"}};
+    for (const auto& [name, own] : rows)
+        if (equalsIgnoringCase(foreign, name)) return own;
+    return {};
+}
+
+} // namespace
+
 TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceRange range) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (path.empty()) return unknown;
@@ -76,6 +93,10 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
     if (found.entity.unit && found.entity.unit->type.isValid()) {
         refer(path.back().range, found.entity.unit->symbol, true, false);
         return found.entity.unit->type;
+    }
+    if (const std::string own(ownNameOf(text)); !own.empty()) {
+        emit(range, Kind::UnknownType, {text}).fixes.push_back({"Write " + own, {{range, own}}});
+        return unknown;
     }
     std::vector<std::string> candidates;
     const auto collect = [&](const Space& space) {

@@ -1,6 +1,7 @@
 #include "runtime/compiler/sema/world.h"
 
 #include "runtime/base/text.h"
+#include "runtime/compiler/lex/token.h"
 
 namespace plc::sema {
 
@@ -92,6 +93,15 @@ void World::build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
     frozen = true;
 }
 
+/// What stands where nothing is analysed counts as used.
+void World::useNamesIn(SourceRange range) {
+    diagnostics::Sink ignored;
+    const std::string_view text = textOf(range);
+    for (const lex::Token& token : lex::tokenize(range.file, text, ignored).tokens)
+        if (token.kind == lex::TokenKind::Identifier)
+            options.usedElsewhere.insert("." + foldCase(text.substr(token.begin, token.end - token.begin)));
+}
+
 std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
                                         std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
                                         std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
@@ -100,6 +110,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
     for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
         const Kind kind = diagnostic.kind;
         if (diagnostic.severity == diagnostics::Severity::Error) world->syntaxErrors.push_back(diagnostic.range);
+        if (kind == Kind::StatementInStep) world->useNamesIn(diagnostic.range);
         world->sink.emit(diagnostic.range, kind) = std::move(diagnostic);
     }
     world->build(files);

@@ -178,6 +178,7 @@ public:
     // configuration.cpp
     void declareConfigurations();
     void buildTasks();
+    void tellFreewheeling(const syntax::TaskDecl& task);
     void applyVarConfig();
     void addAccess(const syntax::VarDecl& declaration, const image::Place& place, std::string list);
     void accessAddress(const syntax::VarDecl& declaration, const Scope& scope);
@@ -192,6 +193,9 @@ public:
     void checkUsage();
     void gatherConfigured();
     void checkUnusedGlobals();
+    void useNamesIn(SourceRange range);
+    void checkUnusedActions();
+    void checkAddressSize(const Variable& variable, std::string_view text, SourceRange range);
     void checkRecursion();
 
     const SourceSet& sources;

@@ -73,12 +73,12 @@ TEST(Format, KnowsChartsTypesAndConfigurations) {
                    "from S0 to( S0 , S1 ):=x;\nend_transition\naction a :\nx:=1;\nend_action\nend_program\n"
                    "configuration c\nresource r on cpu\ntask t( interval:=T#1s );\nprogram q with t : p( i:=%IX0.0 "
                    ");\nend_resource\nend_configuration\ntest 'x'\nrun 3 scans;\nassert a=b,'m';\nend_test\n"),
-              "TYPE a : (red,\n        green := 2) int;\n    s : STRUCT\n        x : ARRAY[1..3] OF int;\n    "
+              "TYPE a : (red,\n    green := 2) int;\ns : STRUCT\n    x : ARRAY[1..3] OF int;\n"
               "END_STRUCT\nEND_TYPE\nPROGRAM p\nINITIAL_STEP S0 {minTime := T#1s}:\n    a(N); b(D, T#1s);\nEND_STEP\n"
-              "TRANSITION t1 (PRIORITY := 1) FROM S0 TO (S0, S1) := x;\nEND_TRANSITION\nACTION a:\n    x := "
+              "TRANSITION t1 (PRIORITY := 1) FROM S0 TO (S0, S1) := x;\nEND_TRANSITION\nACTION a:\nx := "
               "1;\nEND_ACTION\nEND_PROGRAM\n"
               "CONFIGURATION c\n    RESOURCE r ON cpu\n        TASK t(interval := T#1s);\n        PROGRAM q WITH t : "
-              "p(i := %IX0.0);\n    END_RESOURCE\nEND_CONFIGURATION\nTEST 'x'\n    RUN 3 SCANS;\n    ASSERT a = b, "
+              "p(i := %IX0.0);\n    END_RESOURCE\nEND_CONFIGURATION\nTEST 'x'\nRUN 3 SCANS;\nASSERT a = b, "
               "'m';\nEND_TEST\n");
 }
 
@@ -142,6 +142,6 @@ TEST(Format, AlignsTheColonsOfNeighbouringDeclarations) {
         tidied,
         "PROGRAM p\nVAR\n    a            : INT := 3; // one\n    longer, and2 : BOOL;     // two\n    x AT %IX0.0  : "
         "BOOL;\n\n    small : INT;\nEND_VAR\na := 3;\nCASE a OF\n    1: a := 2;\nEND_CASE\nEND_PROGRAM\n"
-        "TYPE T : STRUCT\n        a   : INT;\n        bbb : REAL := 1.5;\n    END_STRUCT END_TYPE\n");
+        "TYPE T : STRUCT\n    a   : INT;\n    bbb : REAL := 1.5;\nEND_STRUCT END_TYPE\n");
     EXPECT_EQ(tidy(tidied, options), tidied);
 }
