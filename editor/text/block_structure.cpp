@@ -43,6 +43,7 @@ constexpr Opener kOpeners[] = {
     {"PROPERTY", "END_PROPERTY"},
     {"ACTION", "END_ACTION"},
     {"INTERFACE", "END_INTERFACE"},
+    {"CLASS", "END_CLASS"},
     {"NAMESPACE", "END_NAMESPACE"},
     {"STEP", "END_STEP"},
     {"INITIAL_STEP", "END_STEP"},

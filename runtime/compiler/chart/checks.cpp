@@ -142,7 +142,8 @@ void checkDoubles(const Chart& chart, Sink& sink) {
 void checkFinalSteps(const Chart& chart, Sink& sink) {
     for (uint32_t i = 0; i < chart.steps.size(); ++i) {
         const Step& step = chart.steps[i];
-        const bool stands = step.decl->isInitial || !step.in.empty(); // else told as not reached
+        // else told as not reached; alone beside other networks it is always active on purpose
+        const bool stands = !step.in.empty() || (step.decl->isInitial && chart.networks == 1);
         if (step.out.empty() && stands && step.decl->name.isValid() && chart.find(step.decl->name.text) == StepId(i))
             sink.emit(step.decl->name.range, Kind::FinalStep, {std::string(step.decl->name.text)});
     }

@@ -454,7 +454,7 @@ Stmt* Parser::parseCase() {
             }
             if (atStatementEnd() || atDeclaration() || atPouMember()) break;
             CaseArm arm;
-            if (atCaseLabel()) {
+            if (atCaseLabel() || at(TokenKind::IntegerLiteral)) { // the colon may be what is missing
                 parseCaseLabels(arm);
             } else {
                 expected("a CASE label");

@@ -409,11 +409,11 @@ TypeSpec* Parser::parseArraySpec() {
     advance();
     const bool isRound = at(TokenKind::LeftParen); // ARRAY(1..3)
     const TokenKind close = isRound ? TokenKind::RightParen : TokenKind::RightBracket;
-    diagnostics::Diagnostic* rounded = nullptr;
     if (isRound) {
-        const SourceRange range = rangeOf(peek());
-        rounded = report(range, Kind::Expected, {"[", "("});
-        if (rounded) rounded->fixes.push_back({"Write [ ]", {{range, "["}}});
+        size_t end = 1; // its other end
+        while (end < 40 && kind(end) != TokenKind::RightParen && kind(end) != TokenKind::EndOfFile) ++end;
+        if (auto* d = report(rangeOf(peek()), Kind::Expected, {"[", "("}); d && kind(end) == TokenKind::RightParen)
+            d->fixes.push_back({"Write [ ]", {{rangeOf(peek()), "["}, {rangeOf(peek(end)), "]"}}});
         advance();
         m_lastErrorAt = SIZE_MAX;
     }

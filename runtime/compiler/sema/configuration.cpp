@@ -333,6 +333,7 @@ void World::applyVarConfig() {
 ///   ok:    TASK Slow(INTERVAL := T#1s);  TASK Free(SINGLE := FALSE);     advice: TASK Slow(PRIORITY := 1);  (P3035)
 void World::tellFreewheeling(const syntax::TaskDecl& task) {
     const SourceRange range = task.interval ? task.interval->range : task.name.range;
+    if (!range.file.isValid()) return; // a task without a name is told as that
     auto& diagnostic = emit(range, Kind::FreewheelingTask, {std::string(task.name.text)});
     if (task.interval) {
         diagnostic.fixes.push_back({"Write T#10ms", {{range, "T#10ms"}}});

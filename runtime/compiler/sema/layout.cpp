@@ -113,6 +113,7 @@ void World::locate(Variable& variable, std::string_view text) {
                                   ? variable.declaration->addressRange
                                   : variable.range;
     if (!address || address->byte > kMaximumAddress) {
+        if (hasSyntaxErrorAt(range)) return;
         emit(range, Kind::AddressOutOfRange, {std::string(text), "%I, %Q or %M"});
         return;
     }
