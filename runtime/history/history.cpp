@@ -212,8 +212,10 @@ Segment* History::State::containing(Position position) const {
 Statistics History::statistics() const {
     const Epochs::Pin pin = m->epochs.pin();
     Statistics statistics;
+    // The oldest first: read after the end, it could have moved past it, and a full history would look empty.
+    const Position oldest = m->oldest();
     statistics.end = m->end.load(std::memory_order_acquire);
-    statistics.first = std::min(statistics.end, m->oldest());
+    statistics.first = std::min(statistics.end, oldest);
     statistics.scans = statistics.end - statistics.first;
     statistics.bytes = m->bytes.load(std::memory_order_relaxed);
     statistics.budget = m->budget.load(std::memory_order_relaxed);
