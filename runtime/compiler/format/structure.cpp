@@ -347,7 +347,10 @@ void Structure::chart(const SfcBody& chart) {
                 soft(m_tokens[i].begin);
         if (!t->ilCondition.empty()) body({.language = BodyLanguage::Il, .statements = t->ilCondition});
     }
-    for (const ActionDecl* a : chart.actions) action(*a);
+    for (const ActionDecl* a : chart.actions) {
+        inside(a->range); // beside steps, which are indented
+        action(*a);
+    }
 }
 
 void Structure::configuration(const ConfigurationDecl& configuration) {

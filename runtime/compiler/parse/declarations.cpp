@@ -135,6 +135,8 @@ Decl* Parser::parseDeclaration() {
                 break;
             case SoftWord::Class: // edition 3: a block without a body
                 decl->pou = parsePou(PouKind::FunctionBlock, TokenKind::EndClass);
+                if (const Body& body = decl->pou->body; body.language != BodyLanguage::None)
+                    m_sink.emit(body.range, Kind::NotAllowedHere, {"A body", "a CLASS"});
                 decl->range = rangeFrom(first);
                 return decl;
             case SoftWord::Interface:

@@ -174,7 +174,7 @@ public:
     void missingSemicolon(bool accepted);
     void endStatement();
     /// `END_IF` and the like; on another word says what is missing and for which word.
-    bool expectEnd(TokenKind end, const Token& opening);
+    bool expectEnd(TokenKind end, const Token& opening, SourceRange elseIf = {});
     void skipStatement();
     void skipTo(std::initializer_list<TokenKind> kinds);
     bool startsStatement(size_t ahead = 0) const;

@@ -241,10 +241,11 @@ void Parser::skipTo(std::initializer_list<TokenKind> kinds) {
 
 bool Parser::endIsOpen(TokenKind end) const { return std::find(m_open.begin(), m_open.end(), end) != m_open.end(); }
 
-bool Parser::expectEnd(TokenKind end, const Token& opening) {
+bool Parser::expectEnd(TokenKind end, const Token& opening, SourceRange elseIf) {
     if (take(end)) return true;
     const std::string word(lex::spelling(end));
     Diagnostic* diagnostic = report(rangeOf(opening), Kind::MissingEnd, {word, shown(opening)});
+    if (diagnostic && elseIf.file.isValid()) diagnostic->fixes.push_back({"Write ELSIF", {{elseIf, "ELSIF"}}});
     insertFix(diagnostic, "\n" + word + ";");
     return false;
 }

@@ -358,11 +358,13 @@ Stmt* Parser::parseIf() {
     Stmt* stmt = makeStmt(StmtKind::If);
     const Token opening = peek();
     bool hasElse = false;
+    SourceRange elseIf; // ELSE IF: ELSIF may be meant
     do {
         IfBranch branch;
         const size_t first = mark();
         if (take(TokenKind::Else)) {
             hasElse = true;
+            if (at(TokenKind::If) && !peek().afterNewline) elseIf = joined(rangeOf(previous()), rangeOf(peek()));
         } else {
             advance(); // IF or ELSIF
             branch.condition = parseCondition();
@@ -374,7 +376,7 @@ Stmt* Parser::parseIf() {
         if (hasElse && (at(TokenKind::Else) || at(TokenKind::Elsif)) && !(m_inCaseArm && at(TokenKind::Else)))
             report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
     } while ((at(TokenKind::Elsif) || at(TokenKind::Else)) && !(hasElse && m_inCaseArm));
-    if (expectEnd(TokenKind::EndIf, opening)) take(TokenKind::Semicolon);
+    if (expectEnd(TokenKind::EndIf, opening, elseIf)) take(TokenKind::Semicolon);
     return stmt;
 }
 

@@ -171,6 +171,7 @@ public:
     Operand signatureCall(const library::Signature& signature, const syntax::Expr& e, TypeId hint);
     Operand operatorCall(const library::Signature& signature, std::vector<Operand> operands, const syntax::Expr& e,
                          TypeId hint);
+    bool suitsConversion(const Operand& literal, TypeId from) const;
     Operand conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e,
                            TypeId hint);
     Operand specialCall(const library::Signature& signature, const syntax::Expr& e, TypeId hint);

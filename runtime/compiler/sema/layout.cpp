@@ -214,11 +214,11 @@ void World::layoutGlobals() {
                 placed.emplace_back(&variable, layout.roots.size() - 1);
                 return;
             }
-            if (!address)
+            if (!address && !hasSyntaxErrorAt(variable.declaration->addressRange))
                 emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange
                                                                        : variable.range,
                      Kind::AddressOutOfRange, {std::string(variable.declaration->address), "%I, %Q or %M"});
-            else
+            else if (address)
                 openAddresses.push_back({&variable, false});
         }
         const types::Type& type = types[variable.type];

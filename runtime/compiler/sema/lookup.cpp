@@ -48,13 +48,36 @@ World::Found World::lookupIn(Space& space, NameId id) {
     return found;
 }
 
+bool World::hasWanted(const Found& f, bool wantsType) {
+    return wantsType ? f.entity.type || (f.entity.unit && f.entity.unit->type.isValid()) || f.space : !f.isNothing();
+}
+
+/// Namespaces named by USING are equals: what two of them have must be written with its namespace (ed. 3, 6.9).
+///   ok:    USING A; USING B; … x := A.F();      wrong: USING A; USING B; … x := F(); where both have F  (P2024)
+World::Found World::lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType) {
+    Found first;
+    std::vector<std::string> where;
+    bool onlyEnumerators = true; // which the type wanted can tell apart
+    for (Space* space : used) {
+        Found next = lookupIn(*space, id);
+        if (!hasWanted(next, wantsType) || std::find(where.begin(), where.end(), space->qualified) != where.end())
+            continue;
+        where.push_back(space->qualified);
+        onlyEnumerators = onlyEnumerators && !next.enumerators.empty() && !next.entity.variable && !next.entity.unit &&
+                          !next.entity.type && !next.list && !next.space;
+        if (where.size() == 1)
+            first = std::move(next);
+        else
+            first.enumerators.insert(first.enumerators.end(), next.enumerators.begin(), next.enumerators.end());
+    }
+    if (where.size() > 1 && !onlyEnumerators) first.ambiguous = std::move(where);
+    return first;
+}
+
 World::Found World::lookup(const Scope& scope, NameId id, bool wantsType) {
     if (!id.isValid()) return {};
     Found found;
-    const auto isEnough = [&](const Found& f) {
-        return wantsType ? f.entity.type || (f.entity.unit && f.entity.unit->type.isValid()) || f.space
-                         : !f.isNothing();
-    };
+    const auto isEnough = [&](const Found& f) { return hasWanted(f, wantsType); };
     const auto enumeratorsIn = [&](Unit& unit) {
         const auto it = unit.enumerators.find(id);
         if (it != unit.enumerators.end() && found.enumerators.empty()) found.enumerators = it->second;
@@ -73,26 +96,20 @@ World::Found World::lookup(const Scope& scope, NameId id, bool wantsType) {
     for (const Unit* unit = scope.unit; unit; unit = unit->owner) {
         const auto used = unitUsings.find(unit);
         if (used == unitUsings.end()) continue;
-        for (Space* space : used->second) {
-            found = lookupIn(*space, id);
-            if (isEnough(found)) return found;
-        }
+        found = lookupUsed(used->second, id, wantsType);
+        if (isEnough(found)) return found;
     }
     bool searchedTop = false;
     for (Space* space = scope.space; space; space = space->parent) {
         searchedTop = searchedTop || space == &top;
         found = lookupIn(*space, id);
         if (isEnough(found)) return found;
-        for (Space* used : space->usings) {
-            found = lookupIn(*used, id);
-            if (isEnough(found)) return found;
-        }
+        found = lookupUsed(space->usings, id, wantsType);
+        if (isEnough(found)) return found;
     }
     if (const auto it = fileUsings.find(scope.file); it != fileUsings.end()) {
-        for (Space* used : it->second) {
-            found = lookupIn(*used, id);
-            if (isEnough(found)) return found;
-        }
+        found = lookupUsed(it->second, id, wantsType);
+        if (isEnough(found)) return found;
     }
     if (!searchedTop) {
         found = lookupIn(top, id);
@@ -120,6 +137,20 @@ World::Found World::lookupPath(const Scope& scope, const syntax::Path& path) {
     return found;
 }
 
+/// What a namespace has.
+void World::addNames(const Space& space, std::vector<std::string>& out) {
+    for (const auto& [id, entities] : space.entities)
+        for (const Entity& entity : entities)
+            out.push_back(entity.variable ? entity.variable->name
+                          : entity.unit   ? entity.unit->name
+                                          : entity.type->name);
+    for (const auto& [id, refs] : space.enumerators)
+        out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
+    for (const auto& [id, list] : space.lists)
+        if (!list->name.empty()) out.push_back(list->name);
+    for (const auto& [id, child] : space.spaces) out.push_back(child->name);
+}
+
 std::vector<std::string> World::visibleNames(const Scope& scope) {
     std::vector<std::string> out;
     if (!frozen && suggestions > kMaximumSuggestions) return out;
@@ -134,20 +165,17 @@ std::vector<std::string> World::visibleNames(const Scope& scope) {
     };
     for (Unit* unit = scope.unit; unit; unit = unit->owner)
         for (Unit* base = unit; base; base = base->base) addUnit(*base);
-    const auto addSpace = [&](const Space& space) {
-        for (const auto& [id, entities] : space.entities)
-            for (const Entity& entity : entities)
-                out.push_back(entity.variable ? entity.variable->name
-                              : entity.unit   ? entity.unit->name
-                                              : entity.type->name);
-        for (const auto& [id, refs] : space.enumerators)
-            out.push_back(types[refs.front().type->type].enumerators[refs.front().index].name);
-        for (const auto& [id, list] : space.lists)
-            if (!list->name.empty()) out.push_back(list->name);
-        for (const auto& [id, child] : space.spaces) out.push_back(child->name);
+    const auto addSpaces = [&](const std::vector<Space*>& spaces) {
+        for (const Space* space : spaces) addNames(*space, out);
     };
-    for (Space* space = scope.space; space; space = space->parent) addSpace(*space);
-    for (Space* library : libraries) addSpace(*library);
+    for (const Unit* unit = scope.unit; unit; unit = unit->owner)
+        if (const auto it = unitUsings.find(unit); it != unitUsings.end()) addSpaces(it->second);
+    for (Space* space = scope.space; space; space = space->parent) {
+        addNames(*space, out);
+        addSpaces(space->usings);
+    }
+    if (const auto it = fileUsings.find(scope.file); it != fileUsings.end()) addSpaces(it->second);
+    addSpaces(libraries);
     for (const library::Signature& signature : library::signatures()) out.emplace_back(signature.name);
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());

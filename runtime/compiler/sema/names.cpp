@@ -537,11 +537,23 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
     case DK::List: {
         const auto it = from.list->variables.find(id);
         if (it != from.list->variables.end()) return ofVariable(*it->second, nullptr, e.range, access);
-        emit(e.name.range, Kind::UnknownMember, {from.list->name, std::string(e.name.text)});
+        std::vector<std::string> candidates;
+        for (const auto& [known, variable] : from.list->variables) candidates.push_back(variable->name);
+        world.suggest(emit(e.name.range, Kind::UnknownMember, {from.list->name, std::string(e.name.text)}),
+                      e.name.range, e.name.text, candidates);
         return {};
     }
-    case DK::Space:
-        return found(world.lookupIn(*from.space, id), e.name, access, hint);
+    case DK::Space: {
+        const World::Found result = world.lookupIn(*from.space, id);
+        const bool isStandard = library::findSignature(e.name.text) || library::findConversion(e.name.text);
+        if (!result.isNothing() || isStandard || elementaryNamed(e.name.text))
+            return found(result, e.name, access, hint);
+        std::vector<std::string> candidates;
+        world.addNames(*from.space, candidates);
+        world.suggest(emit(e.name.range, Kind::UnknownMember, {from.space->qualified, std::string(e.name.text)}),
+                      e.name.range, e.name.text, candidates);
+        return {};
+    }
     case DK::Standard:
         emit(base.range, Kind::NoValue, {textOf(base.range)});
         return {};

@@ -405,6 +405,17 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
     return withEnable(intrinsic(code, result, operands, e.range, signature.selector), arguments, e.range);
 }
 
+/// A literal as the argument of a conversion named by types.
+///   ok:    INT_TO_STRING(5); BOOL_TO_INT(TRUE);      wrong: STRING_TO_INT(5); INT_TO_STRING('x'); TIME_TO_INT(5);
+bool Checker::suitsConversion(const Operand& literal, TypeId from) const {
+    const Family family = types.family(from);
+    const bool isNumber = std::holds_alternative<int64_t>(literal.expr->value.data) ||
+                          std::holds_alternative<double>(literal.expr->value.data);
+    const bool isText = types.isText(literal.type()) || types.family(literal.type()) == Family::Character;
+    if (isText || !isNumber) return types.isText(from) || family == Family::Character;
+    return types::isInteger(family) || family == Family::Real;
+}
+
 Operand Checker::conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e,
                                 TypeId hint) {
     Signature signature;
@@ -433,7 +444,7 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
         if (operand.isFlexible && conversion.how == How::Convert && types::isInteger(types.family(from)) &&
             !fits(operand.expr->value, from) && std::holds_alternative<int64_t>(operand.expr->value.data))
             operand = converted(operand, from);
-        else if (operand.isFlexible)
+        else if (operand.isFlexible && suitsConversion(operand, from))
             operand = convertNode(operand, types.isText(from) ? smallestType(operand) : from);
         else if (types.isText(from) && types.isText(operand.type()))
             operand = convertedText(operand, from);

@@ -137,7 +137,7 @@ Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
     }
     case Denoted::Kind::Property:
         if (!denoted.property->set) {
-            emit(e.range, Kind::NotAssignable, {denoted.property->name});
+            emit(e.range, Kind::NotAssignable, {denoted.property->name + " (a property without SET)"});
             return {};
         }
         if (type) *type = world.typeOf(denoted.property->set->variables.front());

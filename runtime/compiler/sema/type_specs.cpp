@@ -98,6 +98,14 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
         emit(range, Kind::UnknownType, {text}).fixes.push_back({"Write " + own, {{range, own}}});
         return unknown;
     }
+    if (path.size() > 1) { // a name of a namespace that has no such type
+        const Found around = lookupPath(scope, {path.begin(), path.end() - 1});
+        std::vector<std::string> names;
+        if (around.space) addNames(*around.space, names);
+        suggest(emit(around.space ? path.back().range : range, Kind::UnknownType, {text}), path.back().range,
+                path.back().text, names);
+        return unknown;
+    }
     std::vector<std::string> candidates;
     const auto collect = [&](const Space& space) {
         for (const auto& [id, entities] : space.entities)

@@ -107,6 +107,9 @@ public:
     [[nodiscard]] Member findMember(Unit& unit, NameId id);
     [[nodiscard]] Found lookup(const Scope& scope, NameId id, bool wantsType = false);
     [[nodiscard]] Found lookupIn(Space& space, NameId id);
+    [[nodiscard]] Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType);
+    [[nodiscard]] static bool hasWanted(const Found& found, bool wantsType);
+    void addNames(const Space& space, std::vector<std::string>& out);
     [[nodiscard]] Found lookupPath(const Scope& scope, const syntax::Path& path);
     [[nodiscard]] std::vector<std::string> visibleNames(const Scope& scope);
     [[nodiscard]] std::vector<std::string> memberNames(TypeId type);

@@ -45,10 +45,18 @@ std::string contents(std::string_view text) {
     return out;
 }
 
+std::vector<fs::path> examples() {
+    std::vector<fs::path> out;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(STEPWISE_SOURCE_DIR) / "projects/examples"))
+        if (entry.path().extension() == ".st") out.push_back(entry.path());
+    return out;
+}
+
 std::vector<fs::path> texts() {
     std::vector<fs::path> out;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(STEPWISE_SOURCE_DIR) / "runtime/library/st"))
         if (entry.path().extension() == ".st") out.push_back(entry.path());
+    for (const fs::path& path : examples()) out.push_back(path);
     if (const char* corpus = std::getenv("STEPWISE_CORPUS"))
         for (const auto& entry : fs::directory_iterator(fs::path(corpus) / "st")) out.push_back(entry.path());
     return out;
@@ -75,11 +83,27 @@ TEST(Format, KnowsChartsTypesAndConfigurations) {
                    ");\nend_resource\nend_configuration\ntest 'x'\nrun 3 scans;\nassert a=b,'m';\nend_test\n"),
               "TYPE a : (red,\n    green := 2) int;\ns : STRUCT\n    x : ARRAY[1..3] OF int;\n"
               "END_STRUCT\nEND_TYPE\nPROGRAM p\nINITIAL_STEP S0 {minTime := T#1s}:\n    a(N); b(D, T#1s);\nEND_STEP\n"
-              "TRANSITION t1 (PRIORITY := 1) FROM S0 TO (S0, S1) := x;\nEND_TRANSITION\nACTION a:\nx := "
+              "TRANSITION t1 (PRIORITY := 1) FROM S0 TO (S0, S1) := x;\nEND_TRANSITION\nACTION a:\n    x := "
               "1;\nEND_ACTION\nEND_PROGRAM\n"
               "CONFIGURATION c\n    RESOURCE r ON cpu\n        TASK t(interval := T#1s);\n        PROGRAM q WITH t : "
               "p(i := %IX0.0);\n    END_RESOURCE\nEND_CONFIGURATION\nTEST 'x'\nRUN 3 SCANS;\nASSERT a = b, "
               "'m';\nEND_TEST\n");
+}
+
+TEST(Format, LeavesTestsActionsAndNamedTypesAsDeepAsTheirUnits) {
+    const std::string text =
+        "TYPE Point :\nSTRUCT\n    x, y : REAL;\nEND_STRUCT\nEND_TYPE\nPROGRAM p\nVAR\n    a : INT;\n"
+        "END_VAR\nIF a > 3 THEN\n    Count();\nEND_IF\n\nACTION Count:\na := a + 1;\nIF a > 5 THEN\n"
+        "    a := 0;\nEND_IF\nEND_ACTION\nEND_PROGRAM\nTEST 'counts'\nVAR\n    n : INT;\nEND_VAR\n"
+        "RUN 3 SCANS;\nFOR n := 1 TO 3 DO\n    ASSERT p.a > 0;\nEND_FOR\nEND_TEST\n";
+    EXPECT_EQ(tidy(text), text);
+}
+
+TEST(Format, ExamplesStandAsItLeavesThem) {
+    for (const fs::path& path : examples()) {
+        const std::string text = readFile(path);
+        EXPECT_EQ(tidy(text), text) << path << ": stepwise fmt";
+    }
 }
 
 TEST(Format, KeepsContinuationsRelativeAndInstructionListsAsTheyAre) {
