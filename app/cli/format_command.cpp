@@ -38,6 +38,7 @@ std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> out;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) out.push_back(line);
+    if (!text.empty() && text.back() != '\n') out.back() += " (no line end)";
     return out;
 }
 

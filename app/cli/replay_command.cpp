@@ -165,7 +165,7 @@ Command replayCommand() {
               {"--watch", "EXPR", "a value to show (repeatable; default: all variables)"},
               {"--csv", "FILE", "write every recorded scan"},
               {"--format", "text|json", "text (default) or one JSON object"}},
-             "stepwise replay motor.rec --at 1.5s --watch Main.K1"},
+             "stepwise replay motor.rec --at 1.5s --watch IO.K1"},
             replay};
 }
 

@@ -9,6 +9,7 @@
 #include "runtime/types/conversion.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
@@ -69,6 +70,23 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
     return plan;
 }
 
+/// A folder that is not there is told before hours are simulated, not after.
+Result<void> checkFolder(const std::string& file, const char* what) {
+    std::error_code ignored;
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return {};
+    return Error{std::string("There is no folder for the ") + what + "; create " + folder.string() +
+                     " or name another place",
+                 file};
+}
+
+/// Why a run with --until ended before; nothing when it did come true.
+std::string untilProblem(const RunPlan& plan, const std::string& text, const controller::Controller& controller) {
+    if (!plan.until.isValid() || controller.fault() || plan.until.isTrue(controller.image())) return {};
+    const expression::Outcome last = plan.until.evaluate(controller.image());
+    return "--until " + text + (last.hasValue() ? " did not come true" : " has no value: " + last.reason);
+}
+
 /// Drives the controller scan by scan and hands each finished scan to the CSV.
 Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::Session& session, CsvWriter& csv) {
     controller::Controller& controller = session.controller();
@@ -126,6 +144,9 @@ int run(const Arguments& arguments) {
     session::Settings settings;
     settings.record = arguments.has("--record");
     settings.retainFile = arguments.value("--retain").value_or("");
+    for (const auto& [option, what] : {std::pair{"--retain", "retain file"}, {"--record", "recording"}})
+        if (const auto file = arguments.value(option))
+            if (auto good = checkFolder(*file, what); !good) return wrongUse(good.error());
     if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
         return wrongUse(start.error());
     else if (*start)
@@ -147,16 +168,24 @@ int run(const Arguments& arguments) {
 
     if (const std::string problem = session.status().retainProblem; !problem.empty())
         std::cerr << "stepwise: " << problem << "\n";
+    if (const std::string problem = untilProblem(*plan, arguments.value("--until").value_or(""), session.controller());
+        !problem.empty())
+        std::cerr << "stepwise: " << problem << "\n";
     RunReport report{session.controller(), built, plan->watches, arguments.has("--stats")};
-    const std::string text = json ? report.toJson() : report.toText(wantsColours(1));
+    (arguments.value("--csv") == "-" ? std::cerr : std::cout)
+        << (json ? report.toJson() : report.toText(wantsColours(1)));
     const bool faulted = session.controller().state() == controller::State::Fault;
     session.controller().stop();
-    if (auto closed = csv.close(); !closed) return wrongUse(closed.error());
-    if (const auto file = arguments.value("--record"))
-        if (auto saved = session.history().save(*file); !saved) return wrongUse(saved.error());
-    if (!settings.retainFile.empty())
-        if (auto saved = session.saveRetained(); !saved) return wrongUse(saved.error());
-    (arguments.value("--csv") == "-" ? std::cerr : std::cout) << text;
+    // One file that can not be written costs neither the values nor the other files.
+    std::optional<Error> problem;
+    const auto note = [&](const Result<void>& done) {
+        if (!done && problem) std::cerr << "stepwise: " << done.error().text() << "\n";
+        if (!done && !problem) problem = done.error();
+    };
+    note(csv.close());
+    if (const auto file = arguments.value("--record")) note(session.history().save(*file));
+    if (!settings.retainFile.empty()) note(session.saveRetained());
+    if (problem) return wrongUse(*problem);
     return faulted ? kProgramWrong : kGood;
 }
 
@@ -182,7 +211,9 @@ Command runCommand() {
               {"--stats", "", "also task statistics"},
               {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
               {"--format", "text|json", "text (default) or one JSON object"}},
-             "stepwise run projects/examples/motor --for 5s --set 'Main.S1=TRUE@1s' --watch Main.K1 --csv motor.csv"},
+             "stepwise run projects/examples/motor --for 5s --set 'Plant.StartButton=TRUE@1s' --watch IO.K1 --csv "
+             "motor.csv "
+             "--record motor.rec"},
             run};
 }
 

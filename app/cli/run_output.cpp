@@ -20,7 +20,15 @@ std::vector<Watch> allVariables(const driver::Built& built) {
         if (auto expression = driver::compileExpression(built.checked, path)) out.push_back({path, *expression});
     };
     for (const image::Root& root : layout.roots) {
-        if (root.isHidden || root.constant || !root.space.empty()) continue;
+        if (root.isHidden || root.constant) continue;
+        if (!root.space.empty()) { // a namespace of the project; those of libraries are theirs
+            const std::string& file =
+                root.declaration.file.isValid() ? built.program->sources[root.declaration.file].path() : root.space;
+            if (std::any_of(built.input->files.begin(), built.input->files.end(),
+                            [&](const driver::SourceFile& source) { return source.path == file; }))
+                add(root.space + "." + root.name);
+            continue;
+        }
         if (root.area != image::Area::Program) {
             add(root.list.empty() ? root.name : root.list + "." + root.name);
             continue;
@@ -49,7 +57,7 @@ Result<std::optional<int64_t>> calendarStart(const std::string& text) {
 
 std::string csvValue(const types::TypeTable& types, const Value& value) {
     if (!value.hasValue()) return {};
-    if (std::holds_alternative<std::string>(value.data) || std::holds_alternative<std::u16string>(value.data)) {
+    if (types.isText(value.type) || types.family(value.type) == types::Family::Character) {
         std::string json = types::toJson(types, value);
         return json.size() >= 2 && json.front() == '"' ? nlohmann::json::parse(json, nullptr, false).get<std::string>()
                                                        : json;
@@ -163,9 +171,17 @@ std::string RunReport::toText(bool colours) const {
                fault->message + "\n";
         out += "  in task " + fault->task + " at " + placeText(built, fault->range) + ", scan " +
                std::to_string(fault->scan) + ", " + types::durationText(fault->time.count()) + "\n";
-        for (const controller::FaultFrame& frame : fault->calls)
+        constexpr size_t kFirst = 12, kLast = 4; // of a recursion the ends tell what the middle repeats
+        const size_t count = fault->calls.size();
+        for (size_t i = 0; i < count; ++i) {
+            if (i == kFirst && count > kFirst + kLast + 1) {
+                i = count - kLast;
+                out += "  … " + std::to_string(i - kFirst) + " more calls …\n";
+            }
+            const controller::FaultFrame& frame = fault->calls[i];
             out += "  " + frame.function + (frame.instance.empty() ? "" : " (" + frame.instance + ")") + " at " +
                    placeText(built, frame.range) + "\n";
+        }
     }
     if (controller.simulationFault())
         out += "simulation stopped: " + controller.simulationFault()->message + " at " +

@@ -213,7 +213,7 @@ Command traceCommand() {
           {"--scale", "1", "pixels per unit of a .png"},
           {"--dark", "", "dark colours"},
           {"--library", "NAME", "a library the files use, besides the standard (repeatable)"}},
-         "stepwise trace projects/examples/pid_pt1 --channels Main.setPoint,Main.actual --for 20s --picture loop.png "
+         "stepwise trace projects/examples/pid_pt1 --channels Main.SetPoint,IO.Measured --for 20s --picture loop.png "
          "--statistics"},
         run};
 }

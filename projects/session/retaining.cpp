@@ -3,20 +3,31 @@
 #include "projects/session/session_state.h"
 #include "runtime/controller/retain.h"
 
+#include <cstdio>
+#include <sys/stat.h>
+
 namespace plc::session {
 
 void Session::State::loadRetained() {
     if (settings.retainFile.empty()) return;
     const Result<std::vector<controller::RetainedLeaf>> leaves = controller::loadRetain(settings.retainFile);
     if (!leaves) {
-        shared.retainProblem = leaves.error().text();
+        // What can not be read is kept aside: it would be written over at the next save, and may be a file named by
+        // mistake.
+        const std::string aside = settings.retainFile + ".damaged";
+        struct stat known {};
+        const bool isKept = ::stat(settings.retainFile.c_str(), &known) == 0 && S_ISREG(known.st_mode) &&
+                            known.st_size > 0 && std::rename(settings.retainFile.c_str(), aside.c_str()) == 0;
+        shared.retainProblem = leaves.error().text() + (isKept ? "; it is kept as " + aside : "");
         return;
     }
     const controller::RetainOutcome outcome = controller::restoreRetained(controller, *leaves);
     if (outcome.lost.empty()) return;
+    std::string names;
+    for (size_t i = 0; i < outcome.lost.size() && i < 8; ++i) names += (i ? ", " : "") + outcome.lost[i];
     shared.retainProblem = std::to_string(outcome.lost.size()) +
-                           " retained values do not fit the program any more: " + outcome.lost.front() +
-                           (outcome.lost.size() > 1 ? ", …" : "");
+                           (outcome.lost.size() == 1 ? " retained value does" : " retained values do") +
+                           " not fit the program any more: " + names + (outcome.lost.size() > 8 ? ", …" : "");
 }
 
 Result<void> Session::State::saveRetained(const image::Layout& layout, std::span<const std::byte> image) const {

@@ -1,36 +1,111 @@
 #include "projects/session/value_text.h"
 
+#include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
+
+#include <cmath>
 
 namespace plc::session {
 
+namespace {
+
+using types::Family;
+using types::TypeKind;
 using types::Value;
+
+std::string namesOf(const types::TypeTable& types, types::TypeId type, const std::string& text) {
+    std::vector<std::string> names;
+    for (types::TypeId id = type; types.kind(id) == TypeKind::Enum || types.kind(id) == TypeKind::Subrange;
+         id = types[id].element)
+        for (const types::Enumerator& each : types[id].enumerators) names.push_back(each.name);
+    if (const auto near = nearestName(text, names)) return "; did you mean " + *near + "?";
+    std::string out;
+    for (size_t i = 0; i < names.size() && i < 8; ++i) out += (i ? ", " : "; its values are ") + names[i];
+    return out + (names.size() > 8 ? ", …" : "");
+}
+
+/// What to write instead, as the end of a message.
+std::string remedy(const types::TypeTable& types, types::TypeId type, const std::string& text) {
+    if (types.kind(type) == TypeKind::Enum) return namesOf(types, type, text);
+    switch (types.storageKind(type)) {
+    case TypeKind::String:
+        return "; write it in quotes, 'text', in the characters of Latin-1";
+    case TypeKind::Wstring:
+        return "; write it in quotes, \"text\"";
+    case TypeKind::Char:
+        return "; write one character in quotes, 'A'";
+    case TypeKind::Wchar:
+        return "; write one character in quotes, \"A\"";
+    case TypeKind::Array:
+        return "; write all elements, [1, 2], or one of them by its index";
+    case TypeKind::Struct:
+        return "; write its members, (x := 1, y := 2), or one of them by its path";
+    default:
+        break;
+    }
+    switch (types.family(type)) {
+    case Family::Bool:
+        return "; write TRUE or FALSE";
+    case Family::Duration:
+        return "; write for example T#1s500ms";
+    case Family::Date:
+        return "; write for example D#2026-01-31";
+    case Family::TimeOfDay:
+        return "; write for example TOD#06:30:00";
+    case Family::DateTime:
+        return "; write for example DT#2026-01-31-06:30:00";
+    case Family::Real:
+        return "; write a number, for example 1.5";
+    case Family::Bits:
+    case Family::Signed:
+    case Family::Unsigned:
+        return "; write a whole number, for example 5";
+    default:
+        return {};
+    }
+}
+
+/// What a conversion would silently lose: a fraction, the size of a number, which of many numbers a BOOL was.
+bool isLost(const types::TypeTable& types, types::TypeId type, const Value& from, const Value& to) {
+    const Family family = types.family(type);
+    const auto* real = std::get_if<double>(&from.data);
+    if (family == Family::Bool && real) return true;
+    if (family == Family::Bool) return std::holds_alternative<int64_t>(from.data) && from.integer() >> 1 != 0;
+    if (real && types::isInteger(family)) return std::nearbyint(*real) != *real;
+    if (const auto* single = std::get_if<double>(&to.data); real && single)
+        return std::isinf(*single) && !std::isinf(*real);
+    return types::isInteger(family) && std::holds_alternative<int64_t>(from.data) &&
+           std::holds_alternative<int64_t>(to.data) && to.integer() != from.integer();
+}
+
+} // namespace
 
 Result<Value> parseValue(const driver::Checked& checked, types::TypeId type, const std::string& text,
                          const std::string& path) {
     const types::TypeTable& types = *checked.analysis->program->types;
     const std::string typeName = types[type].name;
+    const Error wrong{text + " is not a value for " + path + ", which is " + typeName + remedy(types, type, text), ""};
+    const auto asShown = [&]() -> Result<Value> { // as a value is printed: whole arrays, characters, NaN
+        if (auto value = types::parseValue(types, type, text)) return *value;
+        return wrong;
+    };
+    if (types.isAggregate(type) || types.family(type) == Family::Character) return asShown();
     auto expression = driver::compileExpression(checked, text);
-    if (!expression && types.kind(type) == types::TypeKind::Enum) { // the bare name of one of its values
+    if (!expression && types.kind(type) == TypeKind::Enum) // the bare name of one of its values
         expression = driver::compileExpression(checked, typeName + "." + text);
-    }
-    const Error wrong{text + " is not a value for " + path + ", which is " + typeName, ""};
-    if (!expression) return wrong;
+    if (!expression) return types.family(type) == Family::Real ? asShown() : Result<Value>(wrong);
     const expression::Outcome outcome = expression->evaluate(std::span<const std::byte>());
     if (!outcome.hasValue()) return wrong;
-    if (expression->type() == type || types.isAggregate(type))
-        return expression->type() == type ? Result<Value>(outcome.value) : Result<Value>(wrong);
+    if (expression->type() == type) return outcome.value;
     const bool fromText = types.isText(expression->type()), toText = types.isText(type);
-    const bool toBool = types.storageKind(type) == types::TypeKind::Bool,
-               fromBool = types.storageKind(expression->type()) == types::TypeKind::Bool;
+    const bool toBool = types.storageKind(type) == TypeKind::Bool,
+               fromBool = types.storageKind(expression->type()) == TypeKind::Bool;
     if (fromText != toText || (fromBool && !toBool)) return wrong;
     bool ok = true;
     Value value = types::convert(types, outcome.value, type, &ok);
     if (!ok) return wrong;
-    const auto family = types.family(type);
-    if (types::isInteger(family) && std::holds_alternative<int64_t>(outcome.value.data) &&
-        std::holds_alternative<int64_t>(value.data) && value.integer() != outcome.value.integer())
-        return Error{text + " does not fit into " + path + ", which is " + typeName, ""};
+    if (isLost(types, type, outcome.value, value))
+        return Error{text + " does not fit into " + path + ", which is " + typeName + remedy(types, type, text), ""};
     return value;
 }
 

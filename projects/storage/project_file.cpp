@@ -212,9 +212,13 @@ Result<Project> openProject(const std::vector<std::string>& paths) {
     project.name = fs::path(paths.front()).stem().string();
     project.languages = {"en"};
     project.json = Json::object();
+    std::vector<fs::path> known; // a file named twice, also through a link, is one file
     for (const std::string& path : paths) {
         if (!fs::exists(path, ignored)) return Error{"There is no such file or folder", path};
         if (fs::is_directory(path, ignored)) return Error{"Name one project folder, or ST files, not both", path};
+        fs::path real = fs::canonical(path, ignored);
+        if (!ignored && std::find(known.begin(), known.end(), real) != known.end()) continue;
+        known.push_back(std::move(real));
         auto file = readSource(path, path);
         if (!file) return file.error();
         project.sources.push_back(std::move(*file));

@@ -176,15 +176,16 @@ std::string shortestReal(float value) { return shortest(value); }
 
 size_t editDistance(std::string_view left, std::string_view right) {
     const std::string a = foldCase(left), b = foldCase(right);
-    std::vector<size_t> row(b.size() + 1);
+    std::vector<size_t> earlier(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
     for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
     for (size_t i = 1; i <= a.size(); ++i) {
-        size_t diagonal = row[0];
+        earlier.swap(last);
+        last.swap(row);
         row[0] = i;
         for (size_t j = 1; j <= b.size(); ++j) {
-            const size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            diagonal = above;
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) // two letters changed places
+                row[j] = std::min(row[j], earlier[j - 2] + 1);
         }
     }
     return row[b.size()];

@@ -97,13 +97,13 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
 
     const std::string aside = file + ".new";
     const int handle = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (handle < 0) return fileError("the retain file can not be written", aside);
+    if (handle < 0) return fileError("the retain file can not be written", file);
     size_t done = 0;
     while (done < text.size()) {
         const ssize_t n = ::write(handle, text.data() + done, text.size() - done);
         if (n < 0 && errno == EINTR) continue;
         if (n <= 0) {
-            const Error error = fileError("the retain file can not be written", aside);
+            const Error error = fileError("the retain file can not be written", file);
             ::close(handle);
             ::unlink(aside.c_str());
             return error;

@@ -1,8 +1,6 @@
 // `stepwise run`: the CSV on the standard output, into a pipe and on a full disk; Ctrl+C while it waits; the exit
 // codes.
-#include "app/cli/command.h"
-
-#include <QTemporaryDir>
+#include "tests/app/cli/command_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -29,35 +27,13 @@ const char* const kCounter =
     "CONFIGURATION Plc\n    RESOURCE Cpu ON Pc\n        TASK Slow(INTERVAL := T#10ms, PRIORITY := 1);\n        PROGRAM "
     "Main WITH Slow : Main;\n    END_RESOURCE\nEND_CONFIGURATION\n";
 
-class RunCommand : public ::testing::Test {
+class RunCommand : public CommandTest {
 protected:
     void SetUp() override { write("main.st", kCounter); }
-    [[nodiscard]] std::string path(const std::string& name) const { return m_folder.path().toStdString() + "/" + name; }
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
-    }
-    [[nodiscard]] std::string read(const std::string& name) const {
-        std::ifstream in(path(name), std::ios::binary);
-        std::stringstream text;
-        text << in.rdbuf();
-        return text.str();
-    }
     int run(std::vector<std::string> words) {
         words.insert(words.begin(), "run");
-        std::ostringstream outText, errText;
-        std::streambuf* const oldOut = std::cout.rdbuf(outText.rdbuf());
-        std::streambuf* const oldErr = std::cerr.rdbuf(errText.rdbuf());
-        const int code = cli::runCommandLine(words);
-        std::cout.rdbuf(oldOut);
-        std::cerr.rdbuf(oldErr);
-        out = outText.str();
-        err = errText.str();
-        return code;
+        return command(words);
     }
-    std::string out, err;
-
-private:
-    QTemporaryDir m_folder;
 };
 
 const std::string kThreeRows = "time_s,scan,Main.count\r\n0,0,1\r\n0.01,1,2\r\n0.02,2,3\r\n";
