@@ -11,6 +11,7 @@
 #include "app/tour.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
+#include "editor/kit/post.h"
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
@@ -205,30 +206,27 @@ void MainWindow::runTests() {
     m_isTesting = true;
     m_tester = std::thread([this, project = std::move(project)] {
         auto report = testing::runTests(project, {});
-        QMetaObject::invokeMethod(
-            this,
-            [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
-                m_isTesting = false;
-                if (!*report) return say(QString::fromStdString(report->error().text()), true);
-                const testing::Report& done = **report;
-                for (const std::string& text : done.diagnostics)
-                    m_log->addMessage(QString::fromStdString(text).trimmed(), true);
-                for (const testing::TestResult& result : done.results) {
-                    m_log->addMessage((result.passed() ? tr("passed: %1") : tr("FAILED: %1"))
-                                          .arg(QString::fromStdString(result.title)),
-                                      !result.passed());
-                    for (const testing::Failure& failure : result.failures)
-                        m_log->addMessage(
-                            QString("    %1:%2  %3  %4")
-                                .arg(QString::fromStdString(failure.file))
-                                .arg(failure.line)
-                                .arg(QString::fromStdString(failure.message), QString::fromStdString(failure.detail)),
-                            true);
-                }
-                say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()),
-                    done.failed() != 0 || done.hasErrors);
-            },
-            Qt::QueuedConnection);
+        kit::post(this, [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
+            m_isTesting = false;
+            if (!*report) return say(QString::fromStdString(report->error().text()), true);
+            const testing::Report& done = **report;
+            for (const std::string& text : done.diagnostics)
+                m_log->addMessage(QString::fromStdString(text).trimmed(), true);
+            for (const testing::TestResult& result : done.results) {
+                m_log->addMessage(
+                    (result.passed() ? tr("passed: %1") : tr("FAILED: %1")).arg(QString::fromStdString(result.title)),
+                    !result.passed());
+                for (const testing::Failure& failure : result.failures)
+                    m_log->addMessage(
+                        QString("    %1:%2  %3  %4")
+                            .arg(QString::fromStdString(failure.file))
+                            .arg(failure.line)
+                            .arg(QString::fromStdString(failure.message), QString::fromStdString(failure.detail)),
+                        true);
+            }
+            say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()),
+                done.failed() != 0 || done.hasErrors);
+        });
     });
 }
 

@@ -1,5 +1,6 @@
 #include "editor/analysis/workspace.h"
 
+#include "editor/kit/post.h"
 #include "projects/storage/project_file.h"
 
 #include <QDir>
@@ -323,14 +324,11 @@ void Workspace::workerLoop() {
             m_job.reset();
         }
         auto model = analysis::CodeModel::make(job.first, job.second);
-        QMetaObject::invokeMethod(
-            this,
-            [this, model] {
-                if (!m_project || model->revision() < m_revision) return; // overtaken
-                m_model = model;
-                emit analysed(model);
-            },
-            Qt::QueuedConnection);
+        kit::post(this, [this, model] {
+            if (!m_project || model->revision() < m_revision) return; // overtaken
+            m_model = model;
+            emit analysed(model);
+        });
     }
 }
 

@@ -1,5 +1,6 @@
 #include "editor/debug/run_control.h"
 
+#include "editor/kit/post.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
@@ -43,22 +44,19 @@ void RunControl::build(std::function<void(bool)> then) {
     if (m_builder.joinable()) m_builder.join();
     m_builder = std::thread([this, input = m_workspace.buildInput(), then = std::move(then)] {
         auto built = std::make_shared<driver::Built>(driver::build(input));
-        QMetaObject::invokeMethod(
-            this,
-            [this, built, then] {
-                m_isBuilding = false;
-                const bool good = built->program != nullptr;
-                size_t errors = 0;
-                for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
-                    errors += d.severity == diagnostics::Severity::Error;
-                if (good) adopt(built, false);
-                emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
-                                         : !built->failure.empty() ? text(built->failure)
-                                                                   : tr("%n error(s): the program was not built",
-                                                                        nullptr, static_cast<int>(errors)));
-                if (then) then(good);
-            },
-            Qt::QueuedConnection);
+        kit::post(this, [this, built, then] {
+            m_isBuilding = false;
+            const bool good = built->program != nullptr;
+            size_t errors = 0;
+            for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
+                errors += d.severity == diagnostics::Severity::Error;
+            if (good) adopt(built, false);
+            emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
+                                     : !built->failure.empty() ? text(built->failure)
+                                                               : tr("%n error(s): the program was not built", nullptr,
+                                                                    static_cast<int>(errors)));
+            if (then) then(good);
+        });
     });
 }
 
@@ -69,8 +67,7 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
                                         .arg(report.kept.size())
                                         .arg(report.initialised.size())
                                         .arg(report.lost.size());
-            QMetaObject::invokeMethod(
-                this, [this, summary] { emit onlineChangeFinished(summary); }, Qt::QueuedConnection);
+            kit::post(this, [this, summary] { emit onlineChangeFinished(summary); });
         });
         return;
     }
@@ -192,17 +189,13 @@ void RunControl::onlineChange() {
     if (m_builder.joinable()) m_builder.join();
     m_builder = std::thread([this, input = m_workspace.buildInput()] {
         auto built = std::make_shared<driver::Built>(driver::build(input));
-        QMetaObject::invokeMethod(
-            this,
-            [this, built] {
-                m_isBuilding = false;
-                if (built->program) adopt(built, true);
-                emit buildFinished(built->program != nullptr,
-                                   built->program
-                                       ? tr("The change waits for the end of the scan")
-                                       : tr("The program has errors; the controller goes on with the old one"));
-            },
-            Qt::QueuedConnection);
+        kit::post(this, [this, built] {
+            m_isBuilding = false;
+            if (built->program) adopt(built, true);
+            emit buildFinished(built->program != nullptr,
+                               built->program ? tr("The change waits for the end of the scan")
+                                              : tr("The program has errors; the controller goes on with the old one"));
+        });
     });
 }
 

@@ -1,5 +1,6 @@
 #include "hmi/player/alarm_evaluator.h"
 
+#include "editor/kit/post.h"
 #include "hmi/player/plc_convert.h"
 
 #include <QDateTime>
@@ -189,8 +190,7 @@ void AlarmWatch::run(std::vector<AlarmDefinition> definitions) {
         lock.lock();
         if (!findings.empty()) {
             std::move(findings.begin(), findings.end(), std::back_inserter(m_findings));
-            if (!std::exchange(m_posted, true))
-                QMetaObject::invokeMethod(this, &AlarmWatch::deliver, Qt::QueuedConnection);
+            if (!std::exchange(m_posted, true)) kit::post(this, [this] { deliver(); });
         }
         if (!more && commands.empty()) {
             m_answered = asked;
