@@ -41,8 +41,8 @@ const std::vector<ActionSpec> kActions = {
     {"file.settings", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Settings…"), "Ctrl+,", drawn(Icon::Settings), [](MainWindow& w) { w.openSettings(); }},
     {"file.quit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Quit"), "Ctrl+Q", none, [](MainWindow& w) { w.close(); }},
 
-    {"edit.undo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Undo"), "Ctrl+Z", drawn(Icon::Undo), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->undo(); }},
-    {"edit.redo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Redo"), "Ctrl+Y", drawn(Icon::Redo), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->redo(); }},
+    {"edit.undo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Undo"), "Ctrl+Z", drawn(Icon::Undo), [](MainWindow& w) { w.tabs().undo(); }},
+    {"edit.redo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Redo"), "Ctrl+Y", drawn(Icon::Redo), [](MainWindow& w) { w.tabs().redo(); }},
     {"edit.cut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Cut"), "Ctrl+X", drawn(Icon::Cut), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->cut(); }},
     {"edit.copy", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Copy"), "Ctrl+C", drawn(Icon::Copy), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->copy(); }},
     {"edit.paste", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Paste"), "Ctrl+V", drawn(Icon::Paste), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->paste(); }},

@@ -125,15 +125,14 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
             });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
         if (StPage* page = pageOf(file)) {
-            int line = 0, column = 0;
-            page->first().getCursorPosition(&line, &column);
-            page->first().load(m_workspace.text(file));
-            page->first().setCursorPosition(line, column);
+            page->first().takeText(m_workspace.text(file)); // undo leads back to what was here
+            for (StEditor* each : page->editors()) each->setSavedText(m_workspace.savedText(file));
         }
     });
     connect(&workspace, &editor::Workspace::modificationChanged, this, &EditorTabs::markModified);
     connect(&workspace, &editor::Workspace::saved, this, [this](const QString& file) {
-        if (StPage* page = pageOf(file)) page->first().setSavedText(m_workspace.text(file));
+        if (StPage* page = pageOf(file))
+            for (StEditor* each : page->editors()) each->setSavedText(m_workspace.text(file));
     });
     connect(&workspace, &editor::Workspace::changedOnDiskAndHere, this, &EditorTabs::askAboutDiskChange);
     connect(&workspace, &editor::Workspace::filesChanged, this, [this] {
@@ -152,6 +151,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         }
         m_back.clear();
         m_forward.clear();
+        m_groups.clear();
     });
     connect(&control, &editor::RunControl::breakpointsChanged, this, &EditorTabs::showBreakpoints);
     connect(&control, &editor::RunControl::statusChanged, this, &EditorTabs::showExecutedLine);
@@ -193,11 +193,14 @@ StPage* EditorTabs::openFile(const QString& file) {
     }
     auto* page = new StPage(file, this);
     page->first().load(m_workspace.text(file));
+    page->first().setSavedText(m_workspace.savedText(file));
     connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
     connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
     connectEditor(&page->first());
     page->table().setOnlineValues(onlineValues());
     page->table().setModel(m_workspace.model());
+    connect(&page->table(), &editor::DeclarationTable::renameRequested, this,
+            [this, file](uint32_t offset, const QString& name) { emit renameRequested(file, offset, name); });
     const int index = addTab(page, kit::icon(m_workspace.isTestFile(file) ? kit::Icon::Test : kit::Icon::File),
                              QFileInfo(file).fileName());
     setTabToolTip(index, m_workspace.absolutePath(file));
@@ -255,6 +258,10 @@ void EditorTabs::connectEditor(StEditor* editor) {
     });
     connect(editor, &StEditor::edited, this, [this, editor](const QString& file) {
         if (!m_isApplying) m_workspace.setText(file, editor->utf8());
+    });
+    editor->setUndo([this] { undo(); }, [this] { redo(); });
+    connect(editor, &StEditor::projectEditsRequested, this, [this](const std::vector<analysis::FileEdits>& edits) {
+        if (m_workspace.model()) applyEdits(edits, m_workspace.model()->sources());
     });
     connect(editor, &StEditor::breakpointToggled, &m_control, &editor::RunControl::toggleBreakpoint);
     connect(editor, &StEditor::cursorMoved, this, &EditorTabs::cursorMoved);
@@ -461,11 +468,13 @@ bool EditorTabs::closeAll() {
 }
 
 void EditorTabs::askAboutDiskChange(const QString& file) {
+    if (!m_asked.insert(file).second) return; // the question stands already
     const auto answer = QMessageBox::question(
         this, tr("Changed outside"),
         tr("%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?")
             .arg(file),
         QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    m_asked.erase(file);
     if (answer == QMessageBox::Yes) m_workspace.revert(file);
 }
 
@@ -473,19 +482,108 @@ void EditorTabs::applySettings() {
     for (StEditor* editor : allEditors()) editor->setSettings(m_settings.editor());
 }
 
+// ------------------------------------------------------------------ changes of several files
+
 void EditorTabs::applyEdits(const std::vector<analysis::FileEdits>& edits, const SourceSet& sources) {
-    for (const analysis::FileEdits& each : edits) {
-        const QString file = QString::fromStdString(sources[each.file].path());
-        if (StPage* page = pageOf(file)) {
-            page->first().applyEdits(each.edits);
-            continue;
-        }
+    std::map<QString, std::vector<diagnostics::TextEdit>> byFile;
+    for (const analysis::FileEdits& each : edits)
+        byFile[QString::fromStdString(sources[each.file].path())] = each.edits;
+    applyEdits(byFile);
+}
+
+void EditorTabs::applyEdits(const std::map<QString, std::vector<diagnostics::TextEdit>>& edits,
+                            std::function<void(bool)> alongside) {
+    Group group;
+    group.alongside = std::move(alongside);
+    for (const auto& [file, list] : edits) {
         std::string text = m_workspace.text(file);
-        for (size_t i = each.edits.size(); i-- > 0;)
-            text.replace(each.edits[i].range.begin, each.edits[i].range.length(), each.edits[i].text);
+        Group::Texts& kept = group.texts[file];
+        kept.before = text;
+        if (StPage* page = pageOf(file)) {
+            page->first().applyEdits(list);
+        } else {
+            for (size_t i = list.size(); i-- > 0;)
+                text.replace(list[i].range.begin, list[i].range.length(), list[i].text);
+            m_workspace.setText(file, std::move(text));
+        }
+        kept.after = m_workspace.text(file);
+    }
+    remember(std::move(group));
+    m_workspace.checkNow();
+}
+
+void EditorTabs::applyTexts(const std::map<QString, std::string>& texts) {
+    Group group;
+    for (const auto& [file, text] : texts) {
+        group.texts[file] = {m_workspace.text(file), text};
+        if (StPage* page = pageOf(file)) page->first().takeText(text);
         m_workspace.setText(file, text);
     }
+    remember(std::move(group));
     m_workspace.checkNow();
+}
+
+void EditorTabs::remember(Group group) {
+    const bool isAnEditorsOwn = group.texts.size() == 1 && !group.alongside && pageOf(group.texts.begin()->first);
+    if (group.texts.empty() || isAnEditorsOwn) return;
+    std::erase_if(m_groups, [](const Group& each) { return each.isUndone; });
+    m_groups.push_back(std::move(group));
+    if (m_groups.size() > 20) m_groups.pop_front();
+}
+
+/// The newest change of several files whose state the text in front shows.
+EditorTabs::Group* EditorTabs::groupAt(bool undone) {
+    const StEditor* editor = currentEditor();
+    if (!editor) return nullptr;
+    const std::string text = editor->utf8();
+    for (size_t i = m_groups.size(); i-- > 0;) {
+        Group& group = m_groups[i];
+        const auto here = group.texts.find(editor->file());
+        if (group.isUndone == undone && here != group.texts.end() &&
+            text == (undone ? here->second.before : here->second.after))
+            return &group;
+    }
+    return nullptr;
+}
+
+void EditorTabs::swapGroup(Group& group) {
+    group.isUndone = !group.isUndone;
+    const bool back = group.isUndone;
+    int kept = 0;
+    for (const auto& [file, texts] : group.texts) {
+        const std::string &from = back ? texts.after : texts.before, &to = back ? texts.before : texts.after;
+        if (!m_workspace.files().contains(file)) { // it left with the last unit in it
+            if (back && !to.empty())
+                if (auto added = m_workspace.addFile(file, to); !added)
+                    emit message(QString::fromStdString(added.error().text()), true);
+            continue;
+        }
+        if (m_workspace.text(file) != from) { // edited since
+            ++kept;
+            continue;
+        }
+        if (StPage* page = pageOf(file)) {
+            back ? page->first().undo() : page->first().redo();
+            page->first().takeText(to); // a page that was opened since has no undo of its own
+        }
+        m_workspace.setText(file, to);
+    }
+    if (group.alongside) group.alongside(back);
+    m_workspace.checkNow();
+    const int changed = static_cast<int>(group.texts.size()) - kept;
+    emit message(kept ? tr("Changed in %n file(s); those edited since stay as they are", nullptr, changed)
+                      : tr("Changed in %n file(s)", nullptr, changed),
+                 false);
+}
+
+void EditorTabs::undo() {
+    if (Group* group = groupAt(false)) return swapGroup(*group);
+    if (StEditor* editor = currentEditor()) editor->undo();
+}
+
+void EditorTabs::redo() {
+    if (Group* group = groupAt(true)) return swapGroup(*group);
+    if (StEditor* editor = currentEditor()) editor->redo();
 }
 
 // ------------------------------------------------------------------ debugging marks

@@ -14,6 +14,8 @@
 
 #include <deque>
 #include <functional>
+#include <map>
+#include <set>
 
 namespace plc::app {
 
@@ -82,14 +84,23 @@ public:
     void saveCurrent();
     void saveAll();
     void applySettings();
-    /// Edits of several files at once (rename): open ones through their editor, the others in the workspace.
+    /// Edits of several files at once (rename): open ones through their editor, the others in the workspace. One undo
+    /// takes all of them back; what was done `alongside` in panels is told, too (true: back).
+    void applyEdits(const std::map<QString, std::vector<diagnostics::TextEdit>>& edits,
+                    std::function<void(bool)> alongside = {});
     void applyEdits(const std::vector<analysis::FileEdits>& edits, const SourceSet& sources);
+    /// New texts of several files at once (replace in all files); undone together likewise.
+    void applyTexts(const std::map<QString, std::string>& texts);
+    void undo();
+    void redo();
 
 signals:
     void editorMade(plc::editor::StEditor* editor);
     void message(const QString& text, bool isError);
     void saved();
     void cursorMoved(const QString& file, int line, int column);
+    /// A name was changed in the table of declarations.
+    void renameRequested(const QString& file, uint32_t offset, const QString& name);
 
 private:
     [[nodiscard]] std::vector<editor::StEditor*> allEditors() const;
@@ -102,7 +113,22 @@ private:
     void askAboutDiskChange(const QString& file);
     [[nodiscard]] editor::OnlineValues onlineValues();
 
+    /// A change of several files that is taken back as one.
+    struct Group {
+        struct Texts {
+            std::string before, after;
+        };
+        std::map<QString, Texts> texts;
+        std::function<void(bool)> alongside;
+        bool isUndone = false;
+    };
+    void remember(Group group);
+    [[nodiscard]] Group* groupAt(bool undone);
+    void swapGroup(Group& group);
+
     unsigned m_frames = 0;
+    std::deque<Group> m_groups;
+    std::set<QString> m_asked; // about a change outside, the question still stands
     struct Visited {
         QString file;
         uint32_t offset = 0;

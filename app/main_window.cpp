@@ -247,13 +247,14 @@ void MainWindow::makeStatusLine() {
 
 void MainWindow::connectParts() {
     connect(m_startPage, &StartPage::projectRequested, this, &MainWindow::openProject);
+    connect(m_startPage, &StartPage::exampleRequested, this, &MainWindow::openExample);
     connect(m_startPage, &StartPage::newRequested, this, &MainWindow::newProject);
     connect(m_startPage, &StartPage::openRequested, this, &MainWindow::chooseProject);
     connect(m_startPage, &StartPage::tourRequested, this, &MainWindow::startTour);
     connect(m_tree, &ProjectTree::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tree, &ProjectTree::chartRequested, m_tabs, &EditorTabs::showChart);
-    connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnit);
+    connect(m_tree, &ProjectTree::newUnitRequested, this, &MainWindow::newUnitIn);
     connect(m_tree, &ProjectTree::renameRequested, this, &MainWindow::renameSymbol);
     connect(m_tree, &ProjectTree::deleteRequested, this, &MainWindow::deleteUnit);
     connect(m_tree, &ProjectTree::newPanelRequested, this, &MainWindow::newPanel);
@@ -300,6 +301,12 @@ void MainWindow::connectParts() {
     connect(m_search, &SearchView::placeRequested, this,
             [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
     connect(m_search, &SearchView::message, this, &MainWindow::say);
+    connect(m_search, &SearchView::textsReplaced, m_tabs,
+            [this](const std::map<QString, std::string>& texts) { m_tabs->applyTexts(texts); });
+    connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
+    connect(m_workspace, &editor::Workspace::encodingConverted, this, [this](const QString& file) {
+        say(tr("%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8").arg(file), true);
+    });
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
             [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
     connect(m_callPath, &editor::CallPathView::placeRequested, this,

@@ -84,9 +84,14 @@ public:
     // what actions do
     void newProject();
     void chooseProject();
+    /// The user's own copy of a shipped example: the one made earlier, or a fresh one.
+    bool openExample(const QString& example, bool fresh);
     void newUnit();
+    void newUnitIn(const QString& kind, const QString& file); // preset in the dialog
     void goToLine();
     void renameSymbol(const QString& file, uint32_t offset);
+    /// In the code, the tests and the panels; one undo takes all of it back.
+    void renameTo(const QString& file, uint32_t offset, const QString& name);
     void renameAtCursor();
     void definitionAtCursor();
     /// The unit at the cursor in the other language, beside its text.
@@ -142,6 +147,9 @@ private:
     void offerRecovery();
     void findDefinition(const QString& file, uint32_t offset);
     void findUses(const QString& file, uint32_t offset);
+    [[nodiscard]] std::map<QString, std::vector<SourceRange>> placesInTests(const analysis::CodeModel& model,
+                                                                            sema::SymbolId symbol) const;
+    void renameSource(const QString& from, const QString& to);
     void fillRecentMenu();
     void addDesignPage(QWidget* page, const QString& title, int icon, const QString& key);
 

@@ -52,7 +52,7 @@ QRegularExpression leadsTo(const QString& panel) {
 
 void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
     bool ok = false;
-    const QString shown = kind == "test" ? QFileInfo(name).completeBaseName() : name;
+    const QString shown = kind == "test" || kind == "source" ? QFileInfo(name).completeBaseName() : name;
     const QString chosen =
         QInputDialog::getText(this, tr("Rename"), tr("New name of %1:").arg(shown), QLineEdit::Normal, shown, &ok)
             .trimmed();
@@ -62,8 +62,7 @@ void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
         if (!result) say(QString::fromStdString(result.error().text()), true);
         return static_cast<bool>(result);
     };
-    if (kind == "test")
-        return void(report(m_workspace->renameFile(name, QFileInfo(name).path() + "/" + chosen + ".st")));
+    if (kind == "test" || kind == "source") return renameSource(name, QFileInfo(name).path() + "/" + chosen + ".st");
     const QString from = pathOf(m_workspace->folder(), kind, name), to = pathOf(m_workspace->folder(), kind, chosen);
     if (QFile::exists(to)) return say(tr("There is a file %1 already").arg(QFileInfo(to).fileName()), true);
     if (kind == "panel" && !closeDesigns()) return;
@@ -101,11 +100,21 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
                 text && QString::fromStdString(*text).contains(leadsTo(name)))
                 users << other.fileName();
     QString question =
-        tr("Delete %1?").arg(kind == "test" ? name : QFileInfo(pathOf(m_workspace->folder(), kind, name)).fileName());
+        tr("Delete %1?")
+            .arg(kind == "test" || kind == "source" ? name
+                                                    : QFileInfo(pathOf(m_workspace->folder(), kind, name)).fileName());
+    if (kind == "source") {
+        QStringList units;
+        if (const auto model = m_workspace->presentModel())
+            if (const auto id = model->fileOf(name.toStdString()))
+                for (const analysis::OutlineItem& item : model->outline(*id))
+                    units << QString::fromStdString(item.name);
+        if (!units.isEmpty()) question += "\n" + tr("It holds %1.").arg(units.join(", "));
+    }
     if (!users.isEmpty())
         question += "\n" + tr("These panels lead to it; their buttons will be problems: %1").arg(users.join(", "));
     if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
-    if (kind == "test") {
+    if (kind == "test" || kind == "source") {
         if (auto removed = m_workspace->removeFile(name); !removed)
             say(QString::fromStdString(removed.error().text()), true);
         return;

@@ -159,9 +159,31 @@ void MainWindow::newProject() {
 }
 
 void MainWindow::chooseProject() {
+    const QString example = StartPage::examplesFolder();
     const QString folder = QFileDialog::getExistingDirectory(
-        this, tr("Open Project"), m_workspace->isOpen() ? m_workspace->folder() : StartPage::examplesFolder());
-    if (!folder.isEmpty()) openProject(folder);
+        this, tr("Open Project"), m_workspace->isOpen() ? m_workspace->folder() : m_settings.projectsFolder());
+    if (folder.isEmpty()) return;
+    if (!example.isEmpty() && QFileInfo(folder).canonicalPath() == example)
+        openExample(folder, false);
+    else
+        openProject(folder);
+}
+
+bool MainWindow::openExample(const QString& example, bool fresh) {
+    const QString name = QFileInfo(example).fileName();
+    QString copy = m_settings.projectsFolder() + "/" + name;
+    for (int i = 2; fresh && QFile::exists(copy); ++i)
+        copy = m_settings.projectsFolder() + "/" + name + "_" + QString::number(i);
+    const bool isNew = !QFile::exists(copy + "/project.json");
+    if (isNew)
+        if (auto copied = copyProject(example.toStdString(), copy.toStdString()); !copied) {
+            say(QString::fromStdString(copied.error().text()), true);
+            return false;
+        }
+    if (!openProject(copy)) return false;
+    say(isNew ? tr("This is a copy of the example, in %1: change what you like").arg(copy)
+              : tr("This is your copy of the example, in %1").arg(copy));
+    return true;
 }
 
 // ------------------------------------------------------------------ libraries, tests
@@ -310,8 +332,7 @@ void MainWindow::about() {
 
 void MainWindow::startTour() {
     if (!m_workspace->isOpen()) {
-        const QString example = StartPage::examplesFolder() + "/pid_pt1";
-        if (!openProject(example)) return;
+        if (!openExample(StartPage::examplesFolder() + "/pid_pt1", false)) return;
     }
     const auto dockWidget = [this](const char* name) { return [this, name]() -> QWidget* { return dock(name); }; };
     std::vector<TourStop> stops = {

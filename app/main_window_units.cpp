@@ -1,4 +1,4 @@
-// What the main window's actions do with program units and names: new, go to, find, rename, convert, delete.
+// What the main window does with units, names and files of the project: new, rename, delete with what refers to it.
 #include "app/conversion_dialog.h"
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
@@ -7,19 +7,30 @@
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "hmi/designer/panel_designer.h"
+#include "runtime/base/text.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace plc::app {
 
-void MainWindow::newUnit() {
+void MainWindow::newUnit() { newUnitIn({}, {}); }
+
+void MainWindow::newUnitIn(const QString& kind, const QString& wantedFile) {
     if (!m_workspace->isOpen()) return;
-    NewUnitDialog dialog(m_workspace->files(), this);
+    std::set<std::string> taken;
+    if (const auto model = m_workspace->model())
+        for (const sema::Symbol& symbol : model->checked().analysis->symbols)
+            if (symbol.owner.empty()) taken.insert(foldCase(symbol.name));
+    NewUnitDialog dialog(m_workspace->files(), std::move(taken), this);
+    dialog.preset(kind, wantedFile);
     if (dialog.exec() != QDialog::Accepted) return;
     const std::string text = unitText(dialog.templateId().toStdString(), dialog.name().toStdString());
     const QString file = dialog.file();
@@ -37,6 +48,8 @@ void MainWindow::newUnit() {
         return say(QString::fromStdString(added.error().text()), true);
     m_tabs->openFile(file);
 }
+
+// ------------------------------------------------------------------ names
 
 void MainWindow::goToLine() {
     auto* editor = m_tabs->currentEditor();
@@ -57,22 +70,14 @@ void MainWindow::findDefinition(const QString& file, uint32_t offset) {
     m_tabs->goTo(target, place->begin, place->length());
 }
 
-void MainWindow::findUses(const QString& file, uint32_t offset) {
-    const auto model = m_workspace->model();
-    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
-    if (!id) return;
-    const auto symbol = model->symbolAt(*id, offset);
-    if (!symbol) return say(tr("There is no name at the cursor"));
-    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources());
-    showDock("search");
-}
-
 void MainWindow::definitionAtCursor() {
     if (auto* editor = m_tabs->currentEditor()) findDefinition(editor->file(), editor->cursorOffset());
 }
+
 void MainWindow::usesAtCursor() {
     if (auto* editor = m_tabs->currentEditor()) findUses(editor->file(), editor->cursorOffset());
 }
+
 void MainWindow::renameAtCursor() {
     if (auto* editor = m_tabs->currentEditor()) renameSymbol(editor->file(), editor->cursorOffset());
 }
@@ -113,10 +118,36 @@ void MainWindow::showConverted(analysis::TextLanguage to) {
     dialog->open();
 }
 
-void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
-    const auto model = m_workspace->model();
+/// Where the tests, which the model does not hold, mean the symbol.
+std::map<QString, std::vector<SourceRange>> MainWindow::placesInTests(const analysis::CodeModel& model,
+                                                                      sema::SymbolId symbol) const {
+    std::map<QString, std::vector<SourceRange>> out;
+    for (const QString& file : m_workspace->files()) {
+        if (!editor::Workspace::isTestFile(file)) continue;
+        for (const auto& [begin, end] : model.placesInTest(symbol, m_workspace->text(file)))
+            out[file].push_back({FileId(0), begin, end});
+    }
+    return out;
+}
+
+void MainWindow::findUses(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->presentModel();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     if (!id) return;
+    const auto symbol = model->symbolAt(*id, offset);
+    if (!symbol) return say(tr("There is no name at the cursor"));
+    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources(),
+                       placesInTests(*model, *symbol));
+    showDock("search");
+}
+
+void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
+    const auto model = m_workspace->presentModel();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    if (!id)
+        return say(editor::Workspace::isTestFile(file)
+                       ? tr("Rename it where it is declared: the tests follow")
+                       : tr("The project is still being checked; try again in a moment"));
     const auto symbol = model->symbolAt(*id, offset);
     if (!symbol) return say(tr("There is no name at the cursor"));
     const QString old = QString::fromStdString(model->symbol(*symbol).name);
@@ -125,73 +156,82 @@ void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
                                                QLineEdit::Normal, old, &ok)
                              .trimmed();
     if (!ok || name.isEmpty() || name == old) return;
-    const auto edits = model->rename(*id, offset, name.toStdString());
-    if (!edits) return say(QString::fromStdString(edits.error().text()), true);
+    renameTo(file, offset, name);
+}
+
+void MainWindow::renameTo(const QString& file, uint32_t offset, const QString& name) {
+    const auto model = m_workspace->presentModel();
+    const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
+    const auto symbol = id ? model->symbolAt(*id, offset) : std::nullopt;
+    if (!symbol) return say(tr("There is no name at the cursor"));
+    const sema::Symbol& renamedSymbol = model->symbol(*symbol);
+    const QString old = QString::fromStdString(renamedSymbol.name), path = QString::fromStdString(renamedSymbol.path);
+    const auto found = model->rename(*id, offset, name.toStdString());
+    if (!found) return say(QString::fromStdString(found.error().text()), true);
+    std::map<QString, std::vector<diagnostics::TextEdit>> edits;
+    for (const analysis::FileEdits& each : *found)
+        edits[QString::fromStdString(model->sources()[each.file].path())] = each.edits;
+    for (const auto& [test, ranges] : placesInTests(*model, *symbol))
+        for (const SourceRange& range : ranges) edits[test].push_back({range, name.toStdString()});
     size_t places = 0;
-    for (const analysis::FileEdits& each : *edits) places += each.edits.size();
-    m_tabs->applyEdits(*edits, model->sources());
-    const sema::Symbol& symbolNow = model->symbol(*symbol);
-    const QString path = QString::fromStdString(symbolNow.path);
-    if (m_live->design() && path.endsWith(old, Qt::CaseInsensitive) &&
-        m_live->design()->renameVariable(path, path.left(path.size() - old.size()) + name))
-        (void)m_live->design()->save();
-    emit renamed(QString::fromStdString(model->symbol(*symbol).path), old, name);
+    for (const auto& [each, list] : edits) places += list.size();
+    // Panels follow, also when the rename is taken back.
+    const QString newPath = path.left(path.size() - old.size()) + name;
+    const auto renamePanels = [this, path, newPath](bool back) {
+        if (m_live->design() && m_live->design()->renameVariable(back ? newPath : path, back ? path : newPath))
+            (void)m_live->design()->save();
+    };
+    const bool hasPath = path.endsWith(old, Qt::CaseInsensitive);
+    m_tabs->applyEdits(edits, hasPath ? std::function<void(bool)>(renamePanels) : nullptr);
+    if (hasPath) renamePanels(false);
+    emit renamed(path, old, name);
     say(tr("%1 is now %2 in %n place(s)", nullptr, static_cast<int>(places)).arg(old, name));
 }
 
 void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, const QString& name) {
-    const auto model = m_workspace->model();
+    const auto model = m_workspace->presentModel();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
-    if (!id) return;
+    if (!id) return say(tr("The project is still being checked; try again in a moment"));
     int others = 0;
     for (const analysis::Use& use : model->uses(*id, begin))
         others += !use.isDeclaration && !(use.range.file == *id && use.range.begin >= begin && use.range.end <= end);
+    int inTests = 0;
+    if (const auto symbol = model->symbolAt(*id, begin))
+        for (const auto& [test, ranges] : placesInTests(*model, *symbol)) inTests += static_cast<int>(ranges.size());
     QString question = tr("Delete %1?").arg(name);
-    if (others) question += "\n" + tr("It is used in %n other place(s).", nullptr, others);
+    if (others + inTests) question += "\n" + tr("It is used in %n other place(s).", nullptr, others + inTests);
     QMessageBox box(QMessageBox::Question, tr("Delete"), question, QMessageBox::Cancel, this);
     QPushButton* plain = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
     QPushButton* commentOut =
         others ? box.addButton(tr("Delete and Comment Out the Uses"), QMessageBox::DestructiveRole) : nullptr;
-    QPushButton* show = others ? box.addButton(tr("Show the Uses"), QMessageBox::ActionRole) : nullptr;
+    QPushButton* show = others + inTests ? box.addButton(tr("Show the Uses"), QMessageBox::ActionRole) : nullptr;
     box.exec();
     if (show && box.clickedButton() == show) return findUses(file, begin);
     const bool comments = commentOut && box.clickedButton() == commentOut;
     if (!comments && box.clickedButton() != plain) return;
-    if (others) findUses(file, begin);
-    SourceRange range{*id, begin, end};
-    for (const analysis::OutlineItem& item : model->outline(*id))
-        if (item.nameRange.begin == begin) range = item.range;
-    const std::string text = m_workspace->text(file);
-    while (range.end < text.size() && (text[range.end] == ' ' || text[range.end] == '\t' || text[range.end] == ';'))
-        ++range.end;
-    if (range.end < text.size() && text[range.end] == '\n') ++range.end;
-    std::map<FileId, std::vector<diagnostics::TextEdit>> edits;
-    edits[*id].push_back({range, ""});
-    if (comments)
-        for (const analysis::Use& use : model->uses(*id, begin)) {
-            if (use.isDeclaration ||
-                (use.range.file == *id && use.range.begin >= range.begin && use.range.end <= range.end))
-                continue;
-            const std::string_view source = model->sources()[use.range.file].text();
-            const size_t newline =
-                use.range.begin == 0 ? std::string_view::npos : source.rfind('\n', use.range.begin - 1);
-            const auto lineBegin = static_cast<uint32_t>(newline == std::string_view::npos ? 0 : newline + 1);
-            auto& here = edits[use.range.file];
-            if (std::none_of(here.begin(), here.end(),
-                             [&](const diagnostics::TextEdit& each) { return each.range.begin == lineBegin; }))
-                here.push_back({{use.range.file, lineBegin, lineBegin}, "// "});
-        }
-    std::vector<analysis::FileEdits> all;
-    for (auto& [where, list] : edits) {
-        std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.range.begin < b.range.begin; });
-        all.push_back({where, std::move(list)});
-    }
-    m_tabs->applyEdits(all, model->sources());
+    if (others + inTests) findUses(file, begin);
+    m_tabs->applyEdits(model->removal(*id, begin, comments), model->sources());
     // A file that held nothing else goes with it.
     const std::string rest = m_workspace->text(file);
     if (rest.find_first_not_of(" \t\r\n") == std::string::npos)
         if (auto removed = m_workspace->removeFile(file); !removed)
             say(QString::fromStdString(removed.error().text()), true);
+}
+
+// ------------------------------------------------------------------ files
+
+void MainWindow::renameSource(const QString& from, const QString& to) {
+    const bool wasOpen = m_tabs->pageOf(from) != nullptr;
+    if (wasOpen && m_workspace->isModified(from))
+        if (auto saved = m_workspace->save(from); !saved)
+            return say(QString::fromStdString(saved.error().text()), true);
+    if (auto renamed = m_workspace->renameFile(from, to); !renamed)
+        return say(QString::fromStdString(renamed.error().text()), true);
+    std::vector<editor::EditorBreakpoint> breakpoints = m_control->breakpoints();
+    for (editor::EditorBreakpoint& each : breakpoints)
+        if (each.file == from) each.file = to;
+    m_control->setBreakpoints(breakpoints);
+    if (wasOpen) m_tabs->openFile(to);
 }
 
 } // namespace plc::app

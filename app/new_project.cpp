@@ -1,8 +1,10 @@
 #include "app/new_project.h"
 
+#include "app/settings.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 
 #include <QComboBox>
@@ -14,7 +16,6 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -223,6 +224,30 @@ Result<void> createProject(const std::string& folder, const std::string& name, c
     return {};
 }
 
+Result<void> copyProject(const std::string& from, const std::string& to) {
+    namespace fs = std::filesystem;
+    std::error_code problem;
+    fs::create_directories(to, problem);
+    if (problem) return Error{"The folder can not be made: " + problem.message(), to};
+    for (fs::recursive_directory_iterator it(from, problem), end; !problem && it != end; it.increment(problem)) {
+        const fs::path name = it->path().filename();
+        if (name.string().starts_with('.') || name.extension() == ".retain") {
+            if (it->is_directory()) it.disable_recursion_pending();
+            continue;
+        }
+        const fs::path target = fs::path(to) / fs::relative(it->path(), from, problem);
+        if (it->is_directory())
+            fs::create_directories(target, problem);
+        else
+            fs::copy_file(it->path(), target, fs::copy_options::overwrite_existing, problem);
+        if (problem) return Error{"The file can not be copied: " + problem.message(), it->path().string()};
+        fs::permissions(target, fs::perms::owner_write, fs::perm_options::add,
+                        problem); // the original may be read-only
+    }
+    if (problem) return Error{"The folder can not be read: " + problem.message(), from};
+    return {};
+}
+
 const std::vector<UnitTemplate>& unitTemplates() {
     static const std::vector<UnitTemplate> all = {
         {"program", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Program"), "program"},
@@ -275,7 +300,7 @@ NewProjectDialog::NewProjectDialog(QWidget* parent) : QDialog(parent) {
     m_templates->setIconSize({28, 28});
     m_templates->setSpacing(3);
     m_name = new QLineEdit(tr("My machine"), this);
-    m_parent = new QLineEdit(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), this);
+    m_parent = new QLineEdit(Settings().projectsFolder(), this);
     auto* browse = new QToolButton(this);
     browse->setIcon(kit::icon(kit::Icon::Folder));
     browse->setAccessibleName(tr("Choose a folder"));
@@ -330,7 +355,8 @@ void NewProjectDialog::check() {
     m_create->setEnabled(complaint.isEmpty());
 }
 
-NewUnitDialog::NewUnitDialog(const QStringList& files, QWidget* parent) : QDialog(parent) {
+NewUnitDialog::NewUnitDialog(const QStringList& files, std::set<std::string> taken, QWidget* parent)
+    : QDialog(parent), m_files(files), m_taken(std::move(taken)) {
     setWindowTitle(tr("New"));
     m_kind = new QComboBox(this);
     for (const UnitTemplate& each : unitTemplates()) m_kind->addItem(tr(each.title), each.id);
@@ -339,6 +365,7 @@ NewUnitDialog::NewUnitDialog(const QStringList& files, QWidget* parent) : QDialo
     m_file->addItem(tr("a file of its own"), QString());
     for (const QString& file : files) m_file->addItem(file, file);
     m_complaint = new QLabel(this);
+    m_complaint->setWordWrap(true);
     auto* form = new QFormLayout;
     form->addRow(tr("Kind"), m_kind);
     form->addRow(tr("Name"), m_name);
@@ -353,6 +380,7 @@ NewUnitDialog::NewUnitDialog(const QStringList& files, QWidget* parent) : QDialo
     layout->addWidget(buttons);
     connect(m_name, &QLineEdit::textChanged, this, &NewUnitDialog::check);
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NewUnitDialog::check);
+    connect(m_file, &QComboBox::currentIndexChanged, this, &NewUnitDialog::check);
     resize(420, 180);
     m_name->setFocus();
     check();
@@ -365,7 +393,13 @@ QString NewUnitDialog::file() const {
     QString base = name().toLower();
     for (QChar& c : base)
         if (!c.isLetterOrNumber()) c = '_';
-    return (templateId() == "test" ? "tests/" : "src/") + base + ".st";
+    return (templateId() == "test" ? "tests/" : "src/") + base.left(80) + ".st";
+}
+
+void NewUnitDialog::preset(const QString& templateId, const QString& file) {
+    if (const int index = m_kind->findData(templateId); index >= 0 && !templateId.isEmpty())
+        m_kind->setCurrentIndex(index);
+    if (const int index = m_file->findData(file); index >= 0 && !file.isEmpty()) m_file->setCurrentIndex(index);
 }
 
 void NewUnitDialog::check() {
@@ -374,6 +408,10 @@ void NewUnitDialog::check() {
         complaint = tr("Give it a name");
     else if (templateId() != "test" && !isName(name()))
         complaint = tr("A name has letters, digits and _, begins with a letter and is no keyword");
+    else if (templateId() != "test" && m_taken.contains(foldCase(name().toStdString())))
+        complaint = tr("There is a %1 in the project already").arg(name());
+    else if (m_file->currentData().toString().isEmpty() && m_files.contains(file(), Qt::CaseInsensitive))
+        complaint = tr("There is a file %1 already: choose it, or another name").arg(file());
     m_complaint->setText(complaint);
     m_create->setEnabled(complaint.isEmpty());
 }

@@ -16,6 +16,8 @@ class QLineEdit;
 class QListWidget;
 class QPushButton;
 
+#include <set>
+
 namespace plc::app {
 
 struct ProjectTemplate {
@@ -25,6 +27,8 @@ struct ProjectTemplate {
 };
 [[nodiscard]] const std::vector<ProjectTemplate>& projectTemplates();
 /// Makes the folder with its files; refuses a folder that is not empty.
+/// A copy of a project without what runs and editors left beside it.
+Result<void> copyProject(const std::string& from, const std::string& to);
 Result<void> createProject(const std::string& folder, const std::string& name, const std::string& templateId);
 
 struct UnitTemplate {
@@ -54,13 +58,17 @@ private:
 class NewUnitDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit NewUnitDialog(const QStringList& files, QWidget* parent);
+    /// `taken`: names of the project at the top, folded.
+    NewUnitDialog(const QStringList& files, std::set<std::string> taken, QWidget* parent);
+    void preset(const QString& templateId, const QString& file);
     [[nodiscard]] QString name() const;
     [[nodiscard]] QString templateId() const;
     [[nodiscard]] QString file() const; // existing one to append to, or a new one
 
 private:
     void check();
+    QStringList m_files;
+    std::set<std::string> m_taken;
     QComboBox *m_kind, *m_file;
     QLineEdit* m_name;
     QLabel* m_complaint;

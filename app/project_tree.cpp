@@ -1,5 +1,6 @@
 #include "app/project_tree.h"
 
+#include "app/settings.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
@@ -11,7 +12,12 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace plc::app {
 
@@ -45,6 +51,40 @@ protected:
 private:
     int m_kind, m_path;
 };
+
+/// The file a unit stands in, muted behind its name while there is room.
+class NoteDelegate : public QStyledItemDelegate {
+public:
+    NoteDelegate(QObject* parent, int noteRole) : QStyledItemDelegate(parent), m_note(noteRole) {}
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        const QString note = index.data(m_note).toString();
+        if (note.isEmpty()) return;
+        const QRect area = option.rect.adjusted(option.decorationSize.width() + 14 +
+                                                    option.fontMetrics.horizontalAdvance(index.data().toString()) + 10,
+                                                0, -4, 0);
+        if (area.width() < 30) return;
+        painter->save();
+        painter->setPen(kit::colors().muted);
+        painter->drawText(area, Qt::AlignVCenter | Qt::AlignLeft,
+                          option.fontMetrics.elidedText(note, Qt::ElideMiddle, area.width()));
+        painter->restore();
+    }
+
+private:
+    int m_note;
+};
+
+/// The template a group's "New…" begins with.
+QString templateOf(const QString& kind) {
+    return kind == "group:blocks"       ? "block"
+           : kind == "group:functions"  ? "function"
+           : kind == "group:types"      ? "struct"
+           : kind == "group:globals"    ? "globals"
+           : kind == "group:simulation" ? "simulation"
+           : kind == "group:tests"      ? "test"
+                                        : "program";
+}
 } // namespace
 
 ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace) {
@@ -53,19 +93,37 @@ ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidge
     m_tree->setUniformRowHeights(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setAccessibleName(tr("Project"));
+    m_tree->setItemDelegate(new NoteDelegate(m_tree, Note));
     m_tree->installEventFilter(this);
     m_filter = new QLineEdit(this);
     m_filter->setPlaceholderText(tr("Filter"));
     m_filter->setClearButtonEnabled(true);
     m_filter->setAccessibleName(tr("Filter of the project tree"));
+    m_byFile = new QToolButton(this);
+    m_byFile->setIcon(kit::icon(Icon::File));
+    m_byFile->setCheckable(true);
+    m_byFile->setAutoRaise(true);
+    m_byFile->setToolTip(tr("Arrange by file"));
+    m_byFile->setAccessibleName(m_byFile->toolTip());
+    m_byFile->setChecked(Settings().arrangesByFile());
+    connect(m_byFile, &QToolButton::toggled, this, [this](bool on) {
+        Settings().setArrangesByFile(on);
+        m_shape.clear();
+        reload();
+    });
+    auto* top = new QHBoxLayout;
+    top->setSpacing(2);
+    top->addWidget(m_filter);
+    top->addWidget(m_byFile);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_filter);
+    layout->addLayout(top);
     layout->addWidget(m_tree);
     connect(m_tree, &QTreeWidget::itemActivated, this, &ProjectTree::activate);
     connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
-        if (item->childCount() == 0 || item->data(0, Kind).toString() == "unit") activate(item);
+        const QString kind = item->data(0, Kind).toString();
+        if (item->childCount() == 0 || kind == "unit" || kind == "file") activate(item);
     });
     connect(m_tree, &QTreeWidget::itemCollapsed, this,
             [this](QTreeWidgetItem* item) { m_collapsed << item->data(0, Name).toString(); });
@@ -77,6 +135,8 @@ ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidge
     connect(&workspace, &editor::Workspace::filesChanged, this, &ProjectTree::reload);
     connect(&workspace, &editor::Workspace::closed, this, &ProjectTree::reload);
 }
+
+bool ProjectTree::isByFile() const { return m_byFile->isChecked(); }
 
 QTreeWidgetItem* ProjectTree::group(const QString& title, int icon, const QString& key) {
     auto* item = new QTreeWidgetItem(m_tree, {title});
@@ -128,6 +188,8 @@ void ProjectTree::addUnit(QTreeWidgetItem* parent, const analysis::OutlineItem& 
     item->setData(0, EndOffset, unit.range.end);
     item->setData(0, Name, file + "/" + QString::fromStdString(unit.name));
     item->setToolTip(0, file);
+    const bool isTop = parent->data(0, Kind).toString().startsWith("group:") && !isByFile();
+    if (isTop) item->setData(0, Note, QFileInfo(file).fileName());
     bool hasSteps = false;
     for (const analysis::OutlineItem& child : unit.children) {
         if (child.kind == SymbolKind::Step) {
@@ -222,6 +284,7 @@ void ProjectTree::reload() {
     for (const auto* list : {&project.panels, &project.traces, &project.libraries})
         for (const std::string& name : *list) shape += QString::fromStdString(name);
     shape += m_workspace.files().join('|') + m_workspace.folder();
+    shape += isByFile() ? "|by file" : "";
     if (shape == m_shape) return;
     m_shape = shape;
 
@@ -231,13 +294,17 @@ void ProjectTree::reload() {
         for (const Part& part : parts[key]) addUnit(parent, part.item, part.file);
         return parent;
     };
-    fill(tr("Programs"), Icon::Program, "programs");
-    fill(tr("Blocks"), Icon::Block, "blocks");
-    fill(tr("Functions"), Icon::Function, "functions");
-    fill(tr("Types"), Icon::Structure, "types");
-    fill(tr("Globals"), Icon::Globals, "globals");
-    fill(tr("Tasks"), Icon::Task, "tasks");
-    fill(tr("Simulation"), Icon::Simulation, "simulation");
+    if (isByFile()) {
+        addFiles();
+    } else {
+        fill(tr("Programs"), Icon::Program, "programs");
+        fill(tr("Blocks"), Icon::Block, "blocks");
+        fill(tr("Functions"), Icon::Function, "functions");
+        fill(tr("Types"), Icon::Structure, "types");
+        fill(tr("Globals"), Icon::Globals, "globals");
+        fill(tr("Tasks"), Icon::Task, "tasks");
+        fill(tr("Simulation"), Icon::Simulation, "simulation");
+    }
     const auto names = [&](QTreeWidgetItem* parent, const std::vector<std::string>& list, const QString& kind,
                            Icon icon, const QString& ending) {
         for (const std::string& name : list) {
@@ -269,8 +336,7 @@ void ProjectTree::reload() {
         item->setData(0, Offset, 0u);
         item->setData(0, Name, file);
     }
-    names(group(tr("Libraries"), static_cast<int>(Icon::Library), "libraries"), project.libraries, "library",
-          Icon::Library, "");
+    addLibraries();
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = m_tree->topLevelItem(i);
         if (!m_collapsed.contains(item->data(0, Name).toString())) item->setExpanded(true);
@@ -281,9 +347,58 @@ void ProjectTree::reload() {
     filter(m_filter->text());
 }
 
+/// Source files in order, each with its units.
+void ProjectTree::addFiles() {
+    const auto& model = *m_workspace.model();
+    QTreeWidgetItem* parent = group(tr("Files"), static_cast<int>(Icon::Folder), "files");
+    for (const QString& file : m_workspace.files()) {
+        if (m_workspace.isTestFile(file)) continue;
+        auto* item = new QTreeWidgetItem(parent, {file.startsWith("src/") ? file.mid(4) : file});
+        item->setIcon(0, kit::icon(Icon::File));
+        item->setData(0, Kind, "file");
+        item->setData(0, File, file);
+        item->setData(0, Offset, 0u);
+        item->setData(0, Name, "file:" + file);
+        item->setToolTip(0, m_workspace.absolutePath(file));
+        if (const auto id = model.fileOf(file.toStdString()))
+            for (const analysis::OutlineItem& unit : model.outline(*id)) addUnit(item, unit, file);
+        if (!m_collapsed.contains("file:" + file)) item->setExpanded(true);
+    }
+}
+
+/// What each library offers; a click shows its source.
+void ProjectTree::addLibraries() {
+    const auto& model = *m_workspace.model();
+    QTreeWidgetItem* parent = group(tr("Libraries"), static_cast<int>(Icon::Library), "libraries");
+    std::vector<std::string> libraries = m_workspace.project().libraries;
+    if (std::find(libraries.begin(), libraries.end(), "standard") == libraries.end())
+        libraries.insert(libraries.begin(), "standard"); // always there
+    for (const std::string& name : libraries) {
+        auto* item = new QTreeWidgetItem(parent, {QString::fromStdString(name)});
+        item->setIcon(0, kit::icon(Icon::Library));
+        item->setData(0, Kind, "library");
+        item->setData(0, Name, "library:" + QString::fromStdString(name));
+        const auto& files = model.checked().analysis->files;
+        for (size_t i = 0; i < files.size(); ++i) {
+            if (!equalsIgnoringCase(files[i]->library, name)) continue;
+            const QString file = QString::fromStdString(model.sources()[FileId(i)].path());
+            for (const analysis::OutlineItem& unit : model.outline(FileId(i))) {
+                if (unit.isHidden || unit.name.empty()) continue;
+                auto* child = new QTreeWidgetItem(item, {QString::fromStdString(unit.name)});
+                child->setIcon(0, kit::icon(iconOf(unit.kind)));
+                child->setData(0, Kind, "libraryUnit");
+                child->setData(0, File, file);
+                child->setData(0, Offset, unit.nameRange.begin);
+                child->setToolTip(0, QString::fromStdString(unit.comment));
+            }
+        }
+        item->sortChildren(0, Qt::AscendingOrder);
+    }
+}
+
 void ProjectTree::activate(QTreeWidgetItem* item) {
     const QString kind = item->data(0, Kind).toString();
-    if (kind == "unit" || kind == "variable")
+    if (kind == "unit" || kind == "variable" || kind == "file" || kind == "libraryUnit")
         emit placeRequested(item->data(0, File).toString(), item->data(0, Offset).toUInt());
     else if (kind == "chart")
         emit chartRequested(item->data(0, File).toString(), item->data(0, Name).toString());
@@ -305,26 +420,27 @@ void ProjectTree::showMenu(const QPoint& position) {
     const auto here = [this, at] { return at.isValid() ? m_tree->itemAt(m_tree->visualRect(at).center()) : nullptr; };
     QTreeWidgetItem* item = m_tree->itemAt(position);
     const QString kind = item ? item->data(0, Kind).toString() : QString();
+    const QString file = item ? item->data(0, File).toString() : QString();
     QMenu menu(this);
-    connect(menu.addAction(kit::icon(Icon::New), tr("New…")), &QAction::triggered, this, [this, kind] {
+    connect(menu.addAction(kit::icon(Icon::New), tr("New…")), &QAction::triggered, this, [this, kind, file] {
         if (kind == "panel" || kind == "group:panels")
             emit newPanelRequested();
         else if (kind == "trace" || kind == "group:traces")
             emit newTraceRequested();
         else
-            emit newUnitRequested();
+            emit newUnitRequested(templateOf(kind), kind == "file" ? file : QString());
     });
     if (item && !kind.startsWith("group:")) {
         connect(menu.addAction(kit::icon(Icon::Open), tr("Open")), &QAction::triggered, this, [this, here] {
             if (QTreeWidgetItem* found = here()) activate(found);
         });
     }
-    if (kind == "unit" || kind == "variable" || kind == "panel" || kind == "trace") {
+    if (kind == "unit" || kind == "variable" || kind == "panel" || kind == "trace" || kind == "file") {
         connect(menu.addAction(kit::icon(Icon::Rename), tr("Rename…")), &QAction::triggered, this, [this, here] {
             if (QTreeWidgetItem* found = here()) rename(found);
         });
     }
-    if (kind == "unit" || kind == "panel" || kind == "trace") {
+    if (kind == "unit" || kind == "panel" || kind == "trace" || kind == "file") {
         connect(menu.addAction(kit::icon(Icon::Delete), tr("Delete…")), &QAction::triggered, this, [this, here] {
             if (QTreeWidgetItem* found = here()) remove(found);
         });
@@ -347,6 +463,8 @@ void ProjectTree::rename(QTreeWidgetItem* item) {
         emit renameFileRequested(kind, item->data(0, Name).toString());
     else if (kind == "unit" && editor::Workspace::isTestFile(file))
         emit renameFileRequested("test", file);
+    else if (kind == "file")
+        emit renameFileRequested("source", file);
     else if (kind == "unit" || kind == "variable")
         emit renameRequested(file, item->data(0, Offset).toUInt());
 }
@@ -357,6 +475,8 @@ void ProjectTree::remove(QTreeWidgetItem* item) {
         emit deleteFileRequested(kind, item->data(0, Name).toString());
     else if (kind == "unit" && editor::Workspace::isTestFile(file))
         emit deleteFileRequested("test", file);
+    else if (kind == "file")
+        emit deleteFileRequested("source", file);
     else if (kind == "unit")
         emit deleteRequested(file, item->data(0, Offset).toUInt(), item->data(0, EndOffset).toUInt(), item->text(0));
 }

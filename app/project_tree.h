@@ -9,6 +9,7 @@
 #include <map>
 
 class QLineEdit;
+class QToolButton;
 
 namespace plc::app {
 
@@ -27,10 +28,11 @@ signals:
     void alarmsRequested();
     void testsRequested();
     void chartRequested(const QString& file, const QString& pou);
-    void newUnitRequested();
+    /// Preset in the dialog: a template ("block") and a file; both may be empty.
+    void newUnitRequested(const QString& kind, const QString& file);
     void newPanelRequested();
     void newTraceRequested();
-    /// A file of the project: kind is "panel", "trace" or "test".
+    /// A file of the project: kind is "panel", "trace", "test" or "source".
     void renameFileRequested(const QString& kind, const QString& name);
     void deleteFileRequested(const QString& kind, const QString& name);
     void watchRequested(const QString& path);
@@ -39,7 +41,10 @@ signals:
     void librariesRequested();
 
 private:
-    enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name, Path };
+    enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name, Path, Note };
+    void addFiles();
+    void addLibraries();
+    [[nodiscard]] bool isByFile() const;
     void addVariables(QTreeWidgetItem* parent, const std::string& owner, const QString& file);
     void rename(QTreeWidgetItem* item);
     void remove(QTreeWidgetItem* item);
@@ -53,6 +58,7 @@ private:
     editor::Workspace& m_workspace;
     QTreeWidget* m_tree;
     QLineEdit* m_filter;
+    QToolButton* m_byFile;
     QStringList m_collapsed;
     std::map<std::string, std::vector<const sema::Symbol*>> m_variables; // by folded owner, while the tree is made
     QString m_shape; // what the tree shows now; an equal new one is not rebuilt

@@ -130,8 +130,7 @@ int SearchView::replaceAll() {
     QString replacement = m_replacement->text();
     if (!m_regex->isChecked()) replacement.replace('\\', "\\\\");
     int count = 0;
-    std::vector<std::pair<QString, std::string>>
-        changed; // nothing is replaced before all is known: a cancel changes nothing
+    std::map<QString, std::string> changed; // nothing is replaced before all is known: a cancel changes nothing
     const QStringList all = m_workspace.files();
     kit::LongTask task(tr("Replacing in all files…"), this);
     for (qsizetype i = 0; i < all.size(); ++i) {
@@ -146,18 +145,16 @@ int SearchView::replaceAll() {
         if (!here) continue;
         count += here;
         content.replace(pattern, replacement);
-        changed.emplace_back(file, content.toStdString());
+        changed[file] = content.toStdString();
     }
-    for (const auto& [file, text] : changed) {
-        m_workspace.setText(file, text);
-        emit m_workspace.textReplaced(file);
-    }
+    if (!changed.empty()) emit textsReplaced(changed);
     search();
     emit message(tr("%n place(s) replaced", nullptr, count), false);
     return count;
 }
 
-void SearchView::showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources) {
+void SearchView::showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources,
+                          const std::map<QString, std::vector<SourceRange>>& inTests) {
     m_results->clear();
     int reads = 0, writes = 0;
     for (const analysis::Use& use : uses) {
@@ -169,6 +166,10 @@ void SearchView::showUses(const QString& name, const std::vector<analysis::Use>&
                 : use.isWrite && use.isRead ? tr("read, write")
                 : use.isWrite               ? tr("write")
                                             : tr("read"));
+    }
+    for (const auto& [file, ranges] : inTests) {
+        const SourceText source(file.toStdString(), m_workspace.text(file));
+        for (const SourceRange& range : ranges) addLine(file, source, range, tr("in a test"));
     }
     m_summary->setText(tr("%1: %2 read, %3 written").arg(name).arg(reads).arg(writes));
 }

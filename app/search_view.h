@@ -10,6 +10,8 @@ class QCheckBox;
 class QLabel;
 class QLineEdit;
 
+#include <map>
+
 namespace plc::app {
 
 class SearchView : public QWidget {
@@ -19,12 +21,15 @@ public:
     void openSearch(const QString& text);
     void search();
     int replaceAll();
-    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources);
+    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources,
+                  const std::map<QString, std::vector<SourceRange>>& inTests = {});
     [[nodiscard]] QTreeWidget& results() { return *m_results; }
 
 signals:
     void placeRequested(const QString& file, uint32_t offset, uint32_t length);
     void message(const QString& text, bool isError);
+    /// The new texts of all files in which something is replaced.
+    void textsReplaced(const std::map<QString, std::string>& texts);
 
 private:
     void addLine(const QString& file, const SourceText& source, SourceRange range, const QString& kind);

@@ -3,6 +3,7 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 namespace plc::app {
 
@@ -35,6 +36,13 @@ bool Settings::changeOnSave() const { return m_store.value("run/changeOnSave", t
 void Settings::setChangeOnSave(bool on) { m_store.setValue("run/changeOnSave", on); }
 bool Settings::sawTour() const { return m_store.value("sawTour", false).toBool(); }
 void Settings::setSawTour() { m_store.setValue("sawTour", true); }
+bool Settings::arrangesByFile() const { return m_store.value("treeByFile", false).toBool(); }
+void Settings::setArrangesByFile(bool on) { m_store.setValue("treeByFile", on); }
+QString Settings::projectsFolder() const {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/Stepwise";
+    return m_store.value("projectsFolder", qEnvironmentVariable("STEPWISE_PROJECTS", documents)).toString();
+}
+void Settings::setProjectsFolder(const QString& folder) { m_store.setValue("projectsFolder", folder); }
 QByteArray Settings::windowGeometry() const { return m_store.value("geometry").toByteArray(); }
 void Settings::setWindowGeometry(const QByteArray& geometry) { m_store.setValue("geometry", geometry); }
 int Settings::historyMegabytes() const { return m_store.value("run/historyMegabytes", 256).toInt(); }

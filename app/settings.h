@@ -24,6 +24,11 @@ public:
     void setChangeOnSave(bool on);
     [[nodiscard]] bool sawTour() const;
     void setSawTour();
+    [[nodiscard]] bool arrangesByFile() const; // the project tree
+    void setArrangesByFile(bool on);
+    /// Where new projects and copies of examples are made; "…/Stepwise" among the user's documents.
+    [[nodiscard]] QString projectsFolder() const;
+    void setProjectsFolder(const QString& folder);
     [[nodiscard]] QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
     [[nodiscard]] int historyMegabytes() const;

@@ -11,6 +11,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
@@ -143,11 +144,26 @@ StartPage::StartPage(Settings& settings, QWidget* parent) : QWidget(parent), m_s
     m_examples->setAccessibleName(tr("Examples"));
     for (QListWidget* list : {m_recent, m_examples}) {
         list->viewport()->setAutoFillBackground(false);
-        connect(list, &QListWidget::itemActivated, this,
-                [this](QListWidgetItem* item) { emit projectRequested(item->data(Qt::UserRole).toString()); });
-        connect(list, &QListWidget::itemClicked, this,
-                [this](QListWidgetItem* item) { emit projectRequested(item->data(Qt::UserRole).toString()); });
+        const auto open = [this, list](QListWidgetItem* item) {
+            const QString folder = item->data(Qt::UserRole).toString();
+            if (list == m_examples)
+                emit exampleRequested(folder, false);
+            else
+                emit projectRequested(folder);
+        };
+        connect(list, &QListWidget::itemActivated, this, open);
+        connect(list, &QListWidget::itemClicked, this, open);
     }
+    m_examples->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_examples, &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
+        QListWidgetItem* item = m_examples->itemAt(at);
+        if (!item) return;
+        const QString folder = item->data(Qt::UserRole).toString();
+        QMenu menu(this);
+        menu.addAction(tr("Open"), this, [this, folder] { emit exampleRequested(folder, false); });
+        menu.addAction(tr("Open a Fresh Copy"), this, [this, folder] { emit exampleRequested(folder, true); });
+        menu.exec(m_examples->viewport()->mapToGlobal(at));
+    });
     auto* left = new QVBoxLayout;
     left->setSpacing(8);
     left->addWidget(title);

@@ -18,6 +18,8 @@ public:
 
 signals:
     void projectRequested(const QString& folder);
+    /// A shipped example: the user works on a copy, the one made earlier or a fresh one.
+    void exampleRequested(const QString& folder, bool fresh);
     void newRequested();
     void openRequested();
     void tourRequested();

@@ -1716,6 +1716,20 @@
         <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
         <translation>%1 er ændret af et andet program, og også her. Indlæs filen fra disken og mist ændringerne herfra?</translation>
     </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>Ændret i %n fil; filer redigeret siden forbliver, som de er</numerusform>
+            <numerusform>Ændret i %n filer; filer redigeret siden forbliver, som de er</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>Ændret i %n fil</numerusform>
+            <numerusform>Ændret i %n filer</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>plc::app::LiveViews</name>
@@ -2502,6 +2516,30 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The file can not be removed; check the permissions of the folder</source>
         <translation>Filen kan ikke slettes; kontrollér mappens rettigheder</translation>
     </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
+    </message>
+    <message>
+        <source>This is a copy of the example, in %1: change what you like</source>
+        <translation>Dette er en kopi af eksemplet, i %1: ret hvad du vil</translation>
+    </message>
+    <message>
+        <source>This is your copy of the example, in %1</source>
+        <translation>Dette er din kopi af eksemplet, i %1</translation>
+    </message>
+    <message>
+        <source>Rename it where it is declared: the tests follow</source>
+        <translation>Omdøb det, hvor det er erklæret: testene følger med</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
+    </message>
+    <message>
+        <source>It holds %1.</source>
+        <translation>Den indeholder %1.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -2656,6 +2694,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
         <translation>Et navn består af bogstaver, cifre og _, begynder med et bogstav og er ikke et nøgleord</translation>
     </message>
+    <message>
+        <source>There is a %1 in the project already</source>
+        <translation>Der er allerede en %1 i projektet</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already: choose it, or another name</source>
+        <translation>Der er allerede en fil %1: vælg den eller et andet navn</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -2794,6 +2840,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Watch</source>
         <translation>Overvåg</translation>
     </message>
+    <message>
+        <source>Arrange by file</source>
+        <translation>Ordn efter fil</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::SearchView</name>
@@ -2909,6 +2963,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Cancelled; nothing was replaced</source>
         <translation>Afbrudt; intet blev erstattet</translation>
+    </message>
+    <message>
+        <source>in a test</source>
+        <translation>i en test</translation>
     </message>
 </context>
 <context>
@@ -3031,6 +3089,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Eksempler: åbn et, og tryk Kør</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åbn</translation>
+    </message>
+    <message>
+        <source>Open a Fresh Copy</source>
+        <translation>Åbn en ny kopi</translation>
     </message>
 </context>
 <context>
@@ -3383,6 +3449,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Remove the selected variables</source>
         <translation>Fjern de valgte variabler</translation>
     </message>
+    <message>
+        <source>Move up</source>
+        <translation>Flyt op</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Flyt ned</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::EventLog</name>
@@ -3587,6 +3661,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>CR</source>
         <comment>current result of an instruction list</comment>
         <translation>AR</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an input</source>
+        <translation>Erklær %1 som indgang</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an output</source>
+        <translation>Erklær %1 som udgang</translation>
+    </message>
+    <message>
+        <source>Declare %1 as a global variable</source>
+        <translation>Erklær %1 som global variabel</translation>
+    </message>
+    <message>
+        <source>Declare %1 in %2</source>
+        <translation>Erklær %1 i %2</translation>
     </message>
 </context>
 <context>

@@ -1716,6 +1716,20 @@
         <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
         <translation>%1 wurde von einem anderen Programm geändert, und hier auch. Die Datei neu laden und die Änderungen von hier verlieren?</translation>
     </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>In %n Datei geändert; seither bearbeitete bleiben, wie sie sind</numerusform>
+            <numerusform>In %n Dateien geändert; seither bearbeitete bleiben, wie sie sind</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>In %n Datei geändert</numerusform>
+            <numerusform>In %n Dateien geändert</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>plc::app::LiveViews</name>
@@ -2502,6 +2516,30 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The file can not be removed; check the permissions of the folder</source>
         <translation>Die Datei lässt sich nicht löschen; bitte die Rechte des Ordners prüfen</translation>
     </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
+    </message>
+    <message>
+        <source>This is a copy of the example, in %1: change what you like</source>
+        <translation>Das ist eine Kopie des Beispiels, in %1: Ändern Sie, was Sie möchten</translation>
+    </message>
+    <message>
+        <source>This is your copy of the example, in %1</source>
+        <translation>Das ist Ihre Kopie des Beispiels, in %1</translation>
+    </message>
+    <message>
+        <source>Rename it where it is declared: the tests follow</source>
+        <translation>Benennen Sie es dort um, wo es deklariert ist: Die Tests folgen</translation>
+    </message>
+    <message>
+        <source>The project is still being checked; try again in a moment</source>
+        <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
+    </message>
+    <message>
+        <source>It holds %1.</source>
+        <translation>Sie enthält %1.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -2656,6 +2694,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>A name has letters, digits and _, begins with a letter and is no keyword</source>
         <translation>Ein Name besteht aus Buchstaben, Ziffern und _, beginnt mit einem Buchstaben und ist kein Schlüsselwort</translation>
     </message>
+    <message>
+        <source>There is a %1 in the project already</source>
+        <translation>%1 gibt es im Projekt schon</translation>
+    </message>
+    <message>
+        <source>There is a file %1 already: choose it, or another name</source>
+        <translation>Die Datei %1 gibt es schon: Wählen Sie sie oder einen anderen Namen</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ProblemsView</name>
@@ -2794,6 +2840,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Watch</source>
         <translation>Beobachten</translation>
     </message>
+    <message>
+        <source>Arrange by file</source>
+        <translation>Nach Dateien ordnen</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::SearchView</name>
@@ -2909,6 +2963,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Cancelled; nothing was replaced</source>
         <translation>Abgebrochen; nichts wurde ersetzt</translation>
+    </message>
+    <message>
+        <source>in a test</source>
+        <translation>in einem Test</translation>
     </message>
 </context>
 <context>
@@ -3031,6 +3089,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Examples: open one and press Run</source>
         <translation>Beispiele: eines öffnen und Start drücken</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a Fresh Copy</source>
+        <translation>Neue Kopie öffnen</translation>
     </message>
 </context>
 <context>
@@ -3383,6 +3449,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Remove the selected variables</source>
         <translation>Gewählte Variablen entfernen</translation>
     </message>
+    <message>
+        <source>Move up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>Nach unten</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::EventLog</name>
@@ -3587,6 +3661,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>CR</source>
         <comment>current result of an instruction list</comment>
         <translation>AE</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an input</source>
+        <translation>%1 als Eingang deklarieren</translation>
+    </message>
+    <message>
+        <source>Declare %1 as an output</source>
+        <translation>%1 als Ausgang deklarieren</translation>
+    </message>
+    <message>
+        <source>Declare %1 as a global variable</source>
+        <translation>%1 als globale Variable deklarieren</translation>
+    </message>
+    <message>
+        <source>Declare %1 in %2</source>
+        <translation>%1 in %2 deklarieren</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,20 @@
             <numerusform>%n files were changed: %1. Save them?</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s); those edited since stay as they are</source>
+        <translation>
+            <numerusform>Changed in %n file; those edited since stay as they are</numerusform>
+            <numerusform>Changed in %n files; those edited since stay as they are</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Changed in %n file(s)</source>
+        <translation>
+            <numerusform>Changed in %n file</numerusform>
+            <numerusform>Changed in %n files</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>

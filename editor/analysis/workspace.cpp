@@ -2,8 +2,10 @@
 
 #include "editor/kit/post.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/text.h"
 
 #include <QDir>
+#include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
 
@@ -13,6 +15,26 @@ namespace {
 constexpr int kPauseMs = 15;        // after a keystroke, before a check starts
 constexpr int kAutosaveMs = 10'000; // between side files
 std::string toStd(const QString& text) { return text.toStdString(); }
+
+/// What an older editor of Windows wrote: no byte of it is lost.
+std::string windows1252ToUtf8(const std::string& bytes) {
+    static constexpr char16_t upper[] = {0x20AC, 0x81,   0x201A, 0x192,  0x201E, 0x2026, 0x2020, 0x2021,
+                                         0x2C6,  0x2030, 0x160,  0x2039, 0x152,  0x8D,   0x17D,  0x8F,
+                                         0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                         0x2DC,  0x2122, 0x161,  0x203A, 0x153,  0x9D,   0x17E,  0x178};
+    std::string out;
+    for (const char c : bytes) {
+        const auto byte = static_cast<unsigned char>(c);
+        appendUtf8(out, byte >= 0x80 && byte < 0xA0 ? upper[byte - 0x80] : byte);
+    }
+    return out;
+}
+
+/// As an editor shows it: without a byte order mark, and always UTF-8.
+std::string readable(const std::string& bytes) {
+    if (bytes.starts_with("\xEF\xBB\xBF")) return readable(bytes.substr(3));
+    return firstInvalidUtf8(bytes) ? windows1252ToUtf8(bytes) : bytes;
+}
 } // namespace
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
@@ -41,14 +63,17 @@ Result<void> Workspace::open(const QString& folder) {
     close();
     m_project = std::move(*project);
     for (const auto* list : {&m_project->sources, &m_project->tests})
-        for (const driver::SourceFile& file : *list)
-            m_files[QString::fromStdString(file.path)] = {file.text, file.text};
+        for (const driver::SourceFile& file : *list) takeFile(QString::fromStdString(file.path), file.text);
     watchFiles();
     m_autosave.start();
     emit opened();
+    for (const QString& file : files())
+        if (firstInvalidUtf8(m_files[file].onDisk)) emit encodingConverted(file);
     startCheck();
     return {};
 }
+
+void Workspace::takeFile(const QString& file, const std::string& bytes) { m_files[file] = {readable(bytes), bytes}; }
 
 void Workspace::close() {
     if (!m_project) return;
@@ -101,6 +126,11 @@ std::string Workspace::text(const QString& file) const {
     return it == m_files.end() ? std::string() : it->second.text;
 }
 
+std::string Workspace::savedText(const QString& file) const {
+    const auto it = m_files.find(file);
+    return it == m_files.end() ? std::string() : it->second.onDisk;
+}
+
 void Workspace::setText(const QString& file, std::string text) {
     const auto it = m_files.find(file);
     if (it == m_files.end() || it->second.text == text) return;
@@ -145,10 +175,10 @@ Result<void> Workspace::saveAll() {
 void Workspace::revert(const QString& file) {
     const auto it = m_files.find(file);
     if (it == m_files.end()) return;
-    it->second.text = it->second.onDisk;
+    it->second.text = readable(it->second.onDisk);
     QFile::remove(sideFile(file));
     emit textReplaced(file);
-    emit modificationChanged(file, false);
+    emit modificationChanged(file, isModified(file));
     m_pause.start();
 }
 
@@ -220,7 +250,8 @@ void Workspace::readDiskChange(const QString& absolute) {
         return;
     }
     m_watcher.addPath(absolute);
-    const std::string now = disk.readAll().toStdString();
+    std::string now = disk.readAll().toStdString();
+    if (now.starts_with("\xEF\xBB\xBF")) now.erase(0, 3);
     if (now == it->second.onDisk) return;
     const bool editedHere = isModified(file);
     it->second.onDisk = now;
@@ -228,8 +259,10 @@ void Workspace::readDiskChange(const QString& absolute) {
         emit changedOnDiskAndHere(file);
         return;
     }
-    it->second.text = now;
+    it->second.text = readable(now);
     emit textReplaced(file);
+    emit modificationChanged(file, isModified(file));
+    if (firstInvalidUtf8(now)) emit encodingConverted(file);
     m_pause.start();
 }
 
@@ -244,7 +277,7 @@ void Workspace::readFolderChange() {
             const QString file = QString::fromStdString(source.path);
             there[file] = true;
             if (m_files.contains(file)) continue;
-            m_files[file] = {source.text, source.text};
+            takeFile(file, source.text);
             changed = true;
         }
     for (auto it = m_files.begin(); it != m_files.end();) {
@@ -257,6 +290,8 @@ void Workspace::readFolderChange() {
         }
     }
     if (!changed) return;
+    for (const auto& [file, content] : m_files)
+        if (firstInvalidUtf8(content.onDisk)) emit encodingConverted(file);
     watchFiles();
     emit filesChanged();
     startCheck();
@@ -300,6 +335,18 @@ void Workspace::discardRecovery() {
 void Workspace::checkNow() {
     m_pause.stop();
     startCheck();
+}
+
+std::shared_ptr<const analysis::CodeModel> Workspace::presentModel() {
+    if (!m_project) return nullptr;
+    if (m_pause.isActive()) checkNow();
+    if (m_model && m_model->revision() == m_revision) return m_model;
+    QEventLoop loop;
+    connect(this, &Workspace::analysed, &loop, &QEventLoop::quit);
+    connect(this, &Workspace::closed, &loop, &QEventLoop::quit);
+    QTimer::singleShot(5000, &loop, &QEventLoop::quit);
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+    return m_model && m_model->revision() == m_revision ? m_model : nullptr;
 }
 
 void Workspace::startCheck() {

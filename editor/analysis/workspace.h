@@ -39,6 +39,8 @@ public:
     [[nodiscard]] QString absolutePath(const QString& file) const;
 
     [[nodiscard]] std::string text(const QString& file) const;
+    /// As it was read or saved last.
+    [[nodiscard]] std::string savedText(const QString& file) const;
     void setText(const QString& file, std::string text); // an editor's content; starts a check
     [[nodiscard]] bool isModified(const QString& file) const;
     [[nodiscard]] QStringList modifiedFiles() const;
@@ -54,6 +56,8 @@ public:
 
     [[nodiscard]] std::shared_ptr<const analysis::CodeModel> model() const { return m_model; }
     void checkNow(); // without waiting for the pause in typing
+    /// The model of the texts as they are now: waits for it, at most some seconds; null when it does not come.
+    [[nodiscard]] std::shared_ptr<const analysis::CodeModel> presentModel();
 
     /// Side files of unsaved texts, found after a crash: file → text.
     [[nodiscard]] std::map<QString, std::string> recoverable() const;
@@ -68,6 +72,8 @@ signals:
     void changedOnDiskAndHere(const QString& file); // the user must choose
     void analysed(std::shared_ptr<const plc::analysis::CodeModel> model);
     void saved(const QString& file);
+    /// The file was not UTF-8 and was read as Windows-1252: it counts as changed, saving it writes UTF-8.
+    void encodingConverted(const QString& file);
 
 private:
     struct File {
@@ -75,6 +81,7 @@ private:
         std::string onDisk;
     };
     void startCheck();
+    void takeFile(const QString& file, const std::string& bytes);
     void workerLoop();
     void readDiskChange(const QString& absolute);
     void readFolderChange();

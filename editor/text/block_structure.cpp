@@ -74,9 +74,21 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
     Scan scan;
     diagnostics::Sink sink;
     const lex::TokenList list = lex::tokenize(FileId(size_t(0)), text, sink);
+    std::vector<BlockMark> regions;
     for (size_t i = 0; i < list.tokens.size(); ++i) {
         const Token& token = list.tokens[i];
         if (token.begin >= upTo) break;
+        if (token.kind == TokenKind::Pragma) { // {region 'name'} … {endregion}
+            const std::string words = upper(text.substr(token.begin + 1, token.end - token.begin - 1));
+            const size_t first = words.find_first_not_of(" \t");
+            if (first == std::string::npos) continue;
+            if (words.compare(first, 6, "REGION") == 0) regions.push_back({token.begin, token.end});
+            if (words.compare(first, 9, "ENDREGION") == 0 && !regions.empty()) {
+                scan.pairs.push_back({regions.back(), {token.begin, token.end}, {}, 0});
+                regions.pop_back();
+            }
+            continue;
+        }
         const bool isWord = lex::isKeyword(token.kind) || token.soft != lex::SoftWord::None;
         if (!isWord) continue;
         const std::string word = upper(text.substr(token.begin, token.end - token.begin));

@@ -6,10 +6,14 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace plc::editor {
 
@@ -36,11 +40,7 @@ DeclarationTable::DeclarationTable(StEditor& editor, QWidget* parent) : QWidget(
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setAccessibleName(tr("Declarations"));
     auto* bar = new QToolBar(this);
-    bar->setIconSize({16, 16});
-    connect(bar->addAction(kit::icon(kit::Icon::Add), tr("Add a variable")), &QAction::triggered, this,
-            &DeclarationTable::addVariable);
-    connect(bar->addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected variables")), &QAction::triggered,
-            this, &DeclarationTable::removeSelected);
+    makeBar(*bar);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -48,6 +48,46 @@ DeclarationTable::DeclarationTable(StEditor& editor, QWidget* parent) : QWidget(
     layout->addWidget(m_table);
     connect(m_table, &QTableWidget::cellChanged, this, &DeclarationTable::takeEdit);
     connect(&m_editor, &StEditor::cursorMoved, this, [this] { fill(); });
+}
+
+void DeclarationTable::makeBar(QToolBar& bar) {
+    using syntax::SectionKind;
+    bar.setIconSize({16, 16});
+    auto* add = new QToolButton(&bar);
+    add->setIcon(kit::icon(kit::Icon::Add));
+    add->setToolTip(tr("Add a variable"));
+    add->setAccessibleName(add->toolTip());
+    add->setPopupMode(QToolButton::MenuButtonPopup);
+    auto* menu = new QMenu(add);
+    for (const auto& [kind, word] :
+         {std::pair(SectionKind::Var, "VAR"), std::pair(SectionKind::Input, "VAR_INPUT"),
+          std::pair(SectionKind::Output, "VAR_OUTPUT"), std::pair(SectionKind::InOut, "VAR_IN_OUT"),
+          std::pair(SectionKind::Temp, "VAR_TEMP")})
+        menu->addAction(word, this, [this, kind = kind] { addVariable(kind); });
+    add->setMenu(menu);
+    connect(add, &QToolButton::clicked, this, [this] {
+        const int row = m_table->currentRow(); // another one of its kind
+        const bool isKnown = row >= 0 && row < static_cast<int>(m_rows.size());
+        addVariable(isKnown ? m_rows[static_cast<size_t>(row)].section->kind : SectionKind::Var);
+    });
+    bar.addWidget(add);
+    connect(bar.addAction(kit::icon(kit::Icon::Remove), tr("Remove the selected variables")), &QAction::triggered, this,
+            &DeclarationTable::removeSelected);
+    connect(bar.addAction(kit::icon(kit::Icon::Up), tr("Move up")), &QAction::triggered, this,
+            [this] { moveSelected(-1); });
+    connect(bar.addAction(kit::icon(kit::Icon::Down), tr("Move down")), &QAction::triggered, this,
+            [this] { moveSelected(1); });
+}
+
+bool DeclarationTable::isUpToDate() const {
+    const auto file = m_model ? m_model->fileOf(m_editor.file().toStdString()) : std::nullopt;
+    return file && m_editor.utf8() == m_model->sources()[*file].text();
+}
+
+/// Behind the event that is being handled: its cell is still in use.
+void DeclarationTable::fillAgain() {
+    m_pou = nullptr;
+    QMetaObject::invokeMethod(this, &DeclarationTable::fill, Qt::QueuedConnection);
 }
 
 void DeclarationTable::setModel(std::shared_ptr<const analysis::CodeModel> model) {
@@ -74,36 +114,120 @@ void DeclarationTable::fill() {
     walk(walk, m_model->checked().analysis->files[file->index()]->declarations);
     if (around == m_pou && around) return;
     m_pou = around;
+    const int current = m_table->currentRow();
     m_isFilling = true;
     m_rows.clear();
     m_table->setRowCount(0);
-    const SourceText& source = m_model->sources()[*file];
     if (around)
         for (const syntax::VarSection* section : around->sections)
             for (const syntax::VarDecl* declaration : section->declarations)
-                for (size_t i = 0; i < declaration->names.size(); ++i) {
-                    const int row = m_table->rowCount();
-                    m_table->insertRow(row);
-                    m_rows.push_back({declaration, section, i});
-                    const auto set = [&](int column, const QString& text, bool editable) {
-                        auto* item = new QTableWidgetItem(text);
-                        if (!editable) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
-                        m_table->setItem(row, column, item);
-                    };
-                    set(Section, sectionWord(*section), false);
-                    set(Name, kit::fromView(declaration->names[i].text), true);
-                    set(Address, kit::fromView(declaration->address), false);
-                    set(Type, declaration->type ? kit::fromView(source.slice(declaration->type->range)) : QString(),
-                        true);
-                    set(Initial,
-                        declaration->initial ? kit::fromView(source.slice(declaration->initial->range)) : QString(),
-                        true);
-                    set(Comment, kit::fromView(declaration->comment), false);
-                    set(Value, {}, false);
-                }
+                for (size_t i = 0; i < declaration->names.size(); ++i)
+                    setRow(*section, *declaration, i, m_model->sources()[*file]);
     m_table->resizeColumnsToContents();
     m_isFilling = false;
+    int chosen = std::min(current, m_table->rowCount() - 1);
+    for (int row = 0; row < m_table->rowCount() && !m_toSelect.isEmpty(); ++row)
+        if (m_table->item(row, Name)->text() == m_toSelect) chosen = row;
+    if (chosen >= 0) m_table->setCurrentCell(chosen, Name);
+    if (std::exchange(m_editsIt, false) && chosen >= 0) m_table->editItem(m_table->item(chosen, Name));
+    m_toSelect.clear();
     refreshOnlineValues();
+}
+
+void DeclarationTable::setRow(const syntax::VarSection& section, const syntax::VarDecl& declaration, size_t name,
+                              const SourceText& source) {
+    const int row = m_table->rowCount();
+    m_table->insertRow(row);
+    m_rows.push_back({&declaration, &section, name});
+    const auto set = [&](int column, const QString& text, bool editable) {
+        auto* item = new QTableWidgetItem(text);
+        if (!editable) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+        m_table->setItem(row, column, item);
+    };
+    set(Section, sectionWord(section), false);
+    set(Name, kit::fromView(declaration.names[name].text), true);
+    set(Address, kit::fromView(declaration.address), false);
+    set(Type, declaration.type ? kit::fromView(source.slice(declaration.type->range)) : QString(), true);
+    set(Initial, declaration.initial ? kit::fromView(source.slice(declaration.initial->range)) : QString(), true);
+    const bool isOneLine = declaration.comment.find('\n') == std::string_view::npos;
+    set(Comment, kit::fromView(declaration.comment).simplified(), isOneLine);
+    set(Value, {}, false);
+}
+
+/// Behind the declaration on its line, else directly above.
+std::optional<SourceRange> DeclarationTable::commentOf(const syntax::VarDecl& declaration) const {
+    const auto file = m_model->fileOf(m_editor.file().toStdString());
+    const std::string_view text = m_model->sources()[*file].text();
+    const auto hasNewline = [&](uint32_t begin, uint32_t end) {
+        return text.substr(begin, end - begin).find('\n') != std::string_view::npos;
+    };
+    std::optional<SourceRange> above;
+    for (const lex::Comment& each : m_model->checked().analysis->files[file->index()]->tokens.comments) {
+        if (each.begin >= declaration.range.end && !hasNewline(declaration.range.end, each.begin))
+            return SourceRange{*file, each.begin, each.end};
+        if (each.end > declaration.range.begin) continue;
+        const std::string_view between = text.substr(each.end, declaration.range.begin - each.end);
+        const size_t newline = each.begin == 0 ? std::string_view::npos : text.rfind('\n', each.begin - 1);
+        const size_t line = newline == std::string_view::npos ? 0 : newline + 1;
+        if (between.find_first_not_of(" \t\r\n") == std::string_view::npos &&
+            std::count(between.begin(), between.end(), '\n') == 1 &&
+            text.substr(line, each.begin - line).find_first_not_of(" \t") == std::string_view::npos)
+            above = SourceRange{*file, each.begin, each.end};
+    }
+    return above;
+}
+
+std::vector<diagnostics::TextEdit> DeclarationTable::commentEdit(const syntax::VarDecl& declaration,
+                                                                 const std::string& wanted) const {
+    const auto file = m_model->fileOf(m_editor.file().toStdString());
+    const std::string_view text = m_model->sources()[*file].text();
+    if (const auto old = commentOf(declaration)) {
+        SourceRange range = *old;
+        if (wanted.empty()) {
+            const bool isAbove = range.end <= declaration.range.begin;
+            while (range.begin > 0 && (text[range.begin - 1] == ' ' || text[range.begin - 1] == '\t')) --range.begin;
+            if (isAbove && range.end < text.size() && text[range.end] == '\n') ++range.end;
+            return {{range, ""}};
+        }
+        const std::string_view was = text.substr(range.begin, range.length());
+        const std::string marker(was.substr(0, was.starts_with("///") ? 3 : 2));
+        const std::string end = marker == "(*" ? " *)" : marker == "/*" ? " */" : "";
+        return {{range, marker + " " + wanted + end}};
+    }
+    if (wanted.empty()) return {};
+    const size_t newline = std::min(text.find('\n', declaration.range.end), text.size());
+    const size_t semicolon = std::min(text.find(';', declaration.range.end), newline);
+    const auto at = static_cast<uint32_t>(semicolon < newline ? semicolon + 1 : declaration.range.end);
+    return {{{*file, at, at},
+             semicolon < newline && newline - semicolon > 1 && text[semicolon + 1] != '\r'
+                 ? " (* " + wanted + " *)" // more stands on the line
+                 : " // " + wanted}};
+}
+
+/// Its lines, with the comments directly above.
+SourceRange DeclarationTable::linesOf(const syntax::VarDecl& declaration) const {
+    SourceRange range = declaration.range;
+    const std::string_view text = m_model->sources()[range.file].text();
+    const auto lineBegin = [&](uint32_t at) {
+        while (at > 0 && text[at - 1] != '\n') --at;
+        return at;
+    };
+    range.begin = lineBegin(range.begin);
+    while (range.begin > 0) {
+        const uint32_t above = lineBegin(range.begin - 1);
+        const std::string_view line = text.substr(above, range.begin - above);
+        const size_t first = line.find_first_not_of(" \t");
+        if (first == std::string_view::npos) break;
+        const std::string_view words = line.substr(first);
+        const bool isComment = words.starts_with("//") || words.starts_with("{") ||
+                               (words.starts_with("(*") && words.find("*)") != std::string_view::npos &&
+                                words.find_first_not_of(" \t\r\n", words.find("*)") + 2) == std::string_view::npos);
+        if (!isComment) break;
+        range.begin = above;
+    }
+    while (range.end < text.size() && text[range.end] != '\n') ++range.end;
+    if (range.end < text.size()) ++range.end;
+    return range;
 }
 
 void DeclarationTable::refreshOnlineValues() {
@@ -120,18 +244,22 @@ void DeclarationTable::refreshOnlineValues() {
 
 void DeclarationTable::takeEdit(int row, int column) {
     if (m_isFilling || row >= static_cast<int>(m_rows.size())) return;
+    if (!isUpToDate()) return fillAgain(); // the analysis is on its way; the places would not fit
     const Row& edited = m_rows[static_cast<size_t>(row)];
     const QString text = m_table->item(row, column)->text().trimmed();
     const syntax::VarDecl& declaration = *edited.declaration;
     std::vector<diagnostics::TextEdit> edits;
-    if (column == Name && !text.isEmpty()) {
-        const auto file = m_model->fileOf(m_editor.file().toStdString());
-        const auto renamed =
-            m_model->rename(*file, declaration.names[edited.nameIndex].range.begin, text.toStdString());
-        if (renamed)
-            for (const analysis::FileEdits& each : *renamed)
-                if (each.file == *file) edits = each.edits;
-    } else if (column == Type && declaration.type && !text.isEmpty()) {
+    if (column == Name) {
+        const syntax::Name& name = declaration.names[edited.nameIndex];
+        if (text.isEmpty() || text == kit::fromView(name.text)) return fillAgain();
+        m_toSelect = text;
+        fillAgain(); // the old name stays when the new one is refused
+        QMetaObject::invokeMethod(
+            this, [this, offset = name.range.begin, text] { emit renameRequested(offset, text); },
+            Qt::QueuedConnection);
+        return;
+    }
+    if (column == Type && declaration.type && !text.isEmpty()) {
         edits.push_back({declaration.type->range, text.toStdString()});
     } else if (column == Initial && declaration.initial) {
         edits.push_back(text.isEmpty()
@@ -142,13 +270,16 @@ void DeclarationTable::takeEdit(int row, int column) {
     } else if (column == Initial && declaration.type && !text.isEmpty()) {
         edits.push_back({{declaration.type->range.file, declaration.type->range.end, declaration.type->range.end},
                          " := " + text.toStdString()});
+    } else if (column == Comment) {
+        edits = commentEdit(declaration, text.toStdString());
     }
+    if (edits.empty()) return fillAgain();
     m_pou = nullptr; // filled anew with the next analysis
-    if (!edits.empty()) m_editor.applyEdits(edits);
+    m_editor.applyEdits(edits);
 }
 
-void DeclarationTable::addVariable() {
-    if (!m_model || !m_pou) return;
+void DeclarationTable::addVariable(syntax::SectionKind section) {
+    if (!isUpToDate() || !m_pou) return;
     const auto file = m_model->fileOf(m_editor.file().toStdString());
     std::string name = "newVariable";
     const auto taken = [&](const std::string& wanted) {
@@ -158,25 +289,67 @@ void DeclarationTable::addVariable() {
         });
     };
     for (int i = 2; taken(name); ++i) name = "newVariable" + std::to_string(i);
-    const auto edit = m_model->autoDeclare(*file, m_pou->name.range.begin, name);
+    const auto edit = m_model->autoDeclare(*file, m_pou->name.range.begin, name, section);
+    if (!edit) return;
     m_pou = nullptr;
-    if (edit) m_editor.applyEdits({*edit});
+    m_toSelect = QString::fromStdString(name); // and its name is typed at once
+    m_editsIt = true;
+    m_editor.applyEdits({*edit});
 }
 
 void DeclarationTable::removeSelected() {
-    std::vector<diagnostics::TextEdit> edits;
-    const std::string text = m_editor.utf8();
+    if (!isUpToDate()) return;
+    std::map<const syntax::VarDecl*, std::set<size_t>> chosen;
     for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) {
-        const syntax::VarDecl& declaration = *m_rows[static_cast<size_t>(index.row())].declaration;
-        if (declaration.names.size() > 1) continue; // shared declarations are edited in the text
-        SourceRange range = declaration.range;
-        while (range.begin > 0 && (text[range.begin - 1] == ' ' || text[range.begin - 1] == '\t')) --range.begin;
-        while (range.end < text.size() && text[range.end] != '\n') ++range.end;
-        if (range.end < text.size()) ++range.end;
-        edits.push_back({range, ""});
+        const Row& row = m_rows[static_cast<size_t>(index.row())];
+        chosen[row.declaration].insert(row.nameIndex);
     }
+    std::vector<diagnostics::TextEdit> edits;
+    for (const auto& [declaration, names] : chosen) {
+        if (names.size() == declaration->names.size()) {
+            const SourceRange lines = linesOf(*declaration);
+            const std::string_view text = m_model->sources()[lines.file].text();
+            const size_t semicolon = text.find(';', declaration->range.end - 1);
+            const bool sharesLine = std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& other) {
+                return other.declaration != declaration && other.declaration->range.begin < lines.end &&
+                       other.declaration->range.end > lines.begin;
+            });
+            edits.push_back(
+                {sharesLine ? SourceRange{lines.file, declaration->range.begin, static_cast<uint32_t>(semicolon + 1)}
+                            : lines,
+                 ""});
+            continue;
+        }
+        std::string rest; // of "a, b, c : INT"
+        for (size_t i = 0; i < declaration->names.size(); ++i)
+            if (!names.contains(i)) rest += (rest.empty() ? "" : ", ") + std::string(declaration->names[i].text);
+        SourceRange range = declaration->names.front().range;
+        range.end = declaration->names.back().range.end;
+        edits.push_back({range, rest});
+    }
+    if (edits.empty()) return;
     m_pou = nullptr;
-    if (!edits.empty()) m_editor.applyEdits(edits);
+    m_editor.applyEdits(edits);
+}
+
+void DeclarationTable::moveSelected(int direction) {
+    const int row = m_table->currentRow();
+    if (!isUpToDate() || row < 0 || row >= static_cast<int>(m_rows.size())) return;
+    const Row& moved = m_rows[static_cast<size_t>(row)];
+    const auto& declarations = moved.section->declarations;
+    const auto here = std::find(declarations.begin(), declarations.end(), moved.declaration) - declarations.begin();
+    const auto other = here + direction;
+    if (other < 0 || other >= static_cast<std::ptrdiff_t>(declarations.size())) return;
+    const SourceRange first = linesOf(*declarations[static_cast<size_t>(std::min(here, other))]),
+                      second = linesOf(*declarations[static_cast<size_t>(std::max(here, other))]);
+    if (first.end > second.begin) return; // both on one line
+    const std::string_view text = m_model->sources()[first.file].text();
+    const std::string swapped = std::string(text.substr(second.begin, second.length())) +
+                                std::string(text.substr(first.end, second.begin - first.end)) +
+                                std::string(text.substr(first.begin, first.length()));
+    m_pou = nullptr;
+    m_toSelect = m_table->item(row, Name)->text();
+    m_editor.applyEdits({{{first.file, first.begin, second.end}, swapped}});
 }
 
 } // namespace plc::editor

@@ -7,6 +7,8 @@
 #include <QTableWidget>
 #include <QWidget>
 
+class QToolBar;
+
 namespace plc::editor {
 
 class DeclarationTable : public QWidget {
@@ -18,6 +20,13 @@ public:
     void setOnlineValues(OnlineValues values) { m_values = std::move(values); }
     void refreshOnlineValues();
     [[nodiscard]] QTableWidget& table() { return *m_table; }
+    void addVariable(syntax::SectionKind section);
+    void removeSelected();
+    void moveSelected(int direction); // within its section, with its comments
+
+signals:
+    /// The name at this place of the editor's file gets another one, in the whole project.
+    void renameRequested(uint32_t offset, const QString& name);
 
 private:
     enum Column { Section, Name, Address, Type, Initial, Comment, Value, Count };
@@ -28,8 +37,15 @@ private:
     };
     void fill();
     void takeEdit(int row, int column);
-    void addVariable();
-    void removeSelected();
+    void fillAgain();
+    [[nodiscard]] bool isUpToDate() const; // the rows' places are those of the text
+    void makeBar(QToolBar& bar);
+    void setRow(const syntax::VarSection& section, const syntax::VarDecl& declaration, size_t name,
+                const SourceText& source);
+    [[nodiscard]] std::optional<SourceRange> commentOf(const syntax::VarDecl& declaration) const;
+    [[nodiscard]] SourceRange linesOf(const syntax::VarDecl& declaration) const;
+    [[nodiscard]] std::vector<diagnostics::TextEdit> commentEdit(const syntax::VarDecl& declaration,
+                                                                 const std::string& text) const;
 
     StEditor& m_editor;
     QTableWidget* m_table;
@@ -38,6 +54,8 @@ private:
     std::vector<Row> m_rows;
     OnlineValues m_values;
     bool m_isFilling = false;
+    QString m_toSelect; // a name that is chosen when the table is filled next
+    bool m_editsIt = false;
 };
 
 } // namespace plc::editor

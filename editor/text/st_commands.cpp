@@ -9,6 +9,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <map>
 
 namespace plc::editor {
 
@@ -51,10 +52,12 @@ void StEditor::highlightAll(const QString& wanted, bool regex, bool caseSensitiv
                                    : QRegularExpression::MultilineOption | QRegularExpression::CaseInsensitiveOption);
     if (!pattern.isValid()) return;
     const QString all = QString::fromStdString(text);
+    qsizetype counted = 0, begin = 0; // characters whose bytes are in `begin`
     for (auto matches = pattern.globalMatch(all); matches.hasNext();) {
         const auto match = matches.next();
         if (match.capturedLength() == 0) continue;
-        const auto begin = all.left(match.capturedStart()).toUtf8().size();
+        begin += QStringView(all).mid(counted, match.capturedStart() - counted).toUtf8().size();
+        counted = match.capturedStart();
         SendScintilla(S::SCI_INDICATORFILLRANGE, static_cast<unsigned long>(begin),
                       static_cast<long>(match.captured().toUtf8().size()));
     }
@@ -116,25 +119,49 @@ void StEditor::goToMatchingWord() {
     moveToMatchingBrace();
 }
 
-void StEditor::formatText() {
-    format::FormatOptions options;
-    options.indentWidth = m_settings.indent;
-    const std::string before = utf8();
-    const std::string after = format::format(before, options);
-    if (after == before) return;
-    // One edit between the common begin and end keeps cursor and marks where nothing changed.
+namespace {
+/// The stretch in which two texts differ; characters are never cut.
+std::optional<diagnostics::TextEdit> difference(const std::string& before, const std::string& after) {
+    if (after == before) return std::nullopt;
+    const auto isInside = [](const std::string& text, size_t at) {
+        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+    };
     size_t begin = 0;
     while (begin < before.size() && begin < after.size() && before[begin] == after[begin]) ++begin;
-    while (begin > 0 && (static_cast<unsigned char>(before[begin]) & 0xC0) == 0x80) --begin;
+    while (begin > 0 && (isInside(before, begin) || isInside(after, begin))) --begin;
     size_t endBefore = before.size(), endAfter = after.size();
     while (endBefore > begin && endAfter > begin && before[endBefore - 1] == after[endAfter - 1])
         --endBefore, --endAfter;
-    while (endBefore < before.size() && (static_cast<unsigned char>(before[endBefore]) & 0xC0) == 0x80)
-        ++endBefore, ++endAfter;
+    while (isInside(before, endBefore)) ++endBefore, ++endAfter;
+    return diagnostics::TextEdit{{FileId(), static_cast<uint32_t>(begin), static_cast<uint32_t>(endBefore)},
+                                 after.substr(begin, endAfter - begin)};
+}
+} // namespace
+
+void StEditor::takeText(const std::string& text) {
+    const auto edit = difference(utf8(), text);
+    if (!edit) return;
     int line = 0, column = 0;
     getCursorPosition(&line, &column);
-    applyEdits({{{FileId(), static_cast<uint32_t>(begin), static_cast<uint32_t>(endBefore)},
-                 after.substr(begin, endAfter - begin)}});
+    const bool wasLoading = std::exchange(m_isLoading, true);
+    applyEdits({*edit});
+    m_isLoading = wasLoading;
+    setCursorPosition(std::min(line, lines() - 1), column);
+    m_isAsAnalysed = false;
+    updateFolding();
+    updateChangedLines();
+}
+
+void StEditor::formatText() {
+    format::FormatOptions options;
+    options.indentWidth = m_settings.indent;
+    // One edit between the common begin and end keeps cursor and marks where nothing changed.
+    const std::string before = utf8();
+    const auto edit = difference(before, format::format(before, options));
+    if (!edit) return;
+    int line = 0, column = 0;
+    getCursorPosition(&line, &column);
+    applyEdits({*edit});
     setCursorPosition(std::min(line, lines() - 1), column);
 }
 
@@ -151,6 +178,33 @@ bool StEditor::goToDiagnostic(int direction) {
     return true;
 }
 
+/// An unknown name can become a local, an input, an output or a global; an unknown member an input or a field of its
+/// owner.
+void StEditor::addDeclarations(const diagnostics::Diagnostic& d,
+                               const std::function<void(const QString&, const diagnostics::TextEdit&)>& add) const {
+    const auto file = fileId();
+    if (!m_model || !file || d.arguments.empty()) return;
+    using diagnostics::Kind;
+    const auto declared = [](const std::string& text) { // "x : INT" of the lines that are put in
+        const QString line = QString::fromStdString(text).section(';', 0, 0).section('\n', -1).trimmed();
+        return line;
+    };
+    if (d.kind == Kind::UndeclaredName) {
+        using syntax::SectionKind;
+        const std::pair<SectionKind, QString> choices[] = {
+            {SectionKind::Var, tr("Declare %1")},
+            {SectionKind::Input, tr("Declare %1 as an input")},
+            {SectionKind::Output, tr("Declare %1 as an output")},
+            {SectionKind::Global, tr("Declare %1 as a global variable")}};
+        for (const auto& [section, title] : choices)
+            if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.arguments[0], section))
+                add(title.arg(declared(edit->text)), *edit);
+    } else if ((d.kind == Kind::UnknownMember || d.kind == Kind::UnknownParameter) && d.arguments.size() > 1) {
+        if (const auto edit = m_model->declareMember(*file, d.range.begin, d.arguments[0], d.arguments[1]))
+            add(tr("Declare %1 in %2").arg(declared(edit->text), QString::fromStdString(d.arguments[0])), *edit);
+    }
+}
+
 void StEditor::applyFix() {
     const uint32_t at = cursorOffset();
     const long line = SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(at));
@@ -164,10 +218,9 @@ void StEditor::applyFix() {
         if (!isHere && SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(d.range.begin)) != line)
             continue;
         for (const diagnostics::Fix& fix : d.fixes) choices.push_back({QString::fromStdString(fix.title), fix.edits});
-        if (d.kind == diagnostics::Kind::UndeclaredName && m_model && !d.arguments.empty())
-            if (const auto file = fileId())
-                if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.arguments[0]))
-                    choices.push_back({tr("Declare %1").arg(QString::fromStdString(edit->text).trimmed()), {*edit}});
+        addDeclarations(d, [&](const QString& title, const diagnostics::TextEdit& edit) {
+            choices.push_back({title, {edit}});
+        });
     }
     if (utf8() != m_analysedText) return; // the analysis is on its way; its places would not fit
     if (choices.empty()) {
@@ -175,15 +228,20 @@ void StEditor::applyFix() {
         return;
     }
     const auto apply = [this](const Choice& choice) {
-        std::vector<diagnostics::TextEdit> edits;
+        std::map<FileId, std::vector<diagnostics::TextEdit>> byFile;
         for (const diagnostics::TextEdit& edit : choice.edits)
-            if (!edit.range.file.isValid() || edit.range.file == *fileId()) edits.push_back(edit);
-        applyEdits(edits);
+            byFile[edit.range.file.isValid() ? edit.range.file : *fileId()].push_back(edit);
+        if (byFile.size() == 1 && byFile.begin()->first == *fileId()) return applyEdits(choice.edits);
+        std::vector<analysis::FileEdits> all;
+        for (auto& [file, edits] : byFile) all.push_back({file, std::move(edits)});
+        emit projectEditsRequested(all);
     };
     if (choices.size() == 1) return apply(choices[0]);
     QMenu menu(this);
+    menu.setObjectName("fixes");
     for (const Choice& choice : choices)
         connect(menu.addAction(choice.title), &QAction::triggered, this, [apply, choice] { apply(choice); });
+    menu.setActiveAction(menu.actions().first()); // Enter takes the first
     menu.exec(mapToGlobal(
         QPoint(static_cast<int>(SendScintilla(S::SCI_POINTXFROMPOSITION, 0ul, static_cast<long>(at))),
                static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, static_cast<long>(at))) + 18)));

@@ -92,6 +92,7 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     setScrollWidthTracking(true);
     SendScintilla(S::SCI_SETMULTIPLESELECTION, 1ul);
     SendScintilla(S::SCI_SETADDITIONALSELECTIONTYPING, 1ul);
+    SendScintilla(S::SCI_SETMULTIPASTE, 1ul);
     SendScintilla(S::SCI_SETVIRTUALSPACEOPTIONS, 1ul);
     SendScintilla(S::SCI_AUTOCSETIGNORECASE, 1ul);
     SendScintilla(S::SCI_AUTOCSETORDER, 2ul); // keep our order
@@ -193,6 +194,7 @@ std::optional<FileId> StEditor::fileId() const {
 
 void StEditor::load(const std::string& text) {
     m_isLoading = true;
+    setEolMode(text.find("\r\n") != std::string::npos ? EolWindows : EolUnix); // as the file has it
     setText(QString::fromStdString(text));
     SendScintilla(S::SCI_EMPTYUNDOBUFFER);
     m_isLoading = false;
@@ -215,6 +217,7 @@ std::string StEditor::utf8() const {
 void StEditor::shareDocumentOf(StEditor& other) {
     setDocument(other.document());
     setFile(other.file());
+    m_savedText = other.m_savedText; // both mark the same lines
     updateFolding();
 }
 
@@ -332,7 +335,10 @@ void StEditor::applyEdits(std::vector<diagnostics::TextEdit> edits) {
     if (edits.empty()) return;
     m_isApplying = true; // one change to those who listen, however many places
     beginUndoAction();
-    for (const diagnostics::TextEdit& edit : edits) {
+    for (diagnostics::TextEdit& edit : edits) {
+        if (eolMode() == EolWindows) // new lines end as those of the file
+            for (size_t at = 0; (at = edit.text.find('\n', at)) != std::string::npos; ++at)
+                if (at == 0 || edit.text[at - 1] != '\r') edit.text.insert(at++, 1, '\r');
         SendScintilla(S::SCI_SETTARGETSTART, static_cast<unsigned long>(edit.range.begin));
         SendScintilla(S::SCI_SETTARGETEND, static_cast<unsigned long>(edit.range.end));
         SendScintilla(S::SCI_REPLACETARGET, static_cast<unsigned long>(edit.text.size()), edit.text.c_str());

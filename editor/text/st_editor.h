@@ -47,6 +47,13 @@ public:
     void setSettings(const EditorSettings& settings);
     /// Replaces the whole text and forgets undo (loading).
     void load(const std::string& text);
+    /// Replaces what differs, as one step of undo, for those who hold this text already: nothing is emitted.
+    void takeText(const std::string& text);
+    /// What Ctrl+Z and Ctrl+Y do when changes of several files belong together; else the editor's own undo.
+    void setUndo(std::function<void()> undo, std::function<void()> redo) {
+        m_undo = std::move(undo);
+        m_redo = std::move(redo);
+    }
     [[nodiscard]] std::string utf8() const;
     /// Marks lines that differ from this text.
     void setSavedText(const std::string& text);
@@ -95,6 +102,8 @@ signals:
     void watchRequested(const QString& expression);
     void cursorMoved(const QString& file, int line, int column);
     void hoverRequested(const QString& file, uint32_t offset, const QPoint& globalPosition);
+    /// A fix that changes other files (too).
+    void projectEditsRequested(const std::vector<plc::analysis::FileEdits>& edits);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -109,6 +118,8 @@ private:
     void updateFolding();
     void updateChangedLines();
     void showDiagnostics();
+    void addDeclarations(const diagnostics::Diagnostic& diagnostic,
+                         const std::function<void(const QString&, const diagnostics::TextEdit&)>& add) const;
     void highlightAroundCursor();
     void afterCharacter(int character);
     void enterPressed();
@@ -123,6 +134,7 @@ private:
 
     QString m_file;
     PathOf m_pathOf;
+    std::function<void()> m_undo, m_redo;
     EditorSettings m_settings;
     StLexer* m_lexer;
     std::shared_ptr<const analysis::CodeModel> m_model;

@@ -22,6 +22,13 @@ bool isWord(char c) {
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Undo) && m_undo) return m_undo();
+    if ((event->matches(QKeySequence::Redo) ||
+         (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier)) &&
+        m_redo)
+        return m_redo();
+    if (SendScintilla(S::SCI_GETSELECTIONS) > 1 && event->modifiers() == Qt::NoModifier)
+        return QsciScintilla::keyPressEvent(event); // typing in a column
     bool listOpen = SendScintilla(S::SCI_AUTOCACTIVE) != 0;
     if (listOpen && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && isWordComplete()) {
         SendScintilla(S::SCI_AUTOCCANCEL); // what is typed is a whole word already: Enter ends the line
@@ -54,10 +61,13 @@ bool StEditor::isWordComplete() const {
 }
 
 void StEditor::afterCharacter(int character) {
+    if (SendScintilla(S::SCI_GETSELECTIONS) > 1) return; // help with one word would end the column
     const std::string text = utf8();
     const uint32_t at = cursorOffset();
-    if (character == '(' || character == ',') showParameterHelp();
-    if (character == ')') SendScintilla(S::SCI_CALLTIPCANCEL);
+    // Behind ")" the call around goes on, if there is one; behind ":=" and "=>" the named parameter is the current one.
+    if (character == '(' || character == ',' || character == ')' ||
+        (SendScintilla(S::SCI_CALLTIPACTIVE) && (character == '=' || character == '>')))
+        showParameterHelp();
     const bool isLetter = character > 0x7f || isWord(static_cast<char>(character));
     if (!isLetter && m_settings.upperCaseKeywords) upperCaseWordBefore();
     outdentClosingWord();
@@ -136,7 +146,9 @@ void StEditor::showParameterHelp() {
         const auto& parameter = help->parameters[i];
         if (i) tip += i % 3 == 0 ? ",\n    " : ", ";
         if (i == help->current) highlightBegin = tip.size();
-        tip += parameter.name + (parameter.section == types::FieldSection::Output ? " => " : " := ") + parameter.type;
+        tip += parameter.name;
+        if (!parameter.type.empty())
+            tip += (parameter.section == types::FieldSection::Output ? " => " : " := ") + parameter.type;
         if (i == help->current) highlightEnd = tip.size();
     }
     tip += ")";
@@ -154,14 +166,15 @@ void StEditor::enterPressed() {
     const size_t lineBegin = at == 0 ? 0 : before.rfind('\n', at - 1) + 1;
     const size_t first = before.find_first_not_of(" \t", lineBegin);
     const int own = static_cast<int>(std::min<size_t>(first == std::string::npos ? at : first, at) - lineBegin);
-    const bool atLineEnd = at >= before.size() || before[at] == '\n';
+    const bool atLineEnd = at >= before.size() || before[at] == '\n' || before[at] == '\r';
     const std::string end =
         m_settings.autoCloseBlocks && indent > own && atLineEnd ? missingEnd(before, at) : std::string();
-    std::string inserted = "\n" + std::string(static_cast<size_t>(indent), ' ');
+    const std::string newline = eolMode() == EolWindows ? "\r\n" : "\n";
+    std::string inserted = newline + std::string(static_cast<size_t>(indent), ' ');
     const size_t cursor = inserted.size();
     if (!end.empty())
         inserted +=
-            "\n" + std::string(static_cast<size_t>(own), ' ') + end +
+            newline + std::string(static_cast<size_t>(own), ' ') + end +
             (end == "END_VAR" || end == "END_TYPE" || end.starts_with("END_F") || end == "END_PROGRAM" ||
                      end == "END_METHOD"
                  ? ""

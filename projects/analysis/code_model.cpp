@@ -299,6 +299,37 @@ std::optional<Hover> CodeModel::hover(FileId file, uint32_t offset) const {
     else
         hover.declaration =
             word + " " + found.name + (type.empty() || type == found.name || type == "(no value)" ? "" : " : " + type);
+    // What is called shows its pins; a structure its fields.
+    if (found.kind == SymbolKind::FunctionBlock || found.kind == SymbolKind::Function ||
+        found.kind == SymbolKind::Method || found.kind == SymbolKind::Type ||
+        (found.kind == SymbolKind::Variable && program && found.type.isValid() &&
+         program->types->kind(found.type) == types::TypeKind::Block)) {
+        size_t shown = 0;
+        const auto pin = [&](types::FieldSection section, const std::string& name, const std::string& of) {
+            const char* arrow = section == types::FieldSection::Input    ? "→ "
+                                : section == types::FieldSection::Output ? "← "
+                                : section == types::FieldSection::InOut  ? "↔ "
+                                                                         : "  ";
+            const bool isPin = section == types::FieldSection::Input || section == types::FieldSection::Output ||
+                               section == types::FieldSection::InOut;
+            if (!isPin && !(section == types::FieldSection::Member && found.kind == SymbolKind::Type)) return;
+            if (++shown <= 24) hover.declaration += "\n" + (arrow + name) + " : " + of;
+            if (shown == 25) hover.declaration += "\n…";
+        };
+        const bool isRoutine = found.kind == SymbolKind::Function || found.kind == SymbolKind::Method;
+        if (program && found.type.isValid() && !isRoutine) {
+            for (const types::Field& field : (*program->types)[found.type].fields)
+                if (!field.name.starts_with("__")) pin(field.section, field.name, (*program->types)[field.type].name);
+        } else if (isRoutine) {
+            const std::string owner = found.owner.empty() ? found.name : found.owner + "." + found.name;
+            if (const auto it = m_byOwner.find(foldCase(owner)); it != m_byOwner.end())
+                for (const uint32_t index : it->second) {
+                    const Symbol& each = m_checked.analysis->symbols[index];
+                    if (each.type.isValid())
+                        pin(each.section, each.name, program ? (*program->types)[each.type].name : "");
+                }
+        }
+    }
     hover.comment = found.comment;
     hover.path = found.path;
     hover.pou = pouAt(file, offset);
@@ -374,7 +405,9 @@ OutlineItem itemOf(const syntax::Pou& pou) {
     item.range = pou.range;
     item.nameRange = pou.name.range;
     for (const syntax::Pragma& pragma : pou.pragmas)
-        item.isSimulation = item.isSimulation || equalsIgnoringCase(pragma.key, "simulation");
+        item.isSimulation = item.isSimulation || equalsIgnoringCase(pragma.key, "simulation"),
+        item.isHidden = item.isHidden || equalsIgnoringCase(pragma.key, "hide");
+    item.comment = std::string(pou.comment);
     const auto child = [&](const syntax::Name& name, SymbolKind kind, SourceRange range) {
         OutlineItem inner;
         inner.name = std::string(name.text);
@@ -408,6 +441,9 @@ void collect(const std::vector<syntax::Decl*>& declarations, std::vector<Outline
             item.name = std::string(declaration->type->name.text);
             item.kind = SymbolKind::Type;
             item.nameRange = declaration->type->name.range;
+            item.comment = std::string(declaration->type->comment);
+            for (const syntax::Pragma& pragma : declaration->type->pragmas)
+                item.isHidden = item.isHidden || equalsIgnoringCase(pragma.key, "hide");
             break;
         case syntax::DeclKind::Globals:
             item.name = declaration->globals->name.empty() ? "VAR_GLOBAL" : std::string(declaration->globals->name);

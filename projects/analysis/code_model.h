@@ -89,10 +89,11 @@ struct Hover {
 };
 
 struct OutlineItem {
-    std::string name, detail;
+    std::string name, detail, comment;
     sema::SymbolKind kind = sema::SymbolKind::Program;
     SourceRange range, nameRange;
     bool isSimulation = false, isTest = false;
+    bool isHidden = false; // {attribute 'hide'}
     std::vector<OutlineItem> children;
 };
 
@@ -132,6 +133,12 @@ public:
     }
     /// Edits in every file; refuses keywords, invalid names, names that exist in the scope, and library names.
     [[nodiscard]] Result<std::vector<FileEdits>> rename(FileId file, uint32_t offset, std::string_view newName) const;
+    /// Takes the unit whose name begins at `offset` out, with the comments and pragmas directly above it; what refers
+    /// to it becomes a comment when wanted: the statement, the declaration, never half of one.
+    [[nodiscard]] std::vector<FileEdits> removal(FileId file, uint32_t offset, bool commentsOutUses) const;
+    /// Where the text of a test, which the model does not hold, means the symbol: begin and end.
+    [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> placesInTest(sema::SymbolId id,
+                                                                          std::string_view text) const;
     [[nodiscard]] std::vector<OutlineItem> outline(FileId file) const;
     [[nodiscard]] Completion complete(FileId file, std::string_view text, uint32_t offset) const;
     /// For watches and bindings: paths from the top.
@@ -139,14 +146,20 @@ public:
     [[nodiscard]] std::optional<ParameterHelp> parameterHelp(FileId file, std::string_view text, uint32_t offset) const;
     /// The POU (qualified name: "Motor", "Motor.Start") around a place; empty outside.
     [[nodiscard]] std::string pouAt(FileId file, uint32_t offset) const;
-    /// Declares `name` in the VAR section of the POU at `offset` with the type that its use suggests.
-    [[nodiscard]] std::optional<diagnostics::TextEdit> autoDeclare(FileId file, uint32_t offset,
-                                                                   std::string_view name) const;
+    /// Declares `name` in a section of the POU at `offset` with the type that its use suggests; Global: in the first
+    /// list of the project's globals.
+    [[nodiscard]] std::optional<diagnostics::TextEdit>
+    autoDeclare(FileId file, uint32_t offset, std::string_view name,
+                syntax::SectionKind section = syntax::SectionKind::Var) const;
+    /// Declares the member `name` in a unit of the project: an input of a block or program, a field of a structure.
+    [[nodiscard]] std::optional<diagnostics::TextEdit>
+    declareMember(FileId file, uint32_t offset, std::string_view owner, std::string_view name) const;
 
 private:
     [[nodiscard]] const sema::Symbol* findVisible(std::string_view name, const std::string& pou) const;
     [[nodiscard]] std::optional<types::TypeId> typeOfChain(const std::vector<std::string>& names,
                                                            const std::string& pou) const;
+    [[nodiscard]] std::string suggestedType(FileId file, uint32_t offset) const;
     void addMembers(types::TypeId type, std::vector<CompletionItem>& items) const;
     void addScope(const std::string& pou, std::vector<CompletionItem>& items) const;
     void addWords(std::vector<CompletionItem>& items) const;

@@ -58,6 +58,8 @@ bool isInsideText(std::string_view text, uint32_t offset) {
         if (comment.end >= offset && comment.begin < offset) return true;
     if (list.tokens.size() < 2) return false;
     const lex::Token& last = list.tokens[list.tokens.size() - 2];
+    if (text[last.begin] == '{' && last.end >= offset && (last.end - last.begin == 1 || text[last.end - 1] != '}'))
+        return true; // a pragma that is being typed
     return (last.kind == TokenKind::StringLiteral || last.kind == TokenKind::WstringLiteral ||
             last.kind == TokenKind::Error) &&
            last.end >= offset && (text[last.begin] == '\'' || text[last.begin] == '"') &&
@@ -359,6 +361,7 @@ Completion CodeModel::completePath(std::string_view text, uint32_t offset) const
 }
 
 std::optional<ParameterHelp> CodeModel::parameterHelp(FileId file, std::string_view text, uint32_t offset) const {
+    if (isInsideText(text, offset)) return std::nullopt;
     diagnostics::Sink sink;
     const uint32_t from = offset > 4000 ? offset - 4000 : 0; // a call does not reach back further
     const std::string_view part = text.substr(from, offset - from);
@@ -373,10 +376,13 @@ std::optional<ParameterHelp> CodeModel::parameterHelp(FileId file, std::string_v
         if (kind == TokenKind::LeftBracket) --depth;
         if (kind == TokenKind::Semicolon || depth < 0) return std::nullopt;
         if (kind == TokenKind::Comma && depth == 0) ++commas;
-        if (kind == TokenKind::LeftParen && depth-- == 0) {
+        if (kind != TokenKind::LeftParen || depth-- != 0) continue;
+        if (i == 0 || list.tokens[i - 1].kind == TokenKind::Identifier) {
             open = i;
             break;
         }
+        depth = 0; // (a + b) groups: the call is further out
+        commas = 0;
     }
     if (open == list.tokens.size() || open == 0 || list.tokens[open - 1].kind != TokenKind::Identifier)
         return std::nullopt;
@@ -421,89 +427,25 @@ std::optional<ParameterHelp> CodeModel::parameterHelp(FileId file, std::string_v
             fromOwner(callee->owner.empty() ? callee->name : callee->owner + "." + callee->name);
     }
     if (help.parameters.empty()) return std::nullopt;
+    // A parameter that is named is the current one wherever it stands.
+    depth = 0;
+    size_t argument = open + 1;
+    for (size_t i = open + 1; i < list.tokens.size(); ++i) {
+        const TokenKind kind = list.tokens[i].kind;
+        depth += kind == TokenKind::LeftParen || kind == TokenKind::LeftBracket;
+        depth -= kind == TokenKind::RightParen || kind == TokenKind::RightBracket;
+        if (kind == TokenKind::Comma && depth == 0) argument = i + 1;
+    }
+    if (argument + 1 < list.tokens.size() && list.tokens[argument].kind == TokenKind::Identifier &&
+        (list.tokens[argument + 1].kind == TokenKind::Assign || list.tokens[argument + 1].kind == TokenKind::Output))
+        for (size_t i = 0; i < help.parameters.size(); ++i)
+            if (equalsIgnoringCase(help.parameters[i].name, spelled(list.tokens[argument]))) help.current = i;
     for (size_t i = open + 1; i + 1 < list.tokens.size(); ++i)
         if (list.tokens[i].kind == TokenKind::Identifier &&
             (list.tokens[i + 1].kind == TokenKind::Assign || list.tokens[i + 1].kind == TokenKind::Output))
             for (ParameterHelp::Parameter& parameter : help.parameters)
                 if (equalsIgnoringCase(parameter.name, spelled(list.tokens[i]))) parameter.isGiven = true;
     return help;
-}
-
-std::optional<diagnostics::TextEdit> CodeModel::autoDeclare(FileId file, uint32_t offset, std::string_view name) const {
-    const sema::Analysis& analysis = *m_checked.analysis;
-    if (file.index() >= analysis.files.size()) return std::nullopt;
-    const std::string_view text = (*m_checked.sources)[file].text();
-    const syntax::Pou* around = nullptr;
-    const auto walk = [&](auto&& self, const std::vector<syntax::Decl*>& declarations) -> void {
-        for (const syntax::Decl* declaration : declarations) {
-            if (declaration->kind == syntax::DeclKind::Pou && offset >= declaration->pou->range.begin &&
-                offset <= declaration->pou->range.end)
-                around = declaration->pou;
-            if (declaration->kind == syntax::DeclKind::Namespace) self(self, declaration->space->declarations);
-        }
-    };
-    walk(walk, analysis.files[file.index()]->declarations);
-    if (!around) return std::nullopt;
-    // The type its use suggests: called → a block is unknown; assigned from or to a literal or variable; a condition is
-    // BOOL.
-    std::string type = "INT";
-    const lex::TokenList& list = analysis.files[file.index()]->tokens;
-    for (size_t i = 0; i + 2 < list.tokens.size(); ++i) {
-        if (list.tokens[i].begin > offset || list.tokens[i].end < offset) continue;
-        const auto typeOf = [&](const lex::Token& token) -> std::string {
-            const std::string_view word = text.substr(token.begin, token.end - token.begin);
-            switch (token.kind) {
-            case TokenKind::True:
-            case TokenKind::False:
-            case TokenKind::Not:
-                return "BOOL";
-            case TokenKind::RealLiteral:
-                return "REAL";
-            case TokenKind::IntegerLiteral:
-                return "INT";
-            case TokenKind::DurationLiteral:
-                return "TIME";
-            case TokenKind::StringLiteral:
-                return "STRING";
-            case TokenKind::WstringLiteral:
-                return "WSTRING";
-            case TokenKind::Identifier: {
-                const Symbol* symbol = findVisible(word, pouAt(file, offset));
-                return symbol && symbol->type.isValid() && analysis.program
-                           ? (*analysis.program->types)[symbol->type].name
-                           : "";
-            }
-            default:
-                return "";
-            }
-        };
-        const TokenKind next = list.tokens[i + 1].kind;
-        std::string guess;
-        if (next == TokenKind::Assign || (next >= TokenKind::Plus && next <= TokenKind::GreaterEqual))
-            guess = typeOf(list.tokens[i + 2]);
-        else if (i > 1 && list.tokens[i - 1].kind == TokenKind::Assign)
-            guess = typeOf(list.tokens[i - 2]);
-        else if (next == TokenKind::Then || next == TokenKind::And || next == TokenKind::Or ||
-                 (i > 0 && (list.tokens[i - 1].kind == TokenKind::And || list.tokens[i - 1].kind == TokenKind::Not ||
-                            list.tokens[i - 1].kind == TokenKind::If)))
-            guess = "BOOL";
-        if (!guess.empty()) type = guess;
-        break;
-    }
-    const std::string line = "    " + std::string(name) + " : " + type + ";\n";
-    for (const syntax::VarSection* section : around->sections)
-        if (section->kind == syntax::SectionKind::Var && !section->constant) {
-            const std::string_view body = text.substr(section->range.begin, section->range.length());
-            const size_t end = body.rfind('\n'); // the line of END_VAR
-            if (end == std::string_view::npos) continue;
-            const auto at = static_cast<uint32_t>(section->range.begin + end + 1);
-            return diagnostics::TextEdit{{file, at, at}, line};
-        }
-    uint32_t at = around->header.end;
-    for (const syntax::VarSection* section : around->sections) at = std::max(at, section->range.end);
-    while (at < text.size() && text[at] != '\n') ++at;
-    if (at < text.size()) ++at;
-    return diagnostics::TextEdit{{file, at, at}, "VAR\n" + line + "END_VAR\n"};
 }
 
 } // namespace plc::analysis

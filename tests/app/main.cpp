@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     QTemporaryDir settings;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    qputenv("STEPWISE_PROJECTS", settings.filePath("projects").toUtf8()); // copies of examples
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
     QApplication application(argc, argv);
     plc::jit::setRuntimeSymbols(plc::controller::runtimeSymbols());

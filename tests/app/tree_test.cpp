@@ -93,7 +93,7 @@ TEST_F(TreeTest, ABlockIsDeletedAndItsUsesCommentedOut) {
     select("Motor");
     press("Delete and Comment Out the Uses");
     QTest::keyClick(&tree(), Qt::Key_Delete);
-    EXPECT_NE(editor().utf8().find("//     drive : Motor;"), std::string::npos) << editor().utf8();
+    EXPECT_NE(editor().utf8().find("    // drive : Motor;"), std::string::npos) << editor().utf8();
     EXPECT_FALSE(window->workspace().files().contains("src/motor.st")) << "the file held nothing else";
     EXPECT_EQ(window->search().results().topLevelItemCount(), 2) << "declaration and use are listed";
 }
