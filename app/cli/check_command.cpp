@@ -11,7 +11,10 @@ int check(const Arguments& arguments) {
         return wrongUse({"check needs a project folder or ST files (stepwise check --help)", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
-    const driver::Checked checked = driver::check(project->buildInput());
+    const driver::Checked checked = [&] {
+        const Busy busy("checking " + project->name);
+        return driver::check(project->buildInput());
+    }();
     // Panels, texts and alarms belong to the project (D9).
     std::vector<hmi::Finding> findings;
     if (hasPanels(*project)) {

@@ -162,4 +162,13 @@ ProgressLine::~ProgressLine() {
     if (m_isShown) std::fprintf(stderr, "\r\033[K");
 }
 
+Busy::Busy(std::string what)
+    : m_thread([what = std::move(what)](const std::stop_token& stop) {
+          ProgressLine line;
+          for (int ticks = 0; !stop.stop_requested(); ++ticks) {
+              std::this_thread::sleep_for(std::chrono::milliseconds(20));
+              if (ticks % 5 == 0) line.show(what + ", " + std::to_string(ticks / 50) + " s");
+          }
+      }) {}
+
 } // namespace plc::cli

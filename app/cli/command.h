@@ -5,6 +5,7 @@
 #include "projects/model/project.h"
 
 #include <iosfwd>
+#include <thread>
 
 namespace plc::cli {
 
@@ -56,6 +57,15 @@ private:
     std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
     std::chrono::steady_clock::time_point m_last{};
     bool m_isShown = false;
+};
+
+/// The progress line of work that can not report itself: what is done and for how long, until this ends.
+class Busy {
+public:
+    explicit Busy(std::string what);
+
+private:
+    std::jthread m_thread;
 };
 
 } // namespace plc::cli

@@ -126,7 +126,10 @@ int run(const Arguments& arguments) {
         return wrongUse({"run needs a project folder or ST files (stepwise run --help)", ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
-    const driver::Built built = driver::build(project->buildInput());
+    const driver::Built built = [&] {
+        const Busy busy("building " + project->name);
+        return driver::build(project->buildInput());
+    }();
     const bool json = arguments.wantsJson();
     if (built.checked.analysis->hasErrors) {
         printDiagnostics(built.checked, json, false);
@@ -139,7 +142,10 @@ int run(const Arguments& arguments) {
         std::cerr << "stepwise: " << project->name << ": there is no PROGRAM to run\n";
         return kProgramWrong;
     }
-    if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
+    {
+        const Busy busy("optimising " + project->name);
+        if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
+    }
 
     session::Settings settings;
     settings.record = arguments.has("--record");

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <pty.h>
 #include <sstream>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -143,6 +144,25 @@ TEST_F(RunCommand, ExitCodesTellWhoseMistakeItWas) {
     EXPECT_NE(err.find("Main.nothing"), std::string::npos) << err;
     EXPECT_EQ(run({path("main.st"), "--until", "Main.count"}), 2);
     EXPECT_EQ(run({path("main.st"), "--every", "0s", "--csv", path("x.csv")}), 2);
+}
+
+TEST_F(RunCommand, WorkThatTakesOverASecondHasALineOnATerminalAndNoneElsewhere) {
+    int terminal = -1, end = -1;
+    ASSERT_EQ(::openpty(&terminal, &end, nullptr, nullptr, nullptr), 0);
+    const int before = ::dup(STDERR_FILENO);
+    ::dup2(end, STDERR_FILENO);
+    {
+        const cli::Busy busy("checking plant");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    }
+    ::dup2(before, STDERR_FILENO);
+    ::close(before);
+    char text[4096] = {};
+    EXPECT_GT(::read(terminal, text, sizeof text - 1), 0);
+    ::close(end);
+    ::close(terminal);
+    EXPECT_NE(std::string(text).find("checking plant, 1 s"), std::string::npos) << text;
+    EXPECT_TRUE(std::string(text).ends_with("\033[K")) << "erased at the end";
 }
 
 } // namespace plc
