@@ -180,12 +180,13 @@ public:
 
     // configuration.cpp
     void declareConfigurations();
-    void buildTasks();
-    void tellFreewheeling(const syntax::TaskDecl& task);
     void applyVarConfig();
     void addAccess(const syntax::VarDecl& declaration, const image::Place& place, std::string list);
     void accessAddress(const syntax::VarDecl& declaration, const Scope& scope);
     void accessPrograms();
+
+    // tasks.cpp
+    void buildTasks();
 
     // bodies.cpp
     void checkBodies();
@@ -245,6 +246,7 @@ public:
         Space* space = nullptr;
     };
     std::vector<Configuration> configurations;
+    void forEachResource(const std::function<void(const Configuration&, const syntax::ResourceDecl&)>& visit) const;
     struct Instance {
         Variable* variable = nullptr;
         const syntax::ProgramInstance* declaration = nullptr; // null: by default

@@ -1,0 +1,377 @@
+// TASKs: what their declarations say, the programs each runs with their connections, and what runs where nothing is
+// configured.
+#include "runtime/compiler/sema/checker.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+
+namespace {
+
+bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
+    return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& p) {
+        return p.isAttribute && equalsIgnoringCase(p.key, "simulation");
+    });
+}
+
+/// Reads one TASK of a resource. Lives for that.
+class TaskReader {
+public:
+    TaskReader(World& world, const World::Configuration& configuration, const syntax::TaskDecl& declared)
+        : m_world(world), m_scope{nullptr, configuration.space, configuration.file}, m_declared(declared) {}
+
+    image::Task read() {
+        m_task.name = std::string(m_declared.name.text);
+        m_task.declaration = m_declared.name.range;
+        m_task.kind = image::TaskKind::Freewheeling;
+        if (m_declared.priority) readPriority(*m_declared.priority);
+        if (m_declared.interval) readInterval(*m_declared.interval);
+        if (m_declared.single)
+            readTrigger(*m_declared.single);
+        else if (m_task.interval.count() == 0 && !m_isIntervalWrong)
+            tellFreewheeling();
+        for (const syntax::Argument& argument : m_declared.others)
+            if (argument.value) readOther(argument);
+        return std::move(m_task);
+    }
+
+private:
+    /// A constant TIME; a number is told and read as milliseconds.
+    std::optional<std::chrono::nanoseconds> duration(const syntax::Expr& e) {
+        Checker checker(m_world, m_scope, m_world.sink, m_world.arena);
+        const TypeId time = types::TypeTable::of(TypeKind::Time);
+        Operand value = checker.expression(e, time);
+        if (value.isFlexible && std::holds_alternative<int64_t>(value.expr->value.data)) {
+            const std::chrono::milliseconds read(
+                std::clamp<int64_t>(value.expr->value.integer(), -1'000'000'000, 1'000'000'000));
+            const std::string text = types::durationText(std::chrono::nanoseconds(read).count());
+            m_world.emit(e.range, Kind::NumberAsDuration, {std::string(m_world.textOf(e.range)), text})
+                .fixes.push_back({"Write " + text, {{e.range, text}}});
+            return read;
+        }
+        value = checker.converted(value, time);
+        if (value.isUnknown()) return std::nullopt;
+        if (!value.isConstant()) {
+            m_world.emit(e.range, Kind::NotConstant);
+            return std::nullopt;
+        }
+        return std::chrono::nanoseconds(value.expr->value.integer());
+    }
+
+    void readPriority(const syntax::Expr& e) {
+        const auto priority = m_world.constantInteger(&e, m_scope);
+        if (!priority) return;
+        if (*priority < 0 || *priority > 1'000'000)
+            m_world.emit(e.range, Kind::ConstantOutOfRange, {std::to_string(*priority), "PRIORITY (0..1000000)"});
+        m_task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
+    }
+
+    void readInterval(const syntax::Expr& e) {
+        const auto interval = duration(e);
+        m_isIntervalWrong = !interval || interval->count() < 0;
+        if (!interval) return;
+        if (interval->count() < 0)
+            m_world.emit(e.range, Kind::ConstantOutOfRange, {types::durationText(interval->count()), "INTERVAL (0..)"});
+        if (interval->count() > 0) m_task.kind = image::TaskKind::Cyclic; // zero: as if there were none
+        m_task.interval = std::max(*interval, std::chrono::nanoseconds(0));
+    }
+
+    void readTrigger(const syntax::Expr& e) {
+        Checker checker(m_world, m_scope, m_world.sink, m_world.arena);
+        checker.isMuted = false;
+        const Denoted denoted = checker.denote(e, Access::Read);
+        const bool isBool =
+            denoted.kind == Denoted::Kind::Place && m_world.types.storageKind(denoted.place->type) == TypeKind::Bool;
+        const tree::Place* place = denoted.place;
+        if (isBool && place->kind == tree::PlaceKind::Bit && place->base &&
+            place->base->kind == tree::PlaceKind::Absolute) {
+            m_task.kind = image::TaskKind::Event;
+            m_task.trigger = image::Place{place->type, place->base->offset + static_cast<uint32_t>(place->bit) / 8,
+                                          static_cast<int16_t>(place->bit % 8)};
+        } else if (isBool && place->kind == tree::PlaceKind::Absolute) {
+            m_task.kind = image::TaskKind::Event;
+            m_task.trigger = image::Place{place->type, place->offset, place->bit};
+        } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && !m_declared.interval) {
+            m_task.kind = image::TaskKind::Freewheeling; // SINGLE := FALSE
+        } else if (denoted.kind != Denoted::Kind::Nothing && denoted.kind != Denoted::Kind::Value) {
+            m_world.emit(e.range, Kind::ConditionNotBool,
+                         {denoted.place ? m_world.nameOf(denoted.place->type) : std::string(m_world.textOf(e.range))});
+        }
+    }
+
+    void readOther(const syntax::Argument& argument) {
+        if (equalsIgnoringCase(argument.name.text, "WATCHDOG")) {
+            if (const auto limit = duration(*argument.value)) m_task.watchdog = *limit;
+        } else if (equalsIgnoringCase(argument.name.text, "SENSITIVITY")) {
+            if (const auto count = m_world.constantInteger(argument.value, m_scope))
+                m_task.watchdogSensitivity = static_cast<uint32_t>(std::clamp<int64_t>(*count, 1, 1'000'000));
+        } else {
+            m_world.suggest(
+                m_world.emit(argument.name.range, Kind::UnknownParameter, {"TASK", std::string(argument.name.text)}),
+                argument.name.range, argument.name.text, {"INTERVAL", "SINGLE", "PRIORITY", "WATCHDOG", "SENSITIVITY"});
+        }
+    }
+
+    void tellFreewheeling();
+
+    World& m_world;
+    const Scope m_scope;
+    const syntax::TaskDecl& m_declared;
+    image::Task m_task;
+    bool m_isIntervalWrong = false;
+};
+
+/// A task that nothing starts runs in every scan, which SINGLE := FALSE says on purpose.
+///   ok:    TASK Slow(INTERVAL := T#1s);  TASK Free(SINGLE := FALSE);     advice: TASK Slow(PRIORITY := 1);  (P3035)
+void TaskReader::tellFreewheeling() {
+    const SourceRange range = m_declared.interval ? m_declared.interval->range : m_declared.name.range;
+    if (!range.file.isValid()) return; // a task without a name is told as that
+    auto& diagnostic = m_world.emit(range, Kind::FreewheelingTask, {std::string(m_declared.name.text)});
+    if (m_declared.interval) {
+        diagnostic.fixes.push_back({"Write T#10ms", {{range, "T#10ms"}}});
+        return;
+    }
+    const std::string_view text = m_world.sources[range.file].text();
+    const size_t open = text.find('(', range.end);
+    if (open == std::string_view::npos || open >= m_declared.range.end) return;
+    const auto at = static_cast<uint32_t>(open + 1);
+    const bool isEmpty = text.find_first_not_of(" \t\r\n", at) == text.find(')', at);
+    for (const std::string_view start : {"INTERVAL := T#10ms", "SINGLE := FALSE"})
+        diagnostic.fixes.push_back(
+            {"Insert " + std::string(start), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
+}
+
+/// Assigns inputs before a program's body, outputs behind it.
+void connect(World& world, World::Instance& instance, image::TaskProgram& entry) {
+    Unit& unit = *instance.variable->program;
+    const Scope scope = instance.scope;
+    const auto build = [&](bool isInput) -> uint32_t {
+        const bool copies = std::any_of(world.copies.begin(), world.copies.end(), [&](const World::Copy& c) {
+            return c.root == instance.root && c.isInput == isInput;
+        });
+        const bool connects = instance.declaration && !instance.declaration->connections.empty();
+        if (!copies && !connects) return 0;
+        const tree::FunctionId id = world.newFunction(instance.variable->name + (isInput ? ".IN" : ".OUT"), nullptr);
+        tree::Function& function = world.functions[id.index()];
+        Checker checker(world, scope, world.sink, world.arena);
+        checker.function = &function;
+        checker.functionId = id;
+        for (const World::Copy& copy : world.copies) {
+            if (copy.root != instance.root || copy.isInput != isInput) continue;
+            tree::Place* data = checker.absolutePlace(copy.data.offset, copy.data.type, copy.data.bit, {});
+            tree::Place* address = checker.absolutePlace(copy.address.offset, copy.data.type, copy.address.bit, {});
+            function.body.push_back(isInput ? checker.assignStmt(data, checker.load(address, {}).expr, {})
+                                            : checker.assignStmt(address, checker.load(data, {}).expr, {}));
+        }
+        if (!connects) return function.body.empty() ? 0 : id.value;
+        for (const syntax::Argument& argument : instance.declaration->connections) {
+            if (!argument.name.isValid() || !argument.value) continue;
+            const bool isOutput = argument.kind == syntax::ArgumentKind::Output;
+            if (isOutput == isInput) continue;
+            const Member member = world.findMember(unit, world.key(argument.name.text));
+            if (!member.variable) {
+                world.suggest(world.emit(argument.name.range, Kind::UnknownParameter,
+                                         {unit.name, std::string(argument.name.text)}),
+                              argument.name.range, argument.name.text, world.memberNames(unit.type));
+                continue;
+            }
+            Variable& parameter = *member.variable;
+            world.refer(argument.name.range, parameter.symbol, isOutput, !isOutput);
+            const TypeId type = world.typeOf(parameter);
+            ++parameter.writes;
+            if (parameter.isInOut()) {
+                tree::Place* target = checker.place(*argument.value, Access::ReadWrite);
+                if (!target) continue;
+                if (!world.sameType(target->type, type) || !checker.hasAddress(target)) {
+                    world.emit(argument.value->range, Kind::InOutNeedsVariable, {parameter.name, world.nameOf(type)});
+                    continue;
+                }
+                tree::Place* slot = world.arena.make<tree::Place>();
+                slot->kind = tree::PlaceKind::InOutSlot;
+                slot->type = type;
+                slot->base = checker.absolutePlace(instance.variable->offset, unit.type, -1, argument.range);
+                slot->offset = parameter.offset;
+                tree::Stmt* bind = checker.newStmt(tree::StmtKind::Bind, {});
+                bind->place = slot;
+                bind->target = target;
+                function.body.push_back(bind);
+                continue;
+            }
+            tree::Place* field =
+                parameter.storage == Storage::Absolute
+                    ? checker.absolutePlace(parameter.offset, type, parameter.bit, argument.range)
+                    : checker.absolutePlace(instance.variable->offset + parameter.offset, type, -1, argument.range);
+            // an address of the type's size takes the value as it is: %IX0.0 for a BOOL, %IW2 for an INT
+            const auto raw = [&](tree::Place* place) {
+                if (argument.value->kind != syntax::ExprKind::Address) return false;
+                const types::Type &x = world.types[place->type], &y = world.types[type];
+                return x.size == y.size && types::isElementary(world.types.storageKind(type)) &&
+                       world.types.family(type) != types::Family::Bool;
+            };
+            if (!isOutput) {
+                Operand value = checker.expression(*argument.value, type);
+                if (value.isUnknown()) continue;
+                if (value.expr->kind == tree::ExprKind::Load && raw(value.expr->place))
+                    value.expr->place->type = value.expr->type = type;
+                value = checker.converted(value, type);
+                if (!value.isUnknown()) function.body.push_back(checker.assignStmt(field, value.expr, {}));
+            } else {
+                const Denoted target = checker.target(*argument.value);
+                if (target.kind == Denoted::Kind::Place && raw(target.place)) target.place->type = type;
+                checker.assignTo(target, checker.load(field, argument.value->range), {}, function.body, true);
+            }
+        }
+        return function.body.empty() ? 0 : id.value;
+    };
+    entry.connectIn = build(true);
+    entry.connectOut = build(false);
+}
+
+/// A TASK that was declared, and where.
+struct DeclaredTask {
+    image::Task task;
+    const syntax::ResourceDecl* resource = nullptr;
+    NameId id;
+};
+
+std::vector<DeclaredTask> declaredTasks(World& world) {
+    std::vector<DeclaredTask> tasks;
+    world.forEachResource([&](const World::Configuration& configuration, const syntax::ResourceDecl& resource) {
+        for (const syntax::TaskDecl* declared : resource.tasks) {
+            const NameId id = world.key(declared->name.text);
+            if (std::any_of(tasks.begin(), tasks.end(),
+                            [&](const DeclaredTask& d) { return d.id == id && d.resource == &resource; })) {
+                world.emit(declared->name.range, Kind::DuplicateTask, {std::string(declared->name.text)});
+                continue;
+            }
+            world.addSymbol(SymbolKind::Task, declared->name.text, {}, declared->name.range);
+            tasks.push_back({TaskReader(world, configuration, *declared).read(), &resource, id});
+        }
+    });
+    return tasks;
+}
+
+/// What a task calls for an instance.
+image::TaskProgram entryOf(World& world, World::Instance& instance) {
+    image::TaskProgram entry;
+    entry.root = instance.root;
+    entry.function = instance.variable->program->function.value;
+    connect(world, instance, entry);
+    return entry;
+}
+
+/// The tasks of the program while its instances are dealt out to them.
+class TaskBook {
+public:
+    explicit TaskBook(World& world)
+        : m_world(world), m_declared(declaredTasks(world)), m_simulations(m_declared.size()) {
+        m_free.name = "Free";
+        m_simulation.name = "Simulation";
+        for (image::Task* task : {&m_free, &m_simulation}) {
+            task->kind = image::TaskKind::Freewheeling;
+            task->priority = 1'000'000;
+        }
+        for (size_t i = 0; i < m_declared.size(); ++i) m_simulations[i] = m_declared[i].task;
+    }
+
+    /// The programs that a CONFIGURATION names, each to its task, without one to a free task.
+    void addConfigured() {
+        for (World::Instance& instance : m_world.instances) {
+            if (!instance.declaration) continue;
+            const bool simulates =
+                instance.variable->program->isSimulation || hasSimulation(instance.declaration->pragmas);
+            m_world.program->layout.roots[instance.root].isSimulation = simulates;
+            m_isConfigured = m_isConfigured || !simulates;
+            const syntax::Name& name = instance.declaration->task;
+            if (!name.isValid()) {
+                (simulates ? m_simulation : m_free).programs.push_back(entryOf(m_world, instance));
+                continue;
+            }
+            const auto it = std::find_if(m_declared.begin(), m_declared.end(), [&](const DeclaredTask& d) {
+                return d.id == m_world.key(name.text) && d.resource == instance.resource;
+            });
+            if (it == m_declared.end()) {
+                std::vector<std::string> candidates;
+                for (const DeclaredTask& each : m_declared) candidates.push_back(each.task.name);
+                m_world.suggest(m_world.emit(name.range, Kind::UnknownTask, {std::string(name.text)}), name.range,
+                                name.text, candidates);
+                continue;
+            }
+            const auto index = static_cast<size_t>(it - m_declared.begin());
+            (simulates ? m_simulations[index] : it->task).programs.push_back(entryOf(m_world, instance));
+        }
+    }
+
+    /// Without a CONFIGURATION: Main, MAIN, PLC_PRG or the only program, every 10 ms.
+    void addDefault() {
+        std::vector<World::Instance*> byDefault;
+        for (World::Instance& instance : m_world.instances) {
+            if (instance.declaration) continue;
+            if (instance.variable->program->isSimulation)
+                m_simulation.programs.push_back(entryOf(m_world, instance));
+            else
+                byDefault.push_back(&instance);
+        }
+        if (m_isConfigured) return;
+        if (!byDefault.empty()) return addMain(byDefault);
+        if (m_simulation.programs.empty() &&
+            std::any_of(m_world.fileOf.begin(), m_world.fileOf.end(),
+                        [](const syntax::SyntaxFile* f) { return f && f->library.empty(); }))
+            m_world.emit({}, Kind::NoProgram).severity = diagnostics::Severity::Info;
+    }
+
+    /// All that runs, the most urgent first, simulations behind what they serve.
+    std::vector<image::Task> take() {
+        std::vector<image::Task> all;
+        for (DeclaredTask& declared : m_declared) all.push_back(std::move(declared.task));
+        if (m_main) all.push_back(std::move(*m_main));
+        if (!m_free.programs.empty()) all.push_back(std::move(m_free));
+        m_simulations.push_back(std::move(m_simulation));
+        for (image::Task& task : m_simulations)
+            if (!task.programs.empty()) {
+                task.isSimulation = true;
+                all.push_back(std::move(task));
+            }
+        std::stable_sort(all.begin(), all.end(),
+                         [](const image::Task& a, const image::Task& b) { return a.priority < b.priority; });
+        return all;
+    }
+
+private:
+    void addMain(const std::vector<World::Instance*>& byDefault) {
+        World::Instance* chosen = byDefault.size() == 1 ? byDefault.front() : nullptr;
+        for (const std::string_view name : {"PLC_PRG", "Main"})
+            for (World::Instance* instance : byDefault)
+                if (equalsIgnoringCase(instance->variable->name, name)) chosen = instance;
+        if (!chosen) {
+            auto& diagnostic = m_world.emit(byDefault[1]->variable->range, Kind::SeveralPrograms);
+            diagnostic.related.push_back({byDefault[0]->variable->range, "the first program"});
+            return;
+        }
+        m_main.emplace();
+        m_main->name = "Main";
+        m_main->kind = image::TaskKind::Cyclic;
+        m_main->declaration = chosen->variable->range;
+        m_main->programs.push_back(entryOf(m_world, *chosen));
+    }
+
+    World& m_world;
+    std::vector<DeclaredTask> m_declared;
+    std::vector<image::Task> m_simulations; // of the declared tasks, for programs that simulate
+    image::Task m_free, m_simulation;       // without a task
+    std::optional<image::Task> m_main;
+    bool m_isConfigured = false;
+};
+
+} // namespace
+
+void World::buildTasks() {
+    TaskBook book(*this);
+    book.addConfigured();
+    book.addDefault();
+    program->tasks = book.take();
+}
+
+} // namespace plc::sema
