@@ -125,6 +125,12 @@ public:
     // conversions.cpp
     /// Implicit conversion with its diagnostics, at the operand's own range.
     Operand converted(Operand operand, TypeId to);
+    std::optional<Operand> convertedConstant(Operand& operand, TypeId to);
+    std::optional<Operand> convertedCharacter(const Operand& operand, TypeId to);
+    std::optional<Operand> convertedObject(const Operand& operand, TypeId to);
+    Operand convertedByType(const Operand& operand, TypeId to);
+    bool tellEarlyOperation(const Operand& operand, TypeId to);
+    bool tellNarrowing(const Operand& operand, TypeId to);
     Operand convertNode(Operand operand, TypeId to); // written conversion, no questions
     Operand sameBits(Operand operand, TypeId to);
     [[nodiscard]] TypeId commonType(const Operand& a, const Operand& b) const; // none: they do not combine

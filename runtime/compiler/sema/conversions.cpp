@@ -199,91 +199,90 @@ Operand Checker::convertedText(Operand operand, TypeId to) {
     return convertNode(operand, to);
 }
 
-Operand Checker::converted(Operand operand, TypeId to) {
-    if (operand.isUnknown() || isKind(to, TypeKind::Unknown)) return operand.expr ? operand : unknown({});
+namespace {
+bool holdsAddress(TypeKind kind) {
+    return kind == TypeKind::Pointer || kind == TypeKind::Interface || kind == TypeKind::Reference;
+}
+} // namespace
+
+/// A literal or a constant number as `to`: by its value, not by its type. None: as any operand of its type, which a
+/// literal then has taken.
+std::optional<Operand> Checker::convertedConstant(Operand& operand, TypeId to) {
     const TypeId from = operand.type();
     const SourceRange range = operand.expr->range;
-    if (isKind(from, TypeKind::Void)) {
-        emit(range, Kind::NoValue, {textOf(range)});
+    const types::Type& target = types[to];
+    const Family toFamily = types::familyOf(types.storageKind(to));
+    const types::Value& value = operand.expr->value;
+    const bool isReal = std::holds_alternative<double>(value.data);
+    const auto refused = [&](Kind kind) {
+        emit(range, kind, {textOf(range), nameOf(to)});
+        return unknown(range);
+    };
+    if (toFamily == Family::Real) {
+        if (operand.isDivided) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
+        return fits(value, to) ? convertNode(operand, to) : refused(Kind::ConstantOutOfRange);
+    }
+    if (toFamily == Family::Bool && operand.isFlexible && !isReal) {
+        if (fits(value, to)) return convertNode(operand, to);
+        mismatch(range, smallestType(operand), to);
         return unknown(range);
     }
-    const types::Type& target = types[to];
-    const TypeKind toKind = types.storageKind(to), fromKind = types.storageKind(from);
-    const Family toFamily = types::familyOf(toKind), fromFamily = types::familyOf(fromKind);
-    if (from == to && !operand.isFlexible) return operand;
-
-    if (operand.isFlexible || (operand.isConstant() && isNumeric(from) && !isKind(from, TypeKind::Enum))) {
-        const types::Value& value = operand.expr->value;
-        const bool isReal = std::holds_alternative<double>(value.data);
-        if (toFamily == Family::Real) {
-            if (operand.isDivided) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
-            if (!fits(value, to)) {
-                emit(range, Kind::ConstantOutOfRange, {textOf(range), nameOf(to)});
-                return unknown(range);
-            }
-            return convertNode(operand, to);
-        }
-        if (toFamily == Family::Bool && operand.isFlexible && !isReal) {
-            if (!fits(value, to)) {
-                mismatch(range, smallestType(operand), to);
-                return unknown(range);
-            }
-            return convertNode(operand, to);
-        }
-        if (target.kind == TypeKind::Enum && !isReal) {
-            const auto& enumerators = target.enumerators;
-            const bool known = std::any_of(enumerators.begin(), enumerators.end(),
-                                           [&](const types::Enumerator& e) { return e.value == value.integer(); });
-            if (target.isStrict && !known) {
-                strictMismatch(range, textOf(range), to);
-                return unknown(range);
-            }
-            if (!target.isStrict && (!known || !operand.isFlexible))
-                emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
-            return convertNode(operand, to);
-        }
-        if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
-            if (isReal) {
-                emit(range, Kind::LossyAssignment, {operand.isFlexible ? textOf(range) : nameOf(from), nameOf(to)});
-                return convertNode(operand, to);
-            }
-            if (fits(value, to)) return convertNode(operand, to);
-            if (operand.isFlexible || target.kind == TypeKind::Subrange) {
-                emit(range, Kind::ConstantOutOfRange, {textOf(range), nameOf(to)});
-                return unknown(range);
-            }
-        }
-        if ((target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface ||
-             target.kind == TypeKind::Reference) &&
-            !isReal && value.integer() == 0)
-            return constant({to, int64_t(0)}, range);
-        if (operand.isFlexible) operand = settled(operand);
-        if (types.isText(to) || types.isAggregate(to) || isKind(to, TypeKind::Block)) {
-            mismatch(range, operand.type(), to);
+    if (target.kind == TypeKind::Enum && !isReal) {
+        const auto& enumerators = target.enumerators;
+        const bool known = std::any_of(enumerators.begin(), enumerators.end(),
+                                       [&](const types::Enumerator& e) { return e.value == value.integer(); });
+        if (target.isStrict && !known) {
+            strictMismatch(range, textOf(range), to);
             return unknown(range);
         }
+        if (!target.isStrict && (!known || !operand.isFlexible))
+            emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
+        return convertNode(operand, to);
     }
-    // a literal FALSE or TRUE as a number
-    if (fromFamily == Family::Bool && operand.isConstant() && isNumeric(to)) return convertNode(operand, to);
-    // one character of text as a CHAR or its code
-    if (types.isText(from) && operand.isConstant() &&
-        (toFamily == Family::Character || (types::isInteger(toFamily) && types::bitsOf(toKind) <= 16))) {
-        const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
-        const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
-        if (narrow && narrow->size() == 1)
-            return constant({to, int64_t(static_cast<unsigned char>(narrow->front()))}, range);
-        if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16)
-            return constant({to, int64_t(wide->front())}, range);
+    if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
+        if (isReal) {
+            emit(range, Kind::LossyAssignment, {operand.isFlexible ? textOf(range) : nameOf(from), nameOf(to)});
+            return convertNode(operand, to);
+        }
+        if (fits(value, to)) return convertNode(operand, to);
+        if (operand.isFlexible || target.kind == TypeKind::Subrange) return refused(Kind::ConstantOutOfRange);
     }
-    if (types.isText(to) && (types.isText(from) || fromFamily == Family::Character)) return convertedText(operand, to);
+    if (holdsAddress(target.kind) && !isReal && value.integer() == 0) return constant({to, int64_t(0)}, range);
+    if (operand.isFlexible) operand = settled(operand);
+    if (types.isText(to) || types.isAggregate(to) || isKind(to, TypeKind::Block)) {
+        mismatch(range, operand.type(), to);
+        return unknown(range);
+    }
+    return std::nullopt;
+}
 
+/// One character of text as a CHAR or its code.
+std::optional<Operand> Checker::convertedCharacter(const Operand& operand, TypeId to) {
+    const TypeKind toKind = types.storageKind(to);
+    const Family toFamily = types::familyOf(toKind);
+    if (!types.isText(operand.type()) || !operand.isConstant()) return std::nullopt;
+    if (toFamily != Family::Character && !(types::isInteger(toFamily) && types::bitsOf(toKind) <= 16))
+        return std::nullopt;
+    const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
+    const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
+    if (narrow && narrow->size() == 1)
+        return constant({to, int64_t(static_cast<unsigned char>(narrow->front()))}, operand.expr->range);
+    if (wide && wide->size() == 1 && types::bitsOf(toKind) == 16)
+        return constant({to, int64_t(wide->front())}, operand.expr->range);
+    return std::nullopt;
+}
+
+/// Aggregates, blocks, interfaces, references and pointers: what is of the type already, what is derived from it.
+std::optional<Operand> Checker::convertedObject(const Operand& operand, TypeId to) {
+    const TypeId from = operand.type();
+    const SourceRange range = operand.expr->range;
+    const types::Type& target = types[to];
+    const bool isPointer = isKind(from, TypeKind::Pointer);
+    const bool isBlockPointer = isPointer && isKind(types[from].element, TypeKind::Block);
     switch (target.kind) {
     case TypeKind::Array:
     case TypeKind::Struct:
     case TypeKind::Union:
-        if (world.sameType(from, to)) return operand;
-        mismatch(range, from, to);
-        return unknown(range);
     case TypeKind::Block:
         if (world.sameType(from, to)) return operand;
         mismatch(range, from, to);
@@ -296,80 +295,116 @@ Operand Checker::converted(Operand operand, TypeId to) {
             e->type = to;
             e->range = range;
             e->place = operand.expr->place;
-            return {e, &types};
+            return Operand{e, &types};
         }
         if (isKind(from, TypeKind::Interface) && types.isDerivedFrom(from, to)) return sameBits(operand, to);
-        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) &&
-            types.implements(types[from].element, to))
-            return sameBits(operand, to);
+        if (isBlockPointer && types.implements(types[from].element, to)) return sameBits(operand, to);
         break;
     case TypeKind::Reference:
         if (operand.expr->kind == tree::ExprKind::Load &&
             (world.sameType(from, target.element) ||
              (isKind(from, TypeKind::Block) && types.isDerivedFrom(from, target.element))))
             return addressOf(operand.expr->place, to, range);
-        if (isKind(from, TypeKind::Pointer) || isKind(from, TypeKind::Reference)) {
-            if (world.sameType(types[from].element, target.element)) return sameBits(operand, to);
-        }
+        if ((isPointer || isKind(from, TypeKind::Reference)) && world.sameType(types[from].element, target.element))
+            return sameBits(operand, to);
         break;
     case TypeKind::Pointer:
-        if (isKind(from, TypeKind::Pointer) && world.sameType(types[from].element, target.element))
-            return sameBits(operand, to);
-        if (isKind(from, TypeKind::Pointer) && isKind(types[from].element, TypeKind::Block) &&
-            types.isDerivedFrom(types[from].element, target.element))
-            return sameBits(operand, to);
+        if (isPointer && world.sameType(types[from].element, target.element)) return sameBits(operand, to);
+        if (isBlockPointer && types.isDerivedFrom(types[from].element, target.element)) return sameBits(operand, to);
         break;
     default:
         break;
     }
-    if (isKind(from, TypeKind::Null)) {
-        if (target.kind == TypeKind::Pointer || target.kind == TypeKind::Interface ||
-            target.kind == TypeKind::Reference)
-            return constant({to, int64_t(0)}, range);
-        mismatch(range, from, to);
+    if (!isKind(from, TypeKind::Null)) return std::nullopt;
+    if (holdsAddress(target.kind)) return constant({to, int64_t(0)}, range);
+    mismatch(range, from, to);
+    return unknown(range);
+}
+
+/// Says where an operation was done in fewer bits than its result is given; returns whether it divides integers for a
+/// REAL, which is told as that and not as narrowing.
+bool Checker::tellEarlyOperation(const Operand& operand, TypeId to) {
+    const tree::Expr& e = *operand.expr;
+    const TypeId from = operand.type();
+    const TypeKind toKind = types.storageKind(to), fromKind = types.storageKind(from);
+    const Family toFamily = types::familyOf(toKind);
+    if (e.kind != tree::ExprKind::Binary || !types::isInteger(types::familyOf(fromKind)) || !isNumeric(to))
+        return false;
+    if (toFamily == Family::Real && e.binary == library::BinaryOp::Divide) {
+        emit(e.range, Kind::IntegerDivisionToReal, {nameOf(to)});
+        return true;
+    }
+    const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
+    const bool isSum = e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract;
+    if (widens && types::bitsOf(fromKind) < 64 &&
+        (e.binary == library::BinaryOp::Multiply ||
+         (isSum && e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
+        emit(e.range, Kind::WrapsBeforeWidening, {textOf(e.range), nameOf(from), nameOf(to)});
+    return false;
+}
+
+/// An implicit conversion that may lose something; false: it is refused.
+bool Checker::tellNarrowing(const Operand& operand, TypeId to) {
+    const SourceRange range = operand.expr->range;
+    const TypeId from = operand.type();
+    const types::Type& target = types[to];
+    if (target.kind == TypeKind::Enum) {
+        if (target.isStrict) {
+            strictMismatch(range, textOf(range), to);
+            return false;
+        }
+        emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
+        return true;
+    }
+    auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
+    const TypeKind toKind = types.storageKind(to), fromKind = types.storageKind(from);
+    if (!types::isElementary(fromKind) || !types::isElementary(toKind) || !range.file.isValid()) return true;
+    const std::string function = std::string(types::spelling(fromKind)) + "_TO_" + std::string(types::spelling(toKind));
+    diagnostic.fixes.push_back(
+        {"Convert with " + function,
+         {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
+    return true;
+}
+
+Operand Checker::converted(Operand operand, TypeId to) {
+    if (operand.isUnknown() || isKind(to, TypeKind::Unknown)) return operand.expr ? operand : unknown({});
+    const TypeId from = operand.type();
+    const SourceRange range = operand.expr->range;
+    if (isKind(from, TypeKind::Void)) {
+        emit(range, Kind::NoValue, {textOf(range)});
         return unknown(range);
     }
-    const tree::Expr& e = *operand.expr;
-    bool isDividing = false;
-    if (e.kind == tree::ExprKind::Binary && types::isInteger(fromFamily) && isNumeric(to)) {
-        const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
-        isDividing = toFamily == Family::Real && e.binary == library::BinaryOp::Divide;
-        if (isDividing)
-            emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
-        else if (widens && types::bitsOf(fromKind) < 64 &&
-                 (e.binary == library::BinaryOp::Multiply ||
-                  ((e.binary == library::BinaryOp::Add || e.binary == library::BinaryOp::Subtract) &&
-                   e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
-            emit(range, Kind::WrapsBeforeWidening, {textOf(range), nameOf(from), nameOf(to)});
-    }
+    if (from == to && !operand.isFlexible) return operand;
+    if (operand.isFlexible || (operand.isConstant() && isNumeric(from) && !isKind(from, TypeKind::Enum)))
+        if (const auto made = convertedConstant(operand, to)) return *made;
+    return convertedByType(operand, to);
+}
+
+/// The part of converted() that knows types only.
+Operand Checker::convertedByType(const Operand& operand, TypeId to) {
+    const TypeId from = operand.type();
+    const SourceRange range = operand.expr->range;
+    const Family fromFamily = types::familyOf(types.storageKind(from));
+    // a literal FALSE or TRUE as a number
+    if (fromFamily == Family::Bool && operand.isConstant() && isNumeric(to)) return convertNode(operand, to);
+    if (const auto made = convertedCharacter(operand, to)) return *made;
+    if (types.isText(to) && (types.isText(from) || fromFamily == Family::Character)) return convertedText(operand, to);
+
+    if (const auto made = convertedObject(operand, to)) return *made;
+    const bool isDividing = tellEarlyOperation(operand, to);
     switch (types::implicitConversion(types, from, to)) {
     case types::Implicit::Same:
     case types::Implicit::Widening:
         break;
     case types::Implicit::Narrowing:
-        if (isDividing) break;
-        if (target.kind == TypeKind::Enum && target.isStrict) {
-            strictMismatch(range, textOf(range), to);
-            return unknown(range);
-        }
-        if (target.kind == TypeKind::Enum)
-            emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
-        else {
-            auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
-            const std::string function =
-                std::string(types::spelling(fromKind)) + "_TO_" + std::string(types::spelling(toKind));
-            if (types::isElementary(fromKind) && types::isElementary(toKind) && range.file.isValid())
-                diagnostic.fixes.push_back({"Convert with " + function,
-                                            {{{range.file, range.begin, range.begin}, function + "("},
-                                             {{range.file, range.end, range.end}, ")"}}});
-        }
+        if (!isDividing && !tellNarrowing(operand, to)) return unknown(range);
         break;
     case types::Implicit::Forbidden:
         mismatch(range, from, to);
         return unknown(range);
     }
     const bool fromAddress = isKind(from, TypeKind::Pointer) || isKind(from, TypeKind::Reference);
-    const bool toAddress = target.kind == TypeKind::Pointer || target.kind == TypeKind::Reference;
+    const bool toAddress = isKind(to, TypeKind::Pointer) || isKind(to, TypeKind::Reference);
     if (fromAddress && toAddress) return sameBits(operand, to);
     if (fromAddress) return convertNode(sameBits(operand, elementary(TypeKind::Lword)), to);
     if (toAddress) return sameBits(convertNode(operand, elementary(TypeKind::Lword)), to);
