@@ -43,15 +43,7 @@ QString withIndex(QString expression, int index, int row, int column) {
 
 void CellGridView::setUp() {
     m_value = bindProperty("value");
-    m_states.clear();
-    const Json& rows = element().at("states");
-    if (!rows.is_array()) return;
-    for (const Json& row : rows) {
-        if (!row.is_object()) continue;
-        const Properties state(descriptorOf(ElementKind::Unknown), row);
-        m_states.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")),
-                            theme().color(state.text("textColor")), state.has("blink") && state.isSet("blink")});
-    }
+    m_states = bindStates();
 }
 
 bool CellGridView::update() {
@@ -98,7 +90,7 @@ void CellGridView::draw(QPainter& painter) {
                       : theme().color("surface");
             QString words = flag("numbers") ? QString::number(first + index) : QString();
             if (state >= 0) {
-                const State& one = m_states[static_cast<size_t>(state)];
+                const BoundState& one = m_states[static_cast<size_t>(state)];
                 if (one.color.isValid()) ground = one.color;
                 if (!one.text.isEmpty()) words = shown(one.text);
                 m_blinking = m_blinking || one.blinks;

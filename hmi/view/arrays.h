@@ -21,19 +21,13 @@ protected:
     void draw(QPainter& painter) override;
 
 private:
-    struct State {
-        Slot value;
-        QString text;
-        QColor color, textColor;
-        bool blinks;
-    };
     int rows() const { return std::max(1, element().integer("rows")); }
     int columns() const { return std::max(1, element().integer("columns")); }
     QRectF cell(int row, int column) const;
     int stateOf(const Value& value) const;
     TextBox label(const QString& words, const QRectF& area, const QByteArray& place, const QString& tag) const;
     Slot m_value;
-    std::vector<State> m_states;
+    std::vector<BoundState> m_states;
     std::vector<Value> m_cells;
 };
 

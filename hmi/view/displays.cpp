@@ -211,16 +211,7 @@ void LampView::collectTexts(const QString& forTag, std::vector<TextBox>& out) co
 
 void MultiStateView::setUp() {
     m_value = bindProperty("value");
-    m_states.clear();
-    const Json& rows = element().at("states");
-    if (!rows.is_array()) return;
-    for (const Json& row : rows) {
-        if (!row.is_object()) continue;
-        const Properties state(descriptorOf(ElementKind::Unknown), row);
-        const bool blinks = state.has("blink") && state.isSet("blink");
-        m_states.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")),
-                            theme().color(state.text("textColor")), blinks});
-    }
+    m_states = bindStates();
 }
 
 QString MultiStateView::stateText(int state, const QString& forTag) const {
@@ -269,7 +260,7 @@ TextBox MultiStateView::label(const QString& words, const QByteArray& place, con
 void MultiStateView::draw(QPainter& painter) {
     QColor ground = theme().color("surface"), ink;
     if (m_present >= 0) {
-        const State& state = m_states[static_cast<size_t>(m_present)];
+        const BoundState& state = m_states[static_cast<size_t>(m_present)];
         if (state.color.isValid()) ground = state.color;
         ink = state.textColor;
         m_blinking = m_blinking || state.blinks;

@@ -69,16 +69,10 @@ protected:
     void draw(QPainter& painter) override;
 
 private:
-    struct State {
-        Slot value;
-        QString text;
-        QColor color, textColor;
-        bool blinks;
-    };
     QString stateText(int state, const QString& tag) const;
     TextBox label(const QString& words, const QByteArray& place, const QString& tag) const;
     Slot m_value;
-    std::vector<State> m_states;
+    std::vector<BoundState> m_states;
     int m_present = -1;
     QString m_shown;
 };

@@ -55,6 +55,19 @@ ElementView::Slot ElementView::bindExpression(const QString& expression) {
     return {static_cast<int>(m_bound.size()) - 1};
 }
 
+std::vector<ElementView::BoundState> ElementView::bindStates() {
+    std::vector<BoundState> out;
+    const Json& rows = m_element.at("states");
+    if (!rows.is_array()) return out;
+    for (const Json& row : rows) {
+        if (!row.is_object()) continue;
+        const Properties state(descriptorOf(ElementKind::Unknown), row);
+        out.push_back({bindExpression(state.text("value")), state.text("text"), theme().color(state.text("color")),
+                       theme().color(state.text("textColor")), state.has("blink") && state.isSet("blink")});
+    }
+    return out;
+}
+
 const Value& ElementView::value(Slot slot) const {
     static const Value none;
     return slot.isBound() ? m_bound[static_cast<size_t>(slot.index)].last : none;

@@ -77,6 +77,14 @@ protected:
 
     Slot bindProperty(std::string_view property);
     Slot bindExpression(const QString& expression);
+    /// One row of the property "states": what is shown when the value is that of `value`.
+    struct BoundState {
+        Slot value;
+        QString text;
+        QColor color, textColor;
+        bool blinks = false;
+    };
+    std::vector<BoundState> bindStates();
     const Value& value(Slot slot) const;
     ValueFacts facts(Slot slot) const;
     BindingId binding(Slot slot) const;

@@ -19,6 +19,9 @@ enum class Implicit : uint8_t {
 /// X_TO_Y of table 22 and CODESYS for every pair of elementary types, strings included. `ok` becomes false (ENO) when
 /// the text or value has no meaning in `to`; the result then is 0 or ''.
 [[nodiscard]] Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok = nullptr);
+/// Nanoseconds that one count of the number stands for in a conversion: TIME and TOD count milliseconds, DATE and DT
+/// seconds, the long forms nanoseconds.
+[[nodiscard]] int64_t nanosecondsOf(TypeKind kind);
 /// TRUNC: towards zero, saturating, NaN gives 0.
 [[nodiscard]] Value truncate(const TypeTable& types, const Value& value, TypeId to);
 /// Wraps to the width and sign of an integer kind.

@@ -10,21 +10,6 @@ namespace {
 constexpr int64_t kSecond = 1'000'000'000;
 constexpr int64_t kDay = 86'400 * kSecond;
 
-/// Nanoseconds that one count of the number stands for: TIME and TOD count milliseconds, DATE and DT seconds, long
-/// forms nanoseconds.
-int64_t unitOf(TypeKind kind) {
-    switch (kind) {
-    case TypeKind::Time:
-    case TypeKind::Tod:
-        return 1'000'000;
-    case TypeKind::Date:
-    case TypeKind::Dt:
-        return kSecond;
-    default:
-        return 1;
-    }
-}
-
 bool isTime(Family family) {
     return family == Family::Duration || family == Family::Date || family == Family::TimeOfDay ||
            family == Family::DateTime;
@@ -61,7 +46,7 @@ Value fromInteger(TypeId type, TypeKind to, TypeKind from, int64_t number) {
     if (family == Family::Real) return {type, realOf(to, from, number)};
     if (isTime(family)) {
         const auto nanoseconds =
-            static_cast<int64_t>(static_cast<uint64_t>(number) * static_cast<uint64_t>(unitOf(to)));
+            static_cast<int64_t>(static_cast<uint64_t>(number) * static_cast<uint64_t>(nanosecondsOf(to)));
         return {type, fitTime(to, nanoseconds)};
     }
     return {type, wrapInteger(to, number)};
@@ -79,7 +64,7 @@ Value fromTime(TypeId type, TypeKind to, TypeKind from, int64_t nanoseconds) {
     const Family family = familyOf(to);
     if (isTime(family)) return {type, fitTime(to, nanoseconds)};
     if (family == Family::Bool) return {type, int64_t(nanoseconds != 0)};
-    const int64_t count = nanoseconds / unitOf(from);
+    const int64_t count = nanoseconds / nanosecondsOf(from);
     if (family == Family::Real) return {type, realOf(to, TypeKind::Lint, count)};
     return {type, wrapInteger(to, count)};
 }
@@ -139,10 +124,23 @@ Value fromWideText(TypeId type, TypeKind to, std::u16string_view text, bool& ok)
 
 } // namespace
 
+int64_t nanosecondsOf(TypeKind kind) {
+    switch (kind) {
+    case TypeKind::Time:
+    case TypeKind::Tod:
+        return 1'000'000;
+    case TypeKind::Date:
+    case TypeKind::Dt:
+        return kSecond;
+    default:
+        return 1;
+    }
+}
+
 int64_t timeFromReal(TypeKind kind, double value) {
-    const int64_t limit = INT64_MAX / unitOf(kind);
+    const int64_t limit = INT64_MAX / nanosecondsOf(kind);
     const int64_t count = std::clamp(roundToInteger(TypeKind::Lint, value), -limit, limit);
-    return fitTime(kind, count * unitOf(kind));
+    return fitTime(kind, count * nanosecondsOf(kind));
 }
 
 Value convert(const TypeTable& types, const Value& value, TypeId to, bool* ok) {

@@ -217,4 +217,29 @@ bool isNumberText(std::string_view text) {
     return takeDigits(rest, base).has_value() && rest.empty();
 }
 
+std::optional<char32_t> escapedCharacter(char c) {
+    switch (c) {
+    case 'L':
+    case 'l':
+    case 'N':
+    case 'n':
+        return U'\n';
+    case 'P':
+    case 'p':
+        return U'\f';
+    case 'R':
+    case 'r':
+        return U'\r';
+    case 'T':
+    case 't':
+        return U'\t';
+    case '$':
+    case '\'':
+    case '"':
+        return static_cast<char32_t>(c);
+    default:
+        return std::nullopt;
+    }
+}
+
 } // namespace plc::types

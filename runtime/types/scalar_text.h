@@ -28,4 +28,8 @@ struct ScalarText {
 /// The whole of it (blanks at the ends aside) is one integer or real number.
 [[nodiscard]] bool isNumberText(std::string_view text);
 
+/// The character that `$` and `c` stand for in a string (IEC 61131-3, table 6): line ends, page, tab, the quotes and
+/// `$` itself; not the forms of hexadecimal digits.
+[[nodiscard]] std::optional<char32_t> escapedCharacter(char c);
+
 } // namespace plc::types

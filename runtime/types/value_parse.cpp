@@ -1,5 +1,6 @@
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
+#include "runtime/types/scalar_text.h"
 #include "runtime/types/value.h"
 
 #include <charconv>
@@ -139,33 +140,9 @@ private:
                 continue;
             }
             ++m_at;
-            switch (c) {
-            case 'L':
-            case 'l':
-            case 'N':
-            case 'n':
-                out += U'\n';
-                break;
-            case 'P':
-            case 'p':
-                out += U'\f';
-                break;
-            case 'R':
-            case 'r':
-                out += U'\r';
-                break;
-            case 'T':
-            case 't':
-                out += U'\t';
-                break;
-            case '$':
-            case '\'':
-            case '"':
-                out += static_cast<char32_t>(c);
-                break;
-            default:
-                return std::nullopt;
-            }
+            const auto character = escapedCharacter(c);
+            if (!character) return std::nullopt;
+            out += *character;
         }
         if (m_at >= m_text.size()) return std::nullopt;
         ++m_at;

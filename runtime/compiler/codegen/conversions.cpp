@@ -1,6 +1,8 @@
 // X_TO_Y as types::convert means it, inline for scalars.
 #include "runtime/compiler/codegen/emitter.h"
 
+#include "runtime/types/conversion.h"
+
 namespace plc::codegen {
 
 using tree::Expr;
@@ -8,27 +10,13 @@ using types::Family;
 using types::TypeKind;
 
 namespace {
-constexpr int64_t kSecond = 1'000'000'000;
-constexpr int64_t kDay = 86'400 * kSecond;
+constexpr int64_t kDay = 86'400'000'000'000; // ns
 
 bool isTime(Family f) {
     return f == Family::Duration || f == Family::Date || f == Family::TimeOfDay || f == Family::DateTime;
 }
 bool isSigned(Family f) { return f == Family::Signed || isTime(f); }
 
-/// Nanoseconds that one count of the number stands for.
-int64_t unitOf(TypeKind kind) {
-    switch (kind) {
-    case TypeKind::Time:
-    case TypeKind::Tod:
-        return 1'000'000;
-    case TypeKind::Date:
-    case TypeKind::Dt:
-        return kSecond;
-    default:
-        return 1;
-    }
-}
 } // namespace
 
 llvm::Value* FunctionEmitter::castInteger(Value* value, types::TypeId from, llvm::Type* to) {
@@ -80,7 +68,7 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
     if (isTime(fromFamily)) {
         if (isTime(toFamily)) return fitTime(value, target);
         if (target == TypeKind::Bool) return b.CreateICmpNE(value, int64(0));
-        const int64_t unit = unitOf(source);
+        const int64_t unit = types::nanosecondsOf(source);
         Value* count = unit == 1 ? value : b.CreateSDiv(value, int64(unit));
         if (toFamily == Family::Real) return b.CreateSIToFP(count, wanted);
         return b.CreateTrunc(count, wanted);
@@ -88,7 +76,7 @@ llvm::Value* FunctionEmitter::convert(Value* value, types::TypeId from, types::T
     // Integers, bits, BOOL, characters, pointers.
     if (toFamily == Family::Real) return integerToReal(value, from, wanted);
     if (isTime(toFamily)) {
-        const int64_t unit = unitOf(target);
+        const int64_t unit = types::nanosecondsOf(target);
         Value* count = castInteger(value, from, m.i64);
         return fitTime(unit == 1 ? count : b.CreateMul(count, int64(unit)), target);
     }

@@ -27,22 +27,13 @@ struct SourceLine {
 };
 
 bool endsOperand(TokenKind kind) {
+    if (lex::isLiteral(kind)) return true;
     switch (kind) {
     case TokenKind::Identifier:
-    case TokenKind::IntegerLiteral:
-    case TokenKind::RealLiteral:
-    case TokenKind::DurationLiteral:
-    case TokenKind::DateLiteral:
-    case TokenKind::TimeOfDayLiteral:
-    case TokenKind::DateTimeLiteral:
-    case TokenKind::StringLiteral:
-    case TokenKind::WstringLiteral:
     case TokenKind::DirectAddress:
     case TokenKind::RightParen:
     case TokenKind::RightBracket:
     case TokenKind::Caret:
-    case TokenKind::True:
-    case TokenKind::False:
         return true;
     default:
         return false;

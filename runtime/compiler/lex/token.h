@@ -45,6 +45,10 @@ struct TokenList {
 [[nodiscard]] std::string_view spelling(TokenKind kind);
 [[nodiscard]] std::string_view spelling(SoftWord word);
 [[nodiscard]] bool isKeyword(TokenKind kind);
+/// A number, time, date or text as it stands, TRUE or FALSE; not the prefix of `INT#5`.
+[[nodiscard]] bool isLiteral(TokenKind kind);
+/// Of a binary operator, by IEC 61131-3 (3.3.1, table 55; ed. 3 table 71): 1 OR … 8 `**`; 0: no binary operator.
+[[nodiscard]] int precedenceOf(TokenKind kind);
 
 /// Never fails: what it does not know becomes an Error token with a diagnostic in `sink`.
 [[nodiscard]] TokenList tokenize(FileId file, std::string_view text, diagnostics::Sink& sink);

@@ -339,7 +339,7 @@ private:
         const bool named = std::any_of(e.arguments.begin(), e.arguments.end(),
                                        [](const Argument& a) { return a.kind != ArgumentKind::Positional; });
         if (named || e.arguments.empty())
-            return named ? line(spelled(e.base->name.text) + "(" + list(e.arguments) + ")", "")
+            return named ? line(spelled(e.base->name.text) + "(" + printArguments(e.arguments) + ")", "")
                          : fail("A call without arguments");
         std::string rest;
         for (size_t i = 1; i < e.arguments.size(); ++i) {
@@ -349,17 +349,6 @@ private:
         }
         load(*e.arguments[0].value);
         line(spelled(e.base->name.text), rest);
-    }
-    static std::string list(const std::vector<Argument>& arguments) {
-        std::string out;
-        for (const Argument& a : arguments) {
-            if (!out.empty()) out += ", ";
-            if (a.negated) out += "NOT ";
-            if (a.kind != ArgumentKind::Positional)
-                out += spelled(a.name.text) + (a.kind == ArgumentKind::Input ? " := " : " => ");
-            if (a.value) out += print(*a.value);
-        }
-        return out;
     }
 
     void statement(const Stmt& s) {
@@ -371,7 +360,7 @@ private:
         case StmtKind::Call:
             if (s.value->kind != ExprKind::Call) return fail(print(*s.value));
             return line("CAL", print(*s.value->base) +
-                                   (s.value->arguments.empty() ? "" : "(" + list(s.value->arguments) + ")"));
+                                   (s.value->arguments.empty() ? "" : "(" + printArguments(s.value->arguments) + ")"));
         case StmtKind::If: {
             const std::string end = freshLabel();
             for (size_t i = 0; i < s.branches.size() && reason.empty(); ++i) {

@@ -13,46 +13,10 @@ int level(const Expr& e) {
     if (e.kind == ExprKind::Unary) return 9;
     if (e.kind == ExprKind::AssignChain) return 0;
     if (e.kind != ExprKind::Binary) return 10;
-    switch (e.op) {
-    case TokenKind::Or:
-    case TokenKind::OrElse:
-        return 1;
-    case TokenKind::Xor:
-        return 2;
-    case TokenKind::And:
-    case TokenKind::AndThen:
-        return 3;
-    case TokenKind::Equal:
-    case TokenKind::NotEqual:
-        return 4;
-    case TokenKind::Less:
-    case TokenKind::LessEqual:
-    case TokenKind::Greater:
-    case TokenKind::GreaterEqual:
-        return 5;
-    case TokenKind::Plus:
-    case TokenKind::Minus:
-        return 6;
-    case TokenKind::Power:
-        return 8;
-    default:
-        return 7;
-    }
+    return lex::precedenceOf(e.op);
 }
 
 std::string inside(const Expr& e, int least) { return level(e) < least ? "(" + print(e) + ")" : print(e); }
-
-std::string arguments(const std::vector<Argument>& list) {
-    std::string out;
-    for (const Argument& a : list) {
-        if (!out.empty()) out += ", ";
-        if (a.negated) out += "NOT ";
-        if (a.kind != ArgumentKind::Positional)
-            out += spelled(a.name.text) + (a.kind == ArgumentKind::Input ? " := " : " => ");
-        if (a.value) out += print(*a.value);
-    }
-    return out;
-}
 
 std::string pathOf(const syntax::Path& path) {
     std::string out;
@@ -166,11 +130,11 @@ std::string print(const Expr& e) {
     case ExprKind::Bit:
         return inside(*e.base, 10) + "." + std::string(e.text);
     case ExprKind::Index:
-        return inside(*e.base, 10) + "[" + arguments(e.arguments) + "]";
+        return inside(*e.base, 10) + "[" + printArguments(e.arguments) + "]";
     case ExprKind::Deref:
         return inside(*e.base, 10) + "^";
     case ExprKind::Call:
-        return inside(*e.base, 10) + "(" + arguments(e.arguments) + ")";
+        return inside(*e.base, 10) + "(" + printArguments(e.arguments) + ")";
     case ExprKind::Unary: {
         const std::string operand = inside(*e.base, 9);
         if (e.op == TokenKind::Not) return "NOT " + operand;
@@ -184,11 +148,11 @@ std::string print(const Expr& e) {
     case ExprKind::AssignChain:
         return print(*e.base) + " " + std::string(lex::spelling(e.op)) + " " + print(*e.right);
     case ExprKind::ArrayInit:
-        return "[" + arguments(e.arguments) + "]";
+        return "[" + printArguments(e.arguments) + "]";
     case ExprKind::StructInit:
-        return "(" + arguments(e.arguments) + ")";
+        return "(" + printArguments(e.arguments) + ")";
     case ExprKind::Repeat:
-        return print(*e.base) + "(" + arguments(e.arguments) + ")";
+        return print(*e.base) + "(" + printArguments(e.arguments) + ")";
     case ExprKind::This:
         return "THIS";
     case ExprKind::Super:
@@ -231,6 +195,18 @@ std::string print(const syntax::TypeSpec& spec) {
         break;
     }
     return "?";
+}
+
+std::string printArguments(const std::vector<Argument>& list) {
+    std::string out;
+    for (const Argument& a : list) {
+        if (!out.empty()) out += ", ";
+        if (a.negated) out += "NOT ";
+        if (a.kind != ArgumentKind::Positional)
+            out += spelled(a.name.text) + (a.kind == ArgumentKind::Input ? " := " : " => ");
+        if (a.value) out += print(*a.value);
+    }
+    return out;
 }
 
 } // namespace plc::lower

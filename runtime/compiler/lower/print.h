@@ -10,5 +10,7 @@ namespace plc::lower {
 /// One statement a line, `indent` blanks before each, four more for each block.
 [[nodiscard]] std::string print(const syntax::Block& block, int indent);
 [[nodiscard]] std::string print(const syntax::TypeSpec& spec);
+/// What stands between the parentheses of a call, an index or a list: `a, p := b, NOT q => c`.
+[[nodiscard]] std::string printArguments(const std::vector<syntax::Argument>& list);
 
 } // namespace plc::lower

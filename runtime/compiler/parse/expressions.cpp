@@ -8,58 +8,6 @@ using diagnostics::Kind;
 
 namespace {
 
-/// Precedence of IEC 61131-3 (3.3.1, table 55; ed. 3 table 71); 0: not a binary operator.
-int levelOf(TokenKind kind) {
-    switch (kind) {
-    case TokenKind::Or:
-    case TokenKind::OrElse:
-        return 1;
-    case TokenKind::Xor:
-        return 2;
-    case TokenKind::And:
-    case TokenKind::AndThen:
-    case TokenKind::Ampersand:
-        return 3;
-    case TokenKind::Equal:
-    case TokenKind::NotEqual:
-        return 4;
-    case TokenKind::Less:
-    case TokenKind::LessEqual:
-    case TokenKind::Greater:
-    case TokenKind::GreaterEqual:
-        return 5;
-    case TokenKind::Plus:
-    case TokenKind::Minus:
-        return 6;
-    case TokenKind::Star:
-    case TokenKind::Slash:
-    case TokenKind::Mod:
-        return 7;
-    case TokenKind::Power:
-        return 8;
-    default:
-        return 0;
-    }
-}
-
-bool isLiteral(TokenKind kind) {
-    switch (kind) {
-    case TokenKind::IntegerLiteral:
-    case TokenKind::RealLiteral:
-    case TokenKind::DurationLiteral:
-    case TokenKind::DateLiteral:
-    case TokenKind::TimeOfDayLiteral:
-    case TokenKind::DateTimeLiteral:
-    case TokenKind::StringLiteral:
-    case TokenKind::WstringLiteral:
-    case TokenKind::True:
-    case TokenKind::False:
-        return true;
-    default:
-        return false;
-    }
-}
-
 /// The first `$` sequence that means nothing (IEC 61131-3, table 6), as offset and length.
 std::string_view badEscape(std::string_view literal, bool wide) {
     const auto isHex = [](char c) {
@@ -145,7 +93,7 @@ Expr* Parser::parseBinary(int level) {
     }
     Expr* left = parseUnary();
     for (;;) {
-        const int found = levelOf(kind());
+        const int found = lex::precedenceOf(kind());
         if (found < level || found == 0) return left;
         const Token op = peek();
         advance();
@@ -253,7 +201,7 @@ Expr* Parser::parsePrimary() {
     default:
         break;
     }
-    if (isLiteral(token.kind)) return parseLiteral();
+    if (lex::isLiteral(token.kind)) return parseLiteral();
     expected("an expression");
     return errorExpr();
 }
@@ -288,7 +236,7 @@ Expr* Parser::parseTyped() {
     const bool sign = atAny({TokenKind::Minus, TokenKind::Plus}) &&
                       (kind(1) == TokenKind::IntegerLiteral || kind(1) == TokenKind::RealLiteral);
     if (sign) advance();
-    if (isLiteral(kind())) {
+    if (lex::isLiteral(kind())) {
         Expr* e = parseLiteral();
         e->prefix = prefix;
         if (sign) e->text = m_text.substr(token.begin, previous().end - token.begin);

@@ -62,26 +62,10 @@ bool Parser::atInstructionList(size_t ahead) const {
     const std::string_view name = reading.op->name;
     if (name == "RET") return lineEnds;
     if (lineEnds) return false;
-    switch (next.kind) {
-    case TokenKind::Identifier:
-    case TokenKind::IntegerLiteral:
-    case TokenKind::RealLiteral:
-    case TokenKind::DurationLiteral:
-    case TokenKind::DateLiteral:
-    case TokenKind::TimeOfDayLiteral:
-    case TokenKind::DateTimeLiteral:
-    case TokenKind::StringLiteral:
-    case TokenKind::WstringLiteral:
-    case TokenKind::TypedPrefix:
-    case TokenKind::DirectAddress:
-    case TokenKind::Hash:
-    case TokenKind::Minus:
-    case TokenKind::True:
-    case TokenKind::False:
-        break;
-    default:
-        return false;
-    }
+    const bool isOperand = lex::isLiteral(next.kind) || next.kind == TokenKind::Identifier ||
+                           next.kind == TokenKind::TypedPrefix || next.kind == TokenKind::DirectAddress ||
+                           next.kind == TokenKind::Hash || next.kind == TokenKind::Minus;
+    if (!isOperand) return false;
     // `JMP there;` is ST
     if (name == "JMP") return kind(ahead + 2) != TokenKind::Semicolon;
     return true;

@@ -168,24 +168,15 @@ bool Parser::startsStatement(size_t ahead) const {
 }
 
 bool Parser::startsExpression() const {
+    if (lex::isLiteral(kind())) return true;
     switch (kind()) {
     case TokenKind::Identifier:
-    case TokenKind::IntegerLiteral:
-    case TokenKind::RealLiteral:
-    case TokenKind::DurationLiteral:
-    case TokenKind::DateLiteral:
-    case TokenKind::TimeOfDayLiteral:
-    case TokenKind::DateTimeLiteral:
-    case TokenKind::StringLiteral:
-    case TokenKind::WstringLiteral:
     case TokenKind::TypedPrefix:
     case TokenKind::DirectAddress:
     case TokenKind::Hash:
     case TokenKind::Plus:
     case TokenKind::Minus:
     case TokenKind::Not:
-    case TokenKind::True:
-    case TokenKind::False:
     case TokenKind::LeftParen:
     case TokenKind::LeftBracket:
         return true;

@@ -3,6 +3,7 @@
 
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
+#include "runtime/types/scalar_text.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -99,31 +100,7 @@ std::u32string parseText(std::string_view text, bool isWide) {
             }
         }
         i += 2;
-        switch (c) {
-        case 'L':
-        case 'l':
-            out += U'\n';
-            break;
-        case 'N':
-        case 'n':
-            out += U'\n';
-            break;
-        case 'P':
-        case 'p':
-            out += U'\f';
-            break;
-        case 'R':
-        case 'r':
-            out += U'\r';
-            break;
-        case 'T':
-        case 't':
-            out += U'\t';
-            break;
-        default:
-            out += static_cast<unsigned char>(c);
-            break;
-        }
+        out += types::escapedCharacter(c).value_or(static_cast<unsigned char>(c));
     }
     return out;
 }
