@@ -30,7 +30,7 @@ public:
         if (m_declared.interval) readInterval(*m_declared.interval);
         if (m_declared.single)
             readTrigger(*m_declared.single);
-        else if (m_task.interval.count() == 0 && !m_isIntervalWrong)
+        else if (!m_declared.interval || m_isIntervalZero)
             tellFreewheeling();
         for (const syntax::Argument& argument : m_declared.others)
             if (argument.value) readOther(argument);
@@ -70,8 +70,8 @@ private:
 
     void readInterval(const syntax::Expr& e) {
         const auto interval = duration(e);
-        m_isIntervalWrong = !interval || interval->count() < 0;
         if (!interval) return;
+        m_isIntervalZero = interval->count() == 0;
         if (interval->count() < 0)
             m_world.emit(e.range, Kind::ConstantOutOfRange, {types::durationText(interval->count()), "INTERVAL (0..)"});
         if (interval->count() > 0) m_task.kind = image::TaskKind::Cyclic; // zero: as if there were none
@@ -120,7 +120,7 @@ private:
     const Scope m_scope;
     const syntax::TaskDecl& m_declared;
     image::Task m_task;
-    bool m_isIntervalWrong = false;
+    bool m_isIntervalZero = false;
 };
 
 /// A task that nothing starts runs in every scan, which SINGLE := FALSE says on purpose.
