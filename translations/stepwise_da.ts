@@ -428,6 +428,14 @@
         <translation>CASE vælger efter heltal, opremsninger eller tegn, ikke efter {0}; brug IF og ELSIF</translation>
     </message>
     <message>
+        <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
+        <translation>{0} og {1} deler lageret ved {2}; flyt det ene, eller skriv STRUCT OVERLAP</translation>
+    </message>
+    <message>
+        <source>The address of a member counts from the begin of its structure, as %B4 or %X4.1 do, not {0}</source>
+        <translation>Et elements adresse tæller fra strukturens begyndelse, som %B4 eller %X4.1, ikke {0}</translation>
+    </message>
+    <message>
         <source>{0} and {1} share the address {2}; {3} is free</source>
         <translation>{0} og {1} deler adressen {2}; {3} er ledig</translation>
     </message>

@@ -428,6 +428,14 @@
         <translation>CASE wählt nach ganzen Zahlen, Aufzählungen oder Zeichen, nicht nach {0}; IF und ELSIF verwenden</translation>
     </message>
     <message>
+        <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
+        <translation>{0} und {1} teilen sich den Speicher bei {2}; einen davon verschieben oder STRUCT OVERLAP schreiben</translation>
+    </message>
+    <message>
+        <source>The address of a member counts from the begin of its structure, as %B4 or %X4.1 do, not {0}</source>
+        <translation>Die Adresse eines Elements zählt vom Anfang seiner Struktur, wie %B4 oder %X4.1, nicht {0}</translation>
+    </message>
+    <message>
         <source>{0} and {1} share the address {2}; {3} is free</source>
         <translation>{0} und {1} teilen sich die Adresse {2}; frei ist {3}</translation>
     </message>

@@ -88,7 +88,11 @@ int runCommandLine(const std::vector<std::string>& words) {
 }
 
 Result<projects::Project> openNamedProject(const Arguments& arguments) {
-    auto project = projects::openProject(arguments.paths());
+    return openNamedProject(arguments, arguments.paths());
+}
+
+Result<projects::Project> openNamedProject(const Arguments& arguments, const std::vector<std::string>& paths) {
+    auto project = projects::openProject(paths);
     if (!project) return project;
     const auto known = driver::libraryNames();
     for (const std::string& value : arguments.values("--library")) {

@@ -35,6 +35,8 @@ int runCommandLine(const std::vector<std::string>& words);
 int wrongUse(const Error& error);
 /// Opens PATH… with the libraries of --library added.
 [[nodiscard]] Result<projects::Project> openNamedProject(const Arguments& arguments);
+[[nodiscard]] Result<projects::Project> openNamedProject(const Arguments& arguments,
+                                                         const std::vector<std::string>& paths);
 /// Prints diagnostics to stderr (text) or stdout (json list, with the objects of `moreJson` behind); true when there
 /// are errors.
 bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,

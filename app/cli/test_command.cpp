@@ -1,11 +1,11 @@
 #include "app/cli/command.h"
 
-#include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <unistd.h>
 
 namespace plc::cli {
@@ -28,6 +28,23 @@ std::vector<std::string> projectFolders(const std::string& path) {
         if (fs::exists(entry.path() / "project.json", ignored)) out.push_back(entry.path().string());
     std::sort(out.begin(), out.end());
     return out.empty() ? std::vector<std::string>{path} : out;
+}
+
+/// Each a project folder, or the loose ST files, which are one program.
+std::vector<std::vector<std::string>> projectsOf(const std::vector<std::string>& paths) {
+    std::vector<std::vector<std::string>> out;
+    std::optional<size_t> loose;
+    for (const std::string& path : paths) {
+        if (fs::path(path).extension() != ".st") {
+            for (const std::string& folder : projectFolders(path)) out.push_back({folder});
+        } else if (loose) {
+            out[*loose].push_back(path);
+        } else {
+            loose = out.size();
+            out.push_back({path});
+        }
+    }
+    return out;
 }
 
 std::string failureText(const testing::Failure& failure) {
@@ -142,7 +159,8 @@ void printJunit(const std::vector<ProjectReport>& projects) {
 }
 
 int test(const Arguments& arguments) {
-    if (arguments.paths().empty()) return wrongUse({"test needs project folders (stepwise test --help)", ""});
+    if (arguments.paths().empty())
+        return wrongUse({"test needs project folders or ST files (stepwise test --help)", ""});
     const std::string format = arguments.value("--format").value_or("text");
     testing::Options options;
     options.filter = arguments.value("--filter").value_or("");
@@ -151,21 +169,20 @@ int test(const Arguments& arguments) {
     std::vector<ProjectReport> reports;
     size_t failed = 0, passed = 0, broken = 0;
     ProgressLine progress;
-    for (const std::string& path : arguments.paths())
-        for (const std::string& folder : projectFolders(path)) {
-            const auto project = projects::openProject({folder});
-            if (!project) return wrongUse(project.error());
-            progress.show("testing " + project->name);
-            options.recordingFolder =
-                project->folder.empty() ? "" : (fs::current_path() / "out" / "recordings" / project->name).string();
-            auto report = testing::runTests(*project, options);
-            if (!report) return wrongUse(report.error());
-            failed += report->failed();
-            passed += report->results.size() - report->failed();
-            broken += report->hasErrors ? 1 : 0;
-            reports.push_back({project->name, folder, std::move(*report)});
-            if (format == "text") printText(reports.back(), options.coverage);
-        }
+    for (const std::vector<std::string>& paths : projectsOf(arguments.paths())) {
+        const auto project = openNamedProject(arguments, paths);
+        if (!project) return wrongUse(project.error());
+        progress.show("testing " + project->name);
+        options.recordingFolder =
+            project->folder.empty() ? "" : (fs::current_path() / "out" / "recordings" / project->name).string();
+        auto report = testing::runTests(*project, options);
+        if (!report) return wrongUse(report.error());
+        failed += report->failed();
+        passed += report->results.size() - report->failed();
+        broken += report->hasErrors ? 1 : 0;
+        reports.push_back({project->name, paths.front(), std::move(*report)});
+        if (format == "text") printText(reports.back(), options.coverage);
+    }
     if (format == "json")
         printJson(reports);
     else if (format == "junit")
@@ -182,8 +199,9 @@ int test(const Arguments& arguments) {
 Command testCommand() {
     return {{"test",
              "PATH… [OPTIONS]",
-             "Runs the TESTs of projects (tests/*.st) in virtual time.",
+             "Runs the TESTs of projects (tests/*.st), or of ST files, in virtual time.",
              {{"--filter", "TEXT", "only tests whose title holds TEXT (* and ? as in file names)"},
+              {"--library", "NAME", "a library the ST files use, besides the standard (repeatable)"},
               {"--coverage", "", "lines of each POU that ran"},
               {"--format", "text|json|junit", "text (default), JSON or JUnit XML"}},
              "stepwise test projects/examples --filter 'stop*' --coverage"},

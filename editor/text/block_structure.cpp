@@ -51,6 +51,8 @@ constexpr Opener kOpeners[] = {
     {"CONFIGURATION", "END_CONFIGURATION"},
     {"RESOURCE", "END_RESOURCE"},
     {"TEST", "END_TEST"},
+    {"REGION", "END_REGION"},
+    {"{REGION", "{ENDREGION}"},
 };
 
 struct Scan {
@@ -90,14 +92,16 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
             continue;
         }
         const bool isWord = lex::isKeyword(token.kind) || token.soft != lex::SoftWord::None;
-        if (!isWord) continue;
-        const std::string word = upper(text.substr(token.begin, token.end - token.begin));
-        const BlockMark mark{token.begin, token.end};
+        const bool isPragma = token.kind == TokenKind::Pragma; // REGION name, {region "name"}
+        if (!isWord && !isPragma) continue;
+        std::string word = upper(text.substr(token.begin, token.end - token.begin));
+        if (isPragma) word.resize(std::min(word.find_first_of(" \t\r;"), word.size()));
+        const BlockMark mark{token.begin, token.begin + static_cast<uint32_t>(word.size())};
         if (word == "ELSE" || word == "ELSIF" || word == "UNTIL") {
             if (!scan.open.empty()) scan.open.back().pair.middle.push_back(mark);
             continue;
         }
-        if (word.starts_with("END_")) {
+        if (word.starts_with("END_") || word == "{ENDREGION}") {
             for (size_t k = scan.open.size(); k-- > 0;) {
                 if (scan.open[k].opener->close != word) continue;
                 scan.open[k].pair.close = mark;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace plc::testing {
 
@@ -328,6 +329,8 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
         tolerance = std::holds_alternative<double>(value->data) ? value->real() : static_cast<double>(value->integer());
     }
     std::string file = m_project.folder + "/tests/" + name;
+    if (m_project.folder.empty()) // beside the loose file
+        file = (std::filesystem::path(m_program.testSources()[at.range.file].path()).parent_path() / name).string();
     if (!file.ends_with(".rec")) file += ".rec";
     const auto rebuild =
         [](const std::vector<std::pair<std::string, std::string>>& sources,

@@ -1,5 +1,6 @@
 #include "projects/testing/test_program.h"
 
+#include "runtime/base/text.h"
 #include "runtime/library/signatures.h"
 
 namespace plc::testing {
@@ -80,7 +81,7 @@ bool needsCode(const Expr* expression) {
 }
 
 TestProgram::TestProgram(const projects::Project& project) : m_input(project.buildInput()) {
-    m_sources.files.reserve(project.tests.size());
+    m_sources.files.reserve(project.tests.size() + project.sources.size());
     for (const driver::SourceFile& file : project.tests) {
         const FileId id = m_sources.add(file.path, file.text);
         m_files.push_back(parse::parseFile(id, m_sources[id].text(), m_problems));
@@ -96,6 +97,17 @@ TestProgram::TestProgram(const projects::Project& project) : m_input(project.bui
                 m_input.files[m_madeFile].text += "\n";
             }
         }
+    for (const driver::SourceFile& file : project.sources) planTestsOf(file);
+}
+
+/// TESTs beside the program: loose ST files, and files of src. The rest of such a file is the program's.
+void TestProgram::planTestsOf(const driver::SourceFile& source) {
+    if (foldCase(source.text).find("end_test") == std::string::npos) return;
+    diagnostics::Sink told; // again, when the program is built
+    const FileId id = m_sources.add(source.path, source.text);
+    m_files.push_back(parse::parseFile(id, m_sources[id].text(), told));
+    for (const syntax::Decl* declaration : m_files.back()->declarations)
+        if (declaration->kind == syntax::DeclKind::Test) planTest(*declaration->test, m_files.size() - 1);
 }
 
 void TestProgram::copy(SourceRange range, size_t file, std::string& out) {

@@ -47,6 +47,7 @@ public:
     [[nodiscard]] SourceRange originalOf(SourceRange made, bool& isTestFile) const;
 
 private:
+    void planTestsOf(const driver::SourceFile& source);
     void planTest(const syntax::TestDecl& test, size_t file);
     void planStatements(const syntax::Block& block, std::string& actions, const std::string& blockName, size_t file);
     void copy(SourceRange range, size_t file, std::string& out);

@@ -1,6 +1,6 @@
-// `stepwise test`: TESTs are ST (tests/*.st), each from a cold start, in virtual time. Ordinary statements become
-// actions of a hidden block beside the program, RUN, ASSERT, FORCE… are carried out here between scans. Functions; one
-// thread.
+// `stepwise test`: TESTs are ST (tests/*.st, or beside the program), each from a cold start, in virtual time. Ordinary
+// statements become actions of a hidden block beside the program, RUN, ASSERT, FORCE… are carried out here between
+// scans. Functions; one thread.
 #pragma once
 #include "projects/model/project.h"
 #include "runtime/base/result.h"

@@ -61,8 +61,9 @@ struct Field {
     bool isPrivate = false;           // {attribute 'hide'} or compiler-made: not listed in watches
     std::vector<std::string> aliases; // {attribute 'alias' := 'a, b'}
     SourceRange declaration;
-    std::string comment; // the comment behind or above the declaration
-    int16_t bit = -1;    // BIT member of a structure: bit 0..7 of the byte at offset
+    std::string comment;    // the comment behind or above the declaration
+    int16_t bit = -1;       // BIT member of a structure: bit 0..7 of the byte at offset
+    bool isLocated = false; // has an address in its structure: offset and bit are given
 };
 
 struct Enumerator {

@@ -221,11 +221,19 @@ void TypeTable::layoutFields(TypeId id, uint32_t start) {
     t.align = std::max(1u, start ? 8u : 1u);
     uint32_t end = start;
     int nextBit = 0;
+    bool isPacked = false;
+    for (const Field& field : t.fields) {
+        if (!field.isLocated) continue;
+        isPacked = true;
+        end = std::max(end, field.offset + (field.bit >= 0 ? 1 : (*this)[field.type].size));
+        if (!isUnion) offset = end;
+    }
     for (Field& field : t.fields) {
         const Type& type = (*this)[field.type];
         const bool slot = field.section == FieldSection::InOut && type.kind != TypeKind::OpenArray;
         const uint32_t size = slot ? 8 : type.size;
-        const uint32_t align = slot ? 8 : std::max(1u, type.align);
+        const uint32_t align = slot ? 8 : isPacked ? 1 : std::max(1u, type.align);
+        if (field.isLocated) continue;
         if (field.bit >= 0) { // BIT members share bytes in order
             if (nextBit == 0) offset += 1;
             field.offset = offset - 1;

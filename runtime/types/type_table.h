@@ -41,7 +41,8 @@ public:
     [[nodiscard]] bool isText(TypeId id) const;                       // STRING, WSTRING
     [[nodiscard]] bool isDerivedFrom(TypeId type, TypeId base) const; // EXTENDS/IMPLEMENTS chain, itself included
     [[nodiscard]] bool implements(TypeId block, TypeId interface) const;
-    /// Lays a struct's fields out from `start` by natural alignment, sets size and align, and composes `initial`.
+    /// Lays a struct's fields out from `start` by natural alignment, sets size and align, and composes `initial`. One
+    /// with a located field is packed: the located stay where they are, the others follow behind the last of them.
     void layoutFields(TypeId id, uint32_t start = 0);
     /// Recomputes size, align and initial of an array after its element was completed.
     void layoutArray(TypeId id);

@@ -49,7 +49,24 @@ Structure::Structure(const SyntaxFile& file, std::string_view text,
             break;
         }
     }
-    for (const Token& token : m_tokens) {
+    std::vector<uint32_t> regions; // REGION … END_REGION, indented as a block
+    for (size_t i = 0; i < m_tokens.size(); ++i) {
+        const Token& token = m_tokens[i];
+        if (token.kind == TokenKind::Pragma) {
+            // name { ExternalVisible := 'False' } : BOOL;
+            const bool isInside =
+                !token.afterNewline && i + 1 < m_tokens.size() && m_tokens[i + 1].kind == TokenKind::Colon;
+            if (!isInside) begins(token.begin);
+            const char first = text[token.begin];
+            if (first == 'R' || first == 'r') {
+                regions.push_back(token.end);
+            } else if ((first == 'E' || first == 'e') && !regions.empty()) {
+                region(regions.back(), token.begin);
+                regions.pop_back();
+            }
+            if (first != '{' && i + 1 < m_tokens.size()) begins(m_tokens[i + 1].begin);
+            continue;
+        }
         switch (token.kind) {
         case TokenKind::Else:
         case TokenKind::Elsif:
@@ -57,7 +74,6 @@ Structure::Structure(const SyntaxFile& file, std::string_view text,
         case TokenKind::Then:
         case TokenKind::Do:
         case TokenKind::Struct:
-        case TokenKind::Pragma:
         case TokenKind::EndOfFile:
             begins(token.begin);
             break;
@@ -250,7 +266,8 @@ void Structure::statement(const Stmt& stmt) {
     begins(stmt.range.begin);
     // the token behind a range: what ends the block
     const auto tokenBehind = [&](uint32_t end) {
-        const size_t at = tokenAt(end);
+        size_t at = tokenAt(end);
+        while (at < m_tokens.size() && m_tokens[at].kind == TokenKind::Pragma) ++at; // END_REGION
         return at < m_tokens.size() ? m_tokens[at].begin : end;
     };
     const auto headerEnd = [&](uint32_t from, TokenKind word, uint32_t limit) {

@@ -1,3 +1,4 @@
+#include "runtime/compiler/lex/exported_lines.h"
 #include "runtime/compiler/lex/words.h"
 
 #include "runtime/base/text.h"
@@ -257,6 +258,11 @@ private:
         const size_t begin = m_at;
         m_at = wordEnd(m_at);
         if (m_at == begin) return unknown();
+        if (m_newline)
+            if (const size_t end = m_exported.endOf(begin, m_list)) {
+                m_at = end;
+                return push(TokenKind::Pragma, begin, end);
+            }
         const std::string_view text = slice(begin, m_at);
         if (peek() == '#') return prefixed(begin, text);
         if (peek() == '=' && m_at + 1 <= m_text.size() && setOrReset(begin, text)) return;
@@ -492,14 +498,15 @@ private:
         push(TokenKind::Pragma, begin, m_at);
     }
 
-    /// %IX0.0 %I0.0 %QW3 %M* %IX*, and behind a point %X3 %B1.
+    /// %IX0.0 %I0.0 %QW3 %M* %IX*, behind a point %X3 %B1, and behind AT %X2.1 %B4 (of a member of a structure).
     bool directAddress() {
         size_t at = m_at + 1;
         const auto has = [&](std::string_view set) {
             return at < m_text.size() && set.find(detail::upper(m_text[at])) != std::string_view::npos;
         };
         const bool afterDot = !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::Dot && !has("IQM");
-        if (!afterDot) {
+        const bool isRelative = !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::At && has("XBWDL");
+        if (!afterDot && !isRelative) {
             if (!has("IQM")) return false;
             ++at;
         }
@@ -577,6 +584,7 @@ private:
     std::string_view m_text;
     diagnostics::Sink& m_sink;
     TokenList m_list;
+    ExportedLines m_exported{m_text};
     size_t m_at = 0;
     bool m_newline = true;
     std::string_view m_lastUnknown;

@@ -164,11 +164,20 @@ void Parser::parseAssociations(StepDecl& step) {
 
 void Parser::parseStepNames(std::vector<Name>& out) {
     const bool list = take(TokenKind::LeftParen);
+    const size_t first = mark();
     do {
         const Name name = takeName("a step's name");
         if (name.isValid()) out.push_back(name);
-    } while (list && take(TokenKind::Comma));
-    if (list) expect(TokenKind::RightParen);
+    } while ((list || (at(TokenKind::Comma) && kind(1) == TokenKind::Identifier)) && take(TokenKind::Comma));
+    if (list) {
+        expect(TokenKind::RightParen);
+    } else if (out.size() > 1) { // FROM a, b TO
+        const SourceRange names = rangeFrom(first);
+        const std::string own = "(" + std::string(m_text.substr(names.begin, names.end - names.begin)) + ")";
+        if (auto* d = report(names, Kind::Expected, {"(", std::string(out.front().text)}))
+            d->fixes.push_back({"Write " + own, {{names, own}}});
+        m_lastErrorAt = SIZE_MAX;
+    }
 }
 
 /// TRANSITION name (PRIORITY := 1) FROM a TO (b, c) := condition; END_TRANSITION  (IEC 61131-3, 2.6.3)

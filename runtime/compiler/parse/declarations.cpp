@@ -218,7 +218,12 @@ void Parser::parsePouHeader(Pou& pou) {
     else
         pou.name = takeName();
     while (at(TokenKind::Dot)) advance(), (void)takeName(); // Block.Method
-    if (take(TokenKind::Colon)) pou.result = parseTypeSpec(false);
+    if (take(TokenKind::Colon)) {
+        if (at(TokenKind::Identifier) && equalsIgnoringCase(textOf(peek()), "VOID"))
+            advance(); // no result
+        else
+            pou.result = parseTypeSpec(false);
+    }
     const auto paths = [&](std::vector<Path>& out) {
         advance();
         do out.push_back(takePath());

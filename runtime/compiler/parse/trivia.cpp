@@ -34,6 +34,13 @@ bool isKnownPragma(std::string_view key) {
                        [&](std::string_view k) { return equalsIgnoringCase(k, key); });
 }
 
+/// { S7_Optimized_Access := 'TRUE' }, { ExternalVisible := 'False' }
+bool isSiemensAttribute(std::string_view key) {
+    return (key.size() > 3 && equalsIgnoringCase(key.substr(0, 3), "S7_")) ||
+           (key.size() > 8 && equalsIgnoringCase(key.substr(0, 8), "External")) ||
+           equalsIgnoringCase(key, "InstructionName") || equalsIgnoringCase(key, "LibVersion");
+}
+
 } // namespace
 
 bool Parser::hasNewline(uint32_t begin, uint32_t end) const {
@@ -53,7 +60,12 @@ std::vector<Pragma> Parser::pragmasHere() {
 Pragma Parser::readPragma(const Token& token) {
     Pragma pragma;
     pragma.range = rangeOf(token);
-    std::string_view text = textOf(token).substr(1);
+    std::string_view text = textOf(token);
+    if (!text.starts_with('{')) { // REGION, VERSION : 0.1
+        pragma.text = text;
+        return pragma;
+    }
+    text.remove_prefix(1);
     if (text.ends_with('}')) text.remove_suffix(1);
     pragma.text = text;
     text = trimmed(text);
@@ -66,7 +78,7 @@ Pragma Parser::readPragma(const Token& token) {
         const size_t assign = rest.find(":=");
         pragma.key = unquoted(rest.substr(0, assign));
         rest = assign == std::string_view::npos ? std::string_view() : rest.substr(assign);
-    } else if (!isKnownPragma(pragma.key)) {
+    } else if (!isKnownPragma(pragma.key) && !isSiemensAttribute(pragma.key)) {
         m_sink.emit(pragma.range, diagnostics::Kind::UnknownPragma, {std::string(pragma.key)});
     }
     if (rest.starts_with(":=")) rest.remove_prefix(2);

@@ -637,7 +637,9 @@ void Parser::parseTypeBlock(std::vector<Decl*>& out) {
             base->path = takePath();
             base->range = rangeFrom(baseAt);
         }
-        if (!take(TokenKind::Colon)) {
+        const bool isExported = at(TokenKind::Struct) && sourceIndex(m_at) > 0 &&
+                                m_list.tokens[sourceIndex(m_at) - 1].kind == TokenKind::Pragma; // "Data" VERSION : 0.1
+        if (!take(TokenKind::Colon) && !isExported) {
             const bool typeFollows = at(TokenKind::Struct) || at(TokenKind::Array) || at(TokenKind::LeftParen) ||
                                      at(SoftWord::Union) ||
                                      (at(TokenKind::Identifier) && kind(1) == TokenKind::Semicolon);

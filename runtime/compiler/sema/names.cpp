@@ -3,6 +3,8 @@
 
 #include "runtime/base/text.h"
 
+#include <algorithm>
+
 namespace plc::sema {
 
 using diagnostics::Kind;
@@ -11,6 +13,19 @@ using syntax::SectionKind;
 using types::TypeTable;
 
 namespace {
+
+/// A name of an instruction list that stands where the operator does.
+bool isOperatorIn(const syntax::Block& instructions, SourceRange range) {
+    return std::any_of(instructions.begin(), instructions.end(), [&](const syntax::Stmt* s) {
+        return s->il && (s->il->op.range == range || isOperatorIn(s->il->body, range));
+    });
+}
+bool isOperatorOf(const syntax::Pou& pou, SourceRange range) {
+    if (isOperatorIn(pou.body.instructions, range)) return true;
+    const auto inAction = [&](const syntax::ActionDecl* a) { return isOperatorIn(a->body.instructions, range); };
+    if (std::any_of(pou.actions.begin(), pou.actions.end(), inAction)) return true;
+    return pou.body.chart && std::any_of(pou.body.chart->actions.begin(), pou.body.chart->actions.end(), inAction);
+}
 using DK = Denoted::Kind;
 
 Denoted unitOf(Unit& unit, tree::Place* instance) {
@@ -203,8 +218,16 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
         if (const auto place = world.program->layout.find(name.text))
             return placeOf(absolutePlace(place->offset, place->type, place->bit, name.range));
     }
-    world.suggest(emit(name.range, Kind::UndeclaredName, {std::string(name.text)}), name.range, name.text,
-                  world.visibleNames(scope));
+    const bool isInstruction = scope.unit && scope.unit->pou && isOperatorOf(*scope.unit->pou, name.range);
+    std::vector<std::string> candidates = world.visibleNames(scope);
+    if (isInstruction)
+        for (const char* op :
+             {"LD",  "LDN", "ST",   "STN",   "AND", "ANDN", "ORN",   "XOR", "ADD",  "SUB",   "MUL", "DIV",
+              "MOD", "JMP", "JMPC", "JMPCN", "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "NOT"})
+            candidates.emplace_back(op);
+    world.suggest(
+        emit(name.range, isInstruction ? Kind::IlUnknownOperator : Kind::UndeclaredName, {std::string(name.text)}),
+        name.range, name.text, candidates);
     return {};
 }
 

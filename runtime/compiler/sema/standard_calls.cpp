@@ -431,7 +431,16 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
         return textType(80, wide);
     };
     const TypeId from = conversion.from == TypeKind::Unknown ? TypeId() : idOf(conversion.from);
-    Operand operand = expression(*arguments.inputs[0]->value, from);
+    const syntax::Expr& value = *arguments.inputs[0]->value;
+    const bool isTextLiteral =
+        value.kind == syntax::ExprKind::Literal && !value.prefix.isValid() &&
+        (value.op == lex::TokenKind::StringLiteral || value.op == lex::TokenKind::WstringLiteral);
+    const bool takesText = !from.isValid() || types.isText(from) || types.family(from) == Family::Character;
+    Operand operand = expression(value, isTextLiteral && !takesText ? TypeId() : from);
+    if (isTextLiteral && !takesText && !operand.isUnknown()) { // 'x' is no number here
+        emit(value.range, Kind::TypeMismatch, {textOf(value.range), nameOf(from)});
+        return unknown(e.range);
+    }
     if (operand.isUnknown()) return unknown(e.range);
     if (isKind(operand.type(), TypeKind::Void)) {
         emit(operand.expr->range, Kind::NoValue, {textOf(operand.expr->range)});

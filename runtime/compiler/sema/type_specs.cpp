@@ -518,10 +518,13 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
             symbols.back().type = type;
         }
     }
+    locateMembers(made, fields, inherited, declarations);
     types::Type& type = types.edit(made.type);
     type.base = base;
     type.fields = std::move(fields);
     types.layoutFields(made.type);
+    if (std::any_of(type.fields.begin(), type.fields.end(), [](const types::Field& f) { return f.isLocated; }))
+        for (types::Field& field : type.fields) field.isLocated = true; // where it lies for those that extend it
     InitialValue initial;
     initial.bytes = types[made.type].initial;
     initial.bytes.resize(types[made.type].size);

@@ -125,6 +125,12 @@ public:
     void completeEnum(EnumType& type);
     void completeStruct(StructType& type, SourceRange usedAt);
     void completeAlias(DeclaredType& type, SourceRange usedAt);
+    // relative_addresses.cpp
+    void locateMembers(const StructType& type, std::vector<types::Field>& fields, size_t inherited,
+                       const std::vector<const syntax::VarDecl*>& declarations);
+    bool locateMember(types::Field& field, const syntax::VarDecl& declaration);
+    void checkMemberOverlaps(const StructType& type, const std::vector<types::Field>& fields, size_t inherited,
+                             const std::vector<const syntax::VarDecl*>& declarations);
     void reportCycle(TypeId type, SourceRange usedAt);
     TypeId resolveArray(const syntax::TypeSpec& spec, const Scope& scope);
     TypeId resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope);

@@ -199,5 +199,27 @@ TEST_F(TestCommand, ErrorsOfAProjectAreItsLineAndTheExitCode) {
     EXPECT_EQ(run({"nowhere"}).exitCode, 2);
 }
 
+TEST_F(TestCommand, RunsTheTestsOfLooseFiles) {
+    write("loose.st", "PROGRAM Main\nVAR n : INT; END_VAR\nn := n + 1;\nEND_PROGRAM\n"
+                      "TEST 'counts'\nRUN 3 SCANS;\nASSERT Main.n = 3;\nEND_TEST\n");
+    write("more.st", "TEST 'miscounts'\nRUN 3 SCANS;\nASSERT Main.n = 4;\nEND_TEST\n");
+    const Outcome one = run({"loose.st"});
+    EXPECT_EQ(one.exitCode, 0) << one.err;
+    EXPECT_NE(one.out.find("1 passed, 0 failed"), std::string::npos) << one.out;
+    const Outcome both = run({"loose.st", "more.st"});
+    EXPECT_EQ(both.exitCode, 1);
+    EXPECT_NE(both.out.find("1 passed, 1 failed"), std::string::npos) << both.out;
+    EXPECT_NE(both.out.find("more.st:3"), std::string::npos) << both.out;
+}
+
+TEST_F(TestCommand, RunsTheTestsBesideTheProgram) {
+    write("counter/src/more.st", "TEST 'in src'\nRUN 2 SCANS;\nASSERT Main.Count = 2;\nEND_TEST\n");
+    const Outcome outcome = run({"counter"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("1 passed, 0 failed"), std::string::npos) << outcome.out;
+    write("counter/src/more.st", "TEST 'in src'\nASSERT Main.Counter = 2;\nEND_TEST\n");
+    EXPECT_EQ(run({"counter"}).exitCode, 1);
+}
+
 } // namespace
 } // namespace plc
