@@ -51,8 +51,6 @@ constexpr Opener kOpeners[] = {
     {"CONFIGURATION", "END_CONFIGURATION"},
     {"RESOURCE", "END_RESOURCE"},
     {"TEST", "END_TEST"},
-    {"REGION", "END_REGION"},
-    {"{REGION", "{ENDREGION}"},
 };
 
 struct Scan {
@@ -80,28 +78,27 @@ Scan scanBlocks(std::string_view text, uint32_t upTo) {
     for (size_t i = 0; i < list.tokens.size(); ++i) {
         const Token& token = list.tokens[i];
         if (token.begin >= upTo) break;
-        if (token.kind == TokenKind::Pragma) { // {region 'name'} … {endregion}
-            const std::string words = upper(text.substr(token.begin + 1, token.end - token.begin - 1));
-            const size_t first = words.find_first_not_of(" \t");
+        if (token.kind == TokenKind::Pragma) { // {region 'name'} … {endregion}, REGION name … END_REGION
+            const std::string words = upper(text.substr(token.begin, token.end - token.begin));
+            const size_t first = words.find_first_not_of("{ \t");
             if (first == std::string::npos) continue;
             if (words.compare(first, 6, "REGION") == 0) regions.push_back({token.begin, token.end});
-            if (words.compare(first, 9, "ENDREGION") == 0 && !regions.empty()) {
+            const bool isEnd = words.compare(first, 9, "ENDREGION") == 0 || words.compare(first, 10, "END_REGION") == 0;
+            if (isEnd && !regions.empty()) {
                 scan.pairs.push_back({regions.back(), {token.begin, token.end}, {}, 0});
                 regions.pop_back();
             }
             continue;
         }
         const bool isWord = lex::isKeyword(token.kind) || token.soft != lex::SoftWord::None;
-        const bool isPragma = token.kind == TokenKind::Pragma; // REGION name, {region "name"}
-        if (!isWord && !isPragma) continue;
-        std::string word = upper(text.substr(token.begin, token.end - token.begin));
-        if (isPragma) word.resize(std::min(word.find_first_of(" \t\r;"), word.size()));
-        const BlockMark mark{token.begin, token.begin + static_cast<uint32_t>(word.size())};
+        if (!isWord) continue;
+        const std::string word = upper(text.substr(token.begin, token.end - token.begin));
+        const BlockMark mark{token.begin, token.end};
         if (word == "ELSE" || word == "ELSIF" || word == "UNTIL") {
             if (!scan.open.empty()) scan.open.back().pair.middle.push_back(mark);
             continue;
         }
-        if (word.starts_with("END_") || word == "{ENDREGION}") {
+        if (word.starts_with("END_")) {
             for (size_t k = scan.open.size(); k-- > 0;) {
                 if (scan.open[k].opener->close != word) continue;
                 scan.open[k].pair.close = mark;

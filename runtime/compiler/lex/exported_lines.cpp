@@ -19,10 +19,12 @@ std::string_view skipBlanks(std::string_view text) {
     return text;
 }
 
+constexpr int kFarthest = 60; // no header has more pragmas
+
 /// Tokens back to the begin of the unit: its name, its result, and pragmas. Nothing of a declaration or a body.
 bool isBehindHeader(const TokenList& before) {
-    int tokens = 0;
-    for (size_t i = before.tokens.size(); i-- > 0 && tokens < 8;) {
+    int tokens = 0, looked = 0;
+    for (size_t i = before.tokens.size(); i-- > 0 && tokens < 8 && ++looked < kFarthest;) {
         switch (before.tokens[i].kind) {
         case TokenKind::Pragma:
             continue;
@@ -45,7 +47,8 @@ bool isBehindHeader(const TokenList& before) {
 }
 
 bool isBehindSections(const TokenList& before) {
-    for (size_t i = before.tokens.size(); i-- > 0;) {
+    int looked = 0;
+    for (size_t i = before.tokens.size(); i-- > 0 && ++looked < kFarthest;) {
         if (before.tokens[i].kind == TokenKind::Pragma) continue;
         return before.tokens[i].kind == TokenKind::EndVar || isBehindHeader(before);
     }

@@ -113,6 +113,16 @@ TEST(Format, KeepsContinuationsRelativeAndInstructionListsAsTheyAre) {
     EXPECT_EQ(tidy(il), il);
 }
 
+TEST(Format, KeepsTheLinesOfTheSiemensEditors) {
+    EXPECT_EQ(tidy("FUNCTION \"F\" : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n   VAR_INPUT\n"
+                   "      a { ExternalVisible := 'False'} : Bool;\n   END_VAR\n\nBEGIN\n\tREGION  Start & stop\n"
+                   "\tIF #a THEN\n\tREGION inner\n\tRETURN;\n\tEND_REGION\n\tEND_IF;\n\tEND_REGION\nEND_FUNCTION\n"),
+              "FUNCTION \"F\" : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\nVAR_INPUT\n"
+              "    a { ExternalVisible := 'False'} : Bool;\nEND_VAR\n\nBEGIN\nREGION  Start & stop\n"
+              "    IF #a THEN\n        REGION inner\n            RETURN;\n        END_REGION\n    END_IF;\n"
+              "END_REGION\nEND_FUNCTION\n");
+}
+
 TEST(Format, HasOptions) {
     const std::string_view text = "PROGRAM p\nIF a THEN\nb();\nEND_IF\nEND_PROGRAM\n";
     EXPECT_EQ(tidy(text, {.keywords = format::KeywordCase::Lower, .indentWidth = 2}),
