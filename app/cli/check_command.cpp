@@ -1,7 +1,10 @@
 #include "app/cli/command.h"
 #include "app/cli/panel_findings.h"
 
+#include "projects/testing/test_run.h"
+
 #include <iostream>
+#include <unistd.h>
 
 namespace plc::cli {
 
@@ -21,12 +24,19 @@ int check(const Arguments& arguments) {
         needApplication();
         findings = hmi::checkPanels(hmi::loadPanelProject(*project), checked);
     }
-    std::vector<std::string> objects;
+    std::vector<std::string> objects, tests;
     if (arguments.wantsJson())
         for (const hmi::Finding& finding : findings) objects.push_back(renderJson(finding));
+    if (!checked.analysis->hasErrors)
+        tests = testing::checkTests(*project, arguments.wantsJson(), wantsColours(STDERR_FILENO));
+    if (arguments.wantsJson()) objects.insert(objects.end(), tests.begin(), tests.end());
     bool wrong =
         printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(), objects);
-    if (!arguments.wantsJson()) printFindings(findings, std::cerr);
+    if (!arguments.wantsJson()) {
+        for (const std::string& problem : tests) std::cerr << problem;
+        printFindings(findings, std::cerr);
+    }
+    wrong |= !tests.empty();
     for (const hmi::Finding& finding : findings) wrong |= finding.isError;
     if (!arguments.wantsJson() && !wrong) std::cout << project->name << ": no errors\n";
     return wrong ? kProgramWrong : kGood;

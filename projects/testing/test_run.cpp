@@ -58,6 +58,26 @@ size_t Report::failed() const {
         std::count_if(results.begin(), results.end(), [](const TestResult& result) { return !result.passed(); }));
 }
 
+std::vector<std::string> checkTests(const projects::Project& project, bool asJson, bool colours) {
+    const TestProgram program(project);
+    std::vector<std::string> out;
+    const auto add = [&](const SourceSet& sources, const diagnostics::Diagnostic& each) {
+        out.push_back(asJson ? diagnostics::renderJson(sources, each)
+                             : diagnostics::renderText(sources, each, colours));
+    };
+    for (const diagnostics::Diagnostic& each : program.problems().all())
+        if (each.severity == diagnostics::Severity::Error) add(program.testSources(), each);
+    if (!out.empty() || program.testSources().files.empty()) return out;
+    const driver::Checked checked = driver::check(program.input());
+    for (diagnostics::Diagnostic each : checked.analysis->diagnostics) {
+        bool isTestFile = false;
+        each.range = program.originalOf(each.range, isTestFile);
+        each.fixes.clear(); // they are places of the made text
+        if (isTestFile && each.severity == diagnostics::Severity::Error) add(program.testSources(), each);
+    }
+    return out;
+}
+
 Result<Report> runTests(const projects::Project& project, const Options& options) {
     Report report;
     const TestProgram program(project);

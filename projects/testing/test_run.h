@@ -61,6 +61,10 @@ struct Options {
     std::function<void(session::Session&)> finished; // after each test, with the recording of its scans
 };
 
+/// The errors in the TESTs of a project whose program has none, rendered as text or as JSON objects: of syntax and in
+/// what the compiler translates; names in ASSERT, RUN, FORCE and plain writes are looked up when the test runs.
+[[nodiscard]] std::vector<std::string> checkTests(const projects::Project& project, bool asJson, bool colours);
+
 [[nodiscard]] Result<Report> runTests(const projects::Project& project, const Options& options);
 
 } // namespace plc::testing

@@ -58,8 +58,8 @@ protected:
     static void write(const std::string& path, const std::string& text) {
         std::ofstream(path, std::ios::binary) << text;
     }
-    static Outcome run(std::vector<std::string> words) {
-        words.insert(words.begin(), "test");
+    static Outcome run(std::vector<std::string> words, const char* command = "test") {
+        words.insert(words.begin(), command);
         std::ostringstream out, err;
         std::streambuf* const oldOut = std::cout.rdbuf(out.rdbuf());
         std::streambuf* const oldErr = std::cerr.rdbuf(err.rdbuf());
@@ -210,6 +210,21 @@ TEST_F(TestCommand, RunsTheTestsOfLooseFiles) {
     EXPECT_EQ(both.exitCode, 1);
     EXPECT_NE(both.out.find("1 passed, 1 failed"), std::string::npos) << both.out;
     EXPECT_NE(both.out.find("more.st:3"), std::string::npos) << both.out;
+}
+
+TEST_F(TestCommand, CheckReadsTheTests) {
+    EXPECT_EQ(run({"counter"}, "check").exitCode, 0);
+    write("counter/tests/wrong.st",
+          "TEST 'wrong'\nVAR n : INT; END_VAR\nIF Main.Cuont > 3 THEN n := 1; END_IF\nEND_TEST\n");
+    const Outcome project = run({"counter"}, "check");
+    EXPECT_EQ(project.exitCode, 1);
+    EXPECT_NE(project.err.find("tests/wrong.st:3:"), std::string::npos) << project.err;
+    write("loose.st", "PROGRAM Main\nVAR n : INT; END_VAR\nn := n + 1;\nEND_PROGRAM\n"
+                      "TEST 'wrong'\nIF Main.m > 3 THEN Main.n := 1; END_IF\nEND_TEST\n");
+    const Outcome loose = run({"loose.st", "--format", "json"}, "check");
+    EXPECT_EQ(loose.exitCode, 1);
+    const auto objects = nlohmann::json::parse(loose.out);
+    EXPECT_EQ(objects.back()["code"], "P2002") << loose.out;
 }
 
 TEST_F(TestCommand, RunsTheTestsBesideTheProgram) {
