@@ -6,6 +6,7 @@
 #include "app/search_view.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 
 #include <QApplication>
 
@@ -22,7 +23,7 @@ template <void (editor::StEditor::*Command)()> void inEditor(MainWindow& window)
 }
 
 void say(MainWindow& window, const Result<void>& result) {
-    if (!result) window.say(QString::fromStdString(result.error().text()), true);
+    if (!result) window.say(kit::messageText(result.error()), true);
 }
 
 const std::vector<ActionSpec> kActions = {

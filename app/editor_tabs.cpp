@@ -1,6 +1,7 @@
 #include "app/editor_tabs.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "projects/analysis/conversion.h"
 #include "runtime/compiler/driver/driver.h"
@@ -315,8 +316,7 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
     connect(chart, &editor::ChartView::forceStepRequested, this, [this, chart](const QString& step, bool active) {
         const QString path = m_control.preferredInstance(chart->unit().section('.', 0, 0)) + "." + step + ".X";
         if (!active) return m_control.unforce(path);
-        if (auto forced = m_control.force(path, "TRUE"); !forced)
-            emit message(QString::fromStdString(forced.error().text()), true);
+        if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(kit::messageText(forced.error()), true);
     });
     connect(chart, &editor::ChartView::failed, this, [this](const QString& text) { emit message(text, true); });
     connect(text, &StEditor::edited, chart, [text, chart] {
@@ -411,14 +411,12 @@ void EditorTabs::saveCurrent() {
     StPage* page = currentPage();
     if (!page) return emit saved();
     if (m_settings.formatOnSave()) page->active().formatText();
-    if (auto done = m_workspace.save(page->file()); !done)
-        return emit message(QString::fromStdString(done.error().text()), true);
+    if (auto done = m_workspace.save(page->file()); !done) return emit message(kit::messageText(done.error()), true);
     emit saved();
 }
 
 void EditorTabs::saveAll() {
-    if (auto done = m_workspace.saveAll(); !done)
-        return emit message(QString::fromStdString(done.error().text()), true);
+    if (auto done = m_workspace.saveAll(); !done) return emit message(kit::messageText(done.error()), true);
     emit saved();
 }
 
@@ -431,7 +429,7 @@ bool EditorTabs::closePage(int index) {
         if (answer == QMessageBox::Cancel) return false;
         if (answer == QMessageBox::Save) {
             if (auto done = m_workspace.save(page->file()); !done) {
-                emit message(QString::fromStdString(done.error().text()), true);
+                emit message(kit::messageText(done.error()), true);
                 return false;
             }
         } else {
@@ -457,7 +455,7 @@ bool EditorTabs::closeAll() {
         if (answer == QMessageBox::Cancel) return false;
         if (answer == QMessageBox::SaveAll) {
             if (auto done = m_workspace.saveAll(); !done) {
-                emit message(QString::fromStdString(done.error().text()), true);
+                emit message(kit::messageText(done.error()), true);
                 return false;
             }
         }

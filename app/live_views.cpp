@@ -2,6 +2,8 @@
 
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/long_task.h"
+#include "editor/kit/message_text.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -18,6 +20,7 @@ namespace plc::app {
 LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, QObject* parent)
     : QObject(parent), m_workspace(workspace), m_control(control) {
     m_trace = new trace::TraceView;
+    m_trace->setHold([this] { return m_control.hold(); });
     m_slider = new trace::TimeSlider;
     m_panelArea = new QWidget;
     auto* bar = new QToolBar(m_panelArea);
@@ -59,8 +62,7 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
             [this](std::optional<trace::Position> position) { m_control.view(position); });
     connect(m_slider, &trace::TimeSlider::resumeRequested, this, [this](quint64 position) {
         m_control.view(position);
-        if (auto resumed = m_control.resumeFromView(); !resumed)
-            emit message(QString::fromStdString(resumed.error().text()), true);
+        if (auto resumed = m_control.resumeFromView(); !resumed) emit message(kit::messageText(resumed.error()), true);
     });
     connect(m_slider, &trace::TimeSlider::message, this, [this](const QString& text) { emit message(text, false); });
     connect(m_trace, &trace::TraceView::positionActivated, this,
@@ -109,7 +111,7 @@ void LiveViews::projectClosed() {
     emit designsMustClose();
     delete m_player;
     m_design.reset();
-    m_panels = {};
+    m_panels = std::make_shared<hmi::PanelProject>();
     m_alarmsInMemory.clear();
     m_panelChoice->clear();
     m_emptyPanel->show();
@@ -127,13 +129,13 @@ void LiveViews::openTrace(const QString& name) {
         return;
     }
     if (auto opened = m_trace->openSetup(m_workspace.folder() + "/traces/" + file); !opened)
-        emit message(QString::fromStdString(opened.error().text()), true);
+        emit message(kit::messageText(opened.error()), true);
 }
 
 void LiveViews::saveTrace() {
     if (!m_trace->isModified() || m_trace->setupPath().isEmpty()) return;
     if (auto stored = m_trace->storeSetup(m_trace->setupPath()); !stored)
-        emit message(QString::fromStdString(stored.error().text()), true);
+        emit message(kit::messageText(stored.error()), true);
 }
 
 void LiveViews::reloadPanels() {
@@ -142,10 +144,24 @@ void LiveViews::reloadPanels() {
     m_design.reset();
     m_panelChoice->clear();
     if (!m_workspace.isOpen()) return;
-    m_panels = hmi::loadPanelProject(m_workspace.project());
-    for (const Error& problem : m_panels.problems) emit message(QString::fromStdString(problem.text()), true);
-    for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
-    m_design = std::make_shared<hmi::DesignContext>(m_panels);
+    m_panels = std::make_shared<hmi::PanelProject>(hmi::loadPanelProject(m_workspace.project()));
+    for (const Error& problem : m_panels->problems) emit message(kit::messageText(problem), true);
+    for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
+    m_design = std::make_shared<hmi::DesignContext>(*m_panels);
+    connectDesign();
+    m_emptyPanel->setVisible(m_panels->panels.empty());
+    if (m_panels->panels.empty()) return;
+    m_player = new hmi::PanelPlayer(*m_panels, m_control.session(), m_panelArea);
+    if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
+    m_player->liveAlarms().setRun(m_run);
+    keepAlarms();
+    connectPlayer();
+    showInPanel();
+    showPanel(m_panels->startPanel.isEmpty() ? m_panels->panels.front().name : m_panels->startPanel);
+    emit panelsChanged();
+}
+
+void LiveViews::connectDesign() {
     m_design->setCompletions(m_complete);
     m_design->setVariables([this]() -> const kit::VariableProvider& { return variables(); });
     m_design->setPicker([this](const QString& present) {
@@ -157,32 +173,60 @@ void LiveViews::reloadPanels() {
     m_design->setSession(m_control.session());
     if (m_workspace.model() && !m_workspace.model()->checked().analysis->hasErrors)
         m_design->setChecked(m_workspace.model()->checked());
-    m_emptyPanel->setVisible(m_panels.panels.empty());
-    if (m_panels.panels.empty()) return;
-    m_player = new hmi::PanelPlayer(m_panels, m_control.session(), m_panelArea);
-    if (m_run.isEmpty()) m_run = QUuid::createUuid().toString();
-    m_player->liveAlarms().setRun(m_run);
-    keepAlarms();
-    connect(m_design.get(), &hmi::DesignContext::alarmsChanged, m_player, [this] { keepAlarms(); });
+}
+
+void LiveViews::connectPlayer() {
+    connect(m_design.get(), &hmi::DesignContext::alarmsChanged, this, [this] { keepAlarms(); });
     static_cast<QVBoxLayout*>(m_panelArea->layout())->addWidget(m_player, 1);
     connect(m_player, &hmi::PanelPlayer::writeRefused, this,
             [this](const QString& reason) { emit message(reason, true); });
     connect(m_player, &hmi::PanelPlayer::panelChanged, m_panelChoice, &QComboBox::setCurrentText);
-    showInPanel();
-    showPanel(m_panels.startPanel.isEmpty() ? m_panels.panels.front().name : m_panels.startPanel);
+}
+
+LiveViews::Kept LiveViews::release() {
+    Kept kept{m_panels, m_design, nullptr, m_run, m_alarmsInMemory, m_trace->kept(), m_control.viewed()};
+    if (m_player) {
+        m_player->disconnect(this);
+        m_player->disconnect(m_panelChoice);
+        m_player->setParent(nullptr);
+        kept.player.reset(m_player);
+        m_player.clear();
+    }
+    m_trace->disconnect(this);
+    return kept;
+}
+
+void LiveViews::restore(Kept kept) {
+    m_panels = std::move(kept.panels);
+    m_design = std::move(kept.design);
+    m_run = kept.run;
+    m_alarmsInMemory = kept.alarmsInMemory;
+    m_trace->setFolder(m_workspace.folder() + "/traces");
+    for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
+    if (m_design) connectDesign();
+    m_emptyPanel->setVisible(m_panels->panels.empty());
+    if (kept.player) {
+        m_player = kept.player.release();
+        connectPlayer();
+        m_player->show();
+        m_panelChoice->setCurrentText(m_player->panelName());
+    }
+    connectSession();
+    m_trace->restore(std::move(kept.trace));
+    m_control.view(kept.viewed); // an opened recording begins at its end
+    viewedChanged();
     emit panelsChanged();
 }
 
 /// The alarm history outlives the window: on disk, beside what else is kept of the project.
 void LiveViews::keepAlarms() {
-    if (!m_player || m_panels.alarms.definitions().empty() || m_alarmsInMemory == m_panels.folder) return;
+    if (!m_player || m_panels->alarms.definitions().empty() || m_alarmsInMemory == m_panels->folder) return;
     if (const QString path = m_player->liveAlarms().storePath(); !path.isEmpty() && path != QLatin1String(":memory:"))
         return;
     const Result<void> kept = m_player->keepAlarmsInProject();
     if (kept) return;
-    m_alarmsInMemory = m_panels.folder;
-    emit message(tr("The alarm history is kept in memory only: %1").arg(QString::fromStdString(kept.error().text())),
-                 true);
+    m_alarmsInMemory = m_panels->folder;
+    emit message(tr("The alarm history is kept in memory only: %1").arg(kit::messageText(kept.error())), true);
 }
 
 /// The variables of the program as it is written now; it need not run.
@@ -214,6 +258,11 @@ void LiveViews::sessionChanged() {
         m_player->liveAlarms().setRun(m_run);
     }
     if (m_design) m_design->setSession(session);
+    connectSession();
+}
+
+void LiveViews::connectSession() {
+    session::Session* session = m_control.isEnding() ? nullptr : m_control.session();
     if (!session) return;
     m_recording = std::make_unique<trace::SessionRecording>(*session);
     m_program = session->program();
@@ -266,20 +315,20 @@ void LiveViews::viewedChanged() {
 
 Result<void> LiveViews::addPanel(const QString& name) {
     if (!m_workspace.isOpen()) return Error{"Open a project first", ""};
-    if (m_panels.find(name)) return Error{"There is a panel of that name already", name.toStdString()};
+    if (m_panels->find(name)) return Error{"There is a panel of that name already", name.toStdString()};
     QDir().mkpath(m_workspace.folder() + "/hmi");
-    if (auto saved = hmi::savePanel(m_panels, {name, {}}); !saved) return saved;
+    if (auto saved = hmi::savePanel(*m_panels, {name, {}}); !saved) return saved;
     if (auto read = m_workspace.rereadProject(); !read) return read;
-    if (!m_design || m_panels.panels.empty()) { // the first panel: texts and languages come into being with it
+    if (!m_design || m_panels->panels.empty()) { // the first panel: texts and languages come into being with it
         reloadPanels();
         return {};
     }
     // Beside the others, so that designers that are open keep what was drawn in them.
-    const auto at = std::find_if(m_panels.panels.begin(), m_panels.panels.end(),
+    const auto at = std::find_if(m_panels->panels.begin(), m_panels->panels.end(),
                                  [&](const hmi::NamedPanel& each) { return each.name > name; });
-    m_panels.panels.insert(at, hmi::NamedPanel{name, {}});
+    m_panels->panels.insert(at, hmi::NamedPanel{name, {}});
     m_panelChoice->clear();
-    for (const hmi::NamedPanel& panel : m_panels.panels) m_panelChoice->addItem(panel.name);
+    for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
     if (m_player) m_player->projectChanged();
     emit panelsChanged();
     return {};
@@ -288,7 +337,7 @@ Result<void> LiveViews::addPanel(const QString& name) {
 void LiveViews::discardPanel(const QString& name) {
     const hmi::PanelProject onDisk = hmi::loadPanelProject(m_workspace.project());
     const hmi::NamedPanel* stored = onDisk.find(name);
-    hmi::NamedPanel* here = m_panels.find(name);
+    hmi::NamedPanel* here = m_panels->find(name);
     if (!stored || !here) return;
     here->panel = stored->panel;
     if (m_player) m_player->projectChanged();
@@ -298,15 +347,22 @@ void LiveViews::discardPanel(const QString& name) {
 void LiveViews::discardTables() {
     hmi::PanelProject onDisk = hmi::loadPanelProject(m_workspace.project());
     if (!m_design) return;
-    if (m_design->areTextsChanged()) m_panels.texts = std::move(onDisk.texts);
-    if (m_design->areAlarmsChanged()) m_panels.alarms = std::move(onDisk.alarms);
+    if (m_design->areTextsChanged()) m_panels->texts = std::move(onDisk.texts);
+    if (m_design->areAlarmsChanged()) m_panels->alarms = std::move(onDisk.alarms);
     if (m_player) m_player->projectChanged();
     emit designEdited();
 }
 
-Result<void> LiveViews::saveRecording(const QString& path) {
+Result<bool> LiveViews::saveRecording(const QString& path) {
     if (!m_control.session()) return Error{"Nothing was recorded yet", path.toStdString()};
-    return m_control.session()->history().save(path.toStdString());
+    const editor::RunControl::Hold held = m_control.hold();
+    Result<void> saved;
+    const bool isDone = kit::LongTask::runAside(tr("Saving the recording…"), m_trace->window(),
+                                                [&, session = m_control.session()](Progress& progress) {
+                                                    saved = session->history().save(path.toStdString(), &progress);
+                                                });
+    if (isDone && !saved) return saved.error();
+    return isDone;
 }
 
 } // namespace plc::app

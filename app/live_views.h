@@ -28,7 +28,7 @@ public:
     [[nodiscard]] trace::TimeSlider& slider() { return *m_slider; }
     [[nodiscard]] QWidget* panelArea() { return m_panelArea; }
     [[nodiscard]] hmi::PanelPlayer* player() { return m_player; }
-    [[nodiscard]] hmi::PanelProject& panels() { return m_panels; }
+    [[nodiscard]] hmi::PanelProject& panels() { return *m_panels; }
 
     void openTrace(const QString& name); // "" = the project's first set-up
     void saveTrace();
@@ -39,13 +39,27 @@ public:
     [[nodiscard]] std::shared_ptr<hmi::DesignContext> sharedDesign() const { return m_design; }
     /// A new, empty panel on disk.
     Result<void> addPanel(const QString& name);
-    Result<void> saveRecording(const QString& path);
+    /// True when it was saved, false when it was cancelled.
+    Result<bool> saveRecording(const QString& path);
     /// A recording from a file in all views; `closeRecording` goes back to the controller.
     Result<void> openRecording(const QString& path);
     void closeRecording();
     /// Takes the panel as it stands on disk again; open designers of it close.
     void discardPanel(const QString& name);
     void discardTables(); // texts and alarms
+
+    /// What lives on when the window is built anew around the same controller: the panels as they are edited, the
+    /// player with its alarms, the trace.
+    struct Kept {
+        std::shared_ptr<hmi::PanelProject> panels;
+        std::shared_ptr<hmi::DesignContext> design;
+        std::unique_ptr<hmi::PanelPlayer> player;
+        QString run, alarmsInMemory;
+        trace::TraceView::Kept trace;
+        std::optional<history::Position> viewed;
+    };
+    [[nodiscard]] Kept release();
+    void restore(Kept kept);
 
 signals:
     void message(const QString& text, bool isError);
@@ -60,6 +74,9 @@ private:
     void sessionChanged();
     void recordingShown();
     void showInPanel();
+    void connectDesign();
+    void connectPlayer();
+    void connectSession();
     void keepAlarms();
     void viewedChanged();
 
@@ -70,7 +87,7 @@ private:
     QPointer<QWidget> m_panelArea;
     QComboBox* m_panelChoice;
     QWidget* m_emptyPanel;
-    hmi::PanelProject m_panels;
+    std::shared_ptr<hmi::PanelProject> m_panels = std::make_shared<hmi::PanelProject>();
     std::shared_ptr<hmi::DesignContext> m_design;
     QPointer<hmi::PanelPlayer> m_player;
     QString m_run;            // of the controller, for the alarm history on disk

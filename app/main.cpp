@@ -46,17 +46,21 @@ int openStudio(int argc, char** argv, const std::vector<std::string>& words) {
         const QFileInfo path(QString::fromStdString(words[0]));
         folder = path.isDir() ? path.absoluteFilePath() : path.absolutePath();
     }
+    plc::app::installTranslation(application, settings.language());
+    auto window = std::make_unique<plc::app::MainWindow>();
+    if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty()) window->restoreGeometry(geometry);
+    window->show();
+    if (!folder.isEmpty()) window->openProject(folder);
+    if (!settings.sawTour()) QTimer::singleShot(400, window.get(), &plc::app::MainWindow::startTour);
     for (;;) { // once, and again for each change of the language
-        plc::app::installTranslation(application, settings.language());
-        plc::app::MainWindow window;
-        if (const QByteArray geometry = settings.windowGeometry(); !geometry.isEmpty())
-            window.restoreGeometry(geometry);
-        window.show();
-        if (!folder.isEmpty()) window.openProject(folder);
-        if (!settings.sawTour()) QTimer::singleShot(400, &window, &plc::app::MainWindow::startTour);
+        bool changesLanguage = false;
+        QObject::connect(window.get(), &plc::app::MainWindow::rebuildRequested, &application, [&changesLanguage] {
+            changesLanguage = true;
+            QApplication::exit(0);
+        });
         const int code = QApplication::exec();
-        if (!window.wantsRestart()) return code;
-        folder = window.folderToReopen();
+        if (!changesLanguage) return code;
+        window = plc::app::inOtherLanguage(std::move(window), application, settings.language());
     }
 }
 

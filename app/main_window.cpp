@@ -3,6 +3,7 @@
 #include "app/design_findings.h"
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
+#include "app/living.h"
 #include "app/problems_view.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
@@ -12,6 +13,8 @@
 #include "editor/debug/watch_view.h"
 #include "editor/kit/command_palette.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
+#include "editor/kit/work_strip.h"
 
 #include <QAction>
 #include <QApplication>
@@ -19,7 +22,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
-#include <QProgressBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -29,15 +31,26 @@
 
 namespace plc::app {
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent), m_workspace(new editor::Workspace(this)),
+      m_control(new editor::RunControl(*m_workspace, this)) {
+    build();
+}
+
+MainWindow::MainWindow(Living living) : m_workspace(living.workspace.release()), m_control(living.control.release()) {
+    m_workspace->setParent(this);
+    m_control->setParent(this);
+    build();
+    restoreLiving(std::move(living));
+}
+
+void MainWindow::build() {
     setObjectName("studio");
     setWindowTitle("Stepwise");
     setDockOptions(
         AllowNestedDocks |
         AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
     resize(1440, 900);
-    m_workspace = new editor::Workspace(this);
-    m_control = new editor::RunControl(*m_workspace, this);
     m_stack = new QStackedWidget(this);
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
@@ -57,8 +70,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 MainWindow::~MainWindow() {
+    if (m_testing) m_testing->cancel();
     if (m_tester.joinable()) m_tester.join();
-    m_control->disconnectSession();
+    if (m_control) m_control->disconnectSession();
     delete m_stack; // open designers look at what the live views own
 }
 
@@ -220,13 +234,8 @@ void MainWindow::makeStatusLine() {
     m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_faultButton->hide();
     statusBar()->addPermanentWidget(m_faultButton);
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 0);
-    m_progress->setMaximumWidth(120);
-    m_progress->setMaximumHeight(12);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    statusBar()->addPermanentWidget(m_progress);
+    m_work = new kit::WorkStrip(this);
+    statusBar()->addPermanentWidget(m_work);
     m_problemButton = new QToolButton(this);
     m_problemButton->setAutoRaise(true);
     m_problemButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -351,9 +360,11 @@ void MainWindow::connectParts() {
     connect(m_control, &editor::RunControl::messageAdded, this,
             [this](const QString& text, bool isError) { statusBar()->showMessage(text, isError ? 8000 : 4000); });
     connect(m_control, &editor::RunControl::onlineChangeFinished, this, [this](const QString& text) { say(text); });
-    connect(m_control, &editor::RunControl::buildStarted, this, [this] { m_progress->show(); });
+    connect(m_control, &editor::RunControl::workBegan, m_work, &kit::WorkStrip::begin);
+    connect(m_control, &editor::RunControl::workEnded, m_work, &kit::WorkStrip::end);
+    connect(m_control, &editor::RunControl::buildCancelled, this,
+            [this] { say(tr("The build was cancelled; everything is as it was")); });
     connect(m_control, &editor::RunControl::buildFinished, this, [this](bool good, const QString& text) {
-        m_progress->hide();
         say(text, !good);
         if (!good) showDock("problems");
     });
@@ -437,7 +448,7 @@ void MainWindow::updateStatus() {
     const auto& fault = status.fault ? status.fault : status.simulationFault;
     m_faultButton->setVisible(online && fault.has_value());
     if (fault) {
-        m_faultButton->setText(QString::fromStdString(fault->message));
+        m_faultButton->setText(kit::messageText(fault->message));
         m_faultButton->setToolTip(tr("Go to the line"));
     }
     const int errors = m_problems->errorCount(), warnings = m_problems->warningCount();

@@ -14,15 +14,16 @@
 #include <vector>
 
 class QAction;
+class QApplication;
 class QDockWidget;
 class QLabel;
-class QProgressBar;
 class QStackedWidget;
 class QToolButton;
 
 namespace plc::kit {
 class CommandPalette;
-}
+class WorkStrip;
+} // namespace plc::kit
 namespace plc::editor {
 class BreakpointView;
 class CallPathView;
@@ -37,6 +38,7 @@ namespace plc::app {
 class DesignFindings;
 class EditorTabs;
 class LiveViews;
+struct Living;
 class ProblemsView;
 class ProjectTree;
 class SearchView;
@@ -57,6 +59,8 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
     explicit MainWindow(QWidget* parent = nullptr);
+    /// Around what another window has released, which goes on meanwhile.
+    explicit MainWindow(Living living);
     ~MainWindow() override;
 
     bool openProject(const QString& folder);
@@ -117,15 +121,17 @@ public:
     void openDesignPlace(const QString& file, const QString& element);
     void openRecording();
     void backToLive();
-    void restartForLanguage();
-    [[nodiscard]] bool wantsRestart() const { return m_wantsRestart; }
-    [[nodiscard]] const QString& folderToReopen() const { return m_folderToReopen; }
+    /// Asks for the window to be built anew in the language of the settings, once no test runs.
+    void changeLanguage();
+    /// Everything that lives on; afterwards the window can only be destroyed.
+    [[nodiscard]] Living release();
     void saveLanguages(); // that were added in the texts, to project.json
     void saveDocument();  // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();
 
 signals:
+    void rebuildRequested(); // in another language
     /// A variable was renamed in the code: panels and traces rename it in their bindings.
     void renamed(const QString& path, const QString& oldName, const QString& newName);
 
@@ -142,8 +148,12 @@ private:
     void updateStatus();
     bool closeDesigns();               // designers, texts, alarms; false when one wants to stay
     bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
+    void build();
+    void showProject();
     void saveProjectState();
     void restoreProjectState();
+    void restoreBreakpoints();
+    void restoreLiving(Living living);
     void offerRecovery();
     void findDefinition(const QString& file, uint32_t offset);
     void findUses(const QString& file, uint32_t offset);
@@ -178,15 +188,17 @@ private:
     controller::State m_shownState = controller::State::Stopped;
     QElapsedTimer m_sinceStatus;
     QToolButton *m_faultButton = nullptr, *m_problemButton = nullptr;
-    QProgressBar* m_progress = nullptr;
+    kit::WorkStrip* m_work = nullptr;
     QToolButton* m_recordingButton = nullptr; // says that a recording from a file is shown; a click goes back
     DesignFindings* m_findings = nullptr;
-    bool m_wantsRestart = false;
-    QString m_folderToReopen;
-    std::thread m_tester; // runs the project's tests
-    bool m_isTesting = false;
+    bool m_changesLanguage = false;      // when the tests have ended
+    std::thread m_tester;                // runs the project's tests
+    std::shared_ptr<Progress> m_testing; // null: none run
 };
 
 [[nodiscard]] const std::vector<ActionSpec>& actionTable();
+/// The window anew in the language `tag`; project, controller and all that is unsaved go on.
+[[nodiscard]] std::unique_ptr<MainWindow> inOtherLanguage(std::unique_ptr<MainWindow> window, QApplication& application,
+                                                          const QString& tag);
 
 } // namespace plc::app

@@ -6,6 +6,7 @@
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "hmi/designer/alarm_editor.h"
 #include "hmi/designer/panel_designer.h"
 #include "hmi/designer/text_editor.h"
@@ -32,8 +33,8 @@ void MainWindow::newTrace() {
     if (QFile::exists(path)) return say(tr("There is a trace %1 already").arg(name), true);
     QDir().mkpath(QFileInfo(path).path());
     if (auto saved = trace::saveSetup({}, path.toStdString()); !saved)
-        return say(QString::fromStdString(saved.error().text()), true);
-    if (auto read = m_workspace->rereadProject(); !read) return say(QString::fromStdString(read.error().text()), true);
+        return say(kit::messageText(saved.error()), true);
+    if (auto read = m_workspace->rereadProject(); !read) return say(kit::messageText(read.error()), true);
     m_live->openTrace(name);
     showDock("trace");
 }
@@ -59,7 +60,7 @@ void MainWindow::renameProjectFile(const QString& kind, const QString& name) {
     if (!ok || chosen.isEmpty() || chosen == shown) return;
     if (chosen.contains('/') || chosen.contains('\\')) return say(tr("A file name holds no / and no \\"), true);
     const auto report = [this](const Result<void>& result) {
-        if (!result) say(QString::fromStdString(result.error().text()), true);
+        if (!result) say(kit::messageText(result.error()), true);
         return static_cast<bool>(result);
     };
     if (kind == "test" || kind == "source") return renameSource(name, QFileInfo(name).path() + "/" + chosen + ".st");
@@ -125,7 +126,7 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
         kind == "trace" && QFileInfo(m_live->traceView().setupPath()).fileName() == QFileInfo(path).fileName();
     if (!QFile::moveToTrash(path) && !QFile::remove(path))
         return say(tr("The file can not be removed; check the permissions of the folder"), true);
-    if (auto read = m_workspace->rereadProject(); !read) return say(QString::fromStdString(read.error().text()), true);
+    if (auto read = m_workspace->rereadProject(); !read) return say(kit::messageText(read.error()), true);
     if (kind == "panel")
         m_live->reloadPanels();
     else if (isShown)
@@ -149,7 +150,7 @@ void MainWindow::newPanel() {
     if (!ok || name.isEmpty()) return;
     if (name.contains('/') || name.contains('\\'))
         return say(tr("A panel's name is a file name: no / and no \\"), true);
-    if (auto added = m_live->addPanel(name); !added) return say(QString::fromStdString(added.error().text()), true);
+    if (auto added = m_live->addPanel(name); !added) return say(kit::messageText(added.error()), true);
     openDesigner(name);
 }
 
@@ -189,12 +190,11 @@ void MainWindow::openAlarms() {
 
 void MainWindow::saveDocument() {
     if (auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->currentWidget())) {
-        if (auto saved = designer->save(); !saved) return say(QString::fromStdString(saved.error().text()), true);
+        if (auto saved = designer->save(); !saved) return say(kit::messageText(saved.error()), true);
         if (m_live->player()) m_live->player()->projectChanged();
     }
     if (m_live->design())
-        if (auto saved = m_live->design()->save(); !saved)
-            return say(QString::fromStdString(saved.error().text()), true);
+        if (auto saved = m_live->design()->save(); !saved) return say(kit::messageText(saved.error()), true);
     saveLanguages();
     m_tabs->saveCurrent();
 }
@@ -207,8 +207,7 @@ void MainWindow::saveLanguages() {
     if (languages == project.languages) return;
     project.languages = languages;
     project.json["hmi"]["languages"] = languages;
-    if (auto saved = m_workspace->saveProjectFile(project); !saved)
-        say(QString::fromStdString(saved.error().text()), true);
+    if (auto saved = m_workspace->saveProjectFile(project); !saved) say(kit::messageText(saved.error()), true);
 }
 
 void MainWindow::openDesignPlace(const QString& file, const QString& element) {
@@ -239,7 +238,7 @@ bool MainWindow::maySwitchAway(QWidget* page) {
         m_live->discardPanel(designer->panelName());
     else
         m_live->discardTables();
-    if (!saved) say(QString::fromStdString(saved.error().text()), true);
+    if (!saved) say(kit::messageText(saved.error()), true);
     return static_cast<bool>(saved);
 }
 

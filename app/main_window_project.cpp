@@ -11,7 +11,9 @@
 #include "app/tour.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
+#include "editor/kit/work_strip.h"
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
@@ -36,18 +38,24 @@ bool MainWindow::openProject(const QString& folder) {
     if (auto opened = m_workspace->open(folder); !opened) {
         m_settings.removeRecent(folder);
         m_startPage->reload();
-        say(QString::fromStdString(opened.error().text()), true);
-        QMessageBox::warning(this, tr("Open Project"), QString::fromStdString(opened.error().text()));
+        say(kit::messageText(opened.error()), true);
+        QMessageBox::warning(this, tr("Open Project"), kit::messageText(opened.error()));
         return false;
     }
     m_settings.addRecent(m_workspace->folder());
+    showProject();
+    m_watch->setExpressions(m_settings.projectValue(m_workspace->folder(), "watches").toStringList());
+    restoreBreakpoints();
+    offerRecovery();
+    return true;
+}
+
+void MainWindow::showProject() {
     setWindowTitle(tr("%1 – Stepwise").arg(QString::fromStdString(m_workspace->project().name)));
     m_stack->setCurrentWidget(m_tabs);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->show();
     restoreProjectState();
     findChild<QToolBar*>("timeToolBar")->show();
-    offerRecovery();
-    return true;
 }
 
 void MainWindow::closeProject() {
@@ -114,9 +122,11 @@ void MainWindow::restoreProjectState() {
     if (tabs.isEmpty() && !m_workspace->files().isEmpty()) tabs << m_workspace->files().first();
     if (m_tabs->count() == 0)
         for (const QString& file : tabs) m_tabs->openFile(file);
-    m_watch->setExpressions(m_settings.projectValue(folder, "watches").toStringList());
+}
+
+void MainWindow::restoreBreakpoints() {
     std::vector<editor::EditorBreakpoint> breakpoints;
-    for (const QString& text : m_settings.projectValue(folder, "breakpoints").toStringList()) {
+    for (const QString& text : m_settings.projectValue(m_workspace->folder(), "breakpoints").toStringList()) {
         const QStringList parts = text.split('\x1f');
         if (parts.size() == 6)
             breakpoints.push_back({parts[0], parts[1].toInt(), parts[2], parts[3].toInt(), parts[4], parts[5] == "1"});
@@ -154,7 +164,7 @@ void MainWindow::newProject() {
     if (auto made = createProject(dialog.folder().toStdString(), dialog.name().toStdString(),
                                   dialog.templateId().toStdString());
         !made)
-        return say(QString::fromStdString(made.error().text()), true);
+        return say(kit::messageText(made.error()), true);
     openProject(dialog.folder());
 }
 
@@ -211,12 +221,11 @@ void MainWindow::chooseLibraries() {
     for (const auto& [name, box] : boxes)
         if (box->isChecked()) project.libraries.push_back(name);
     project.json["libraries"] = project.libraries;
-    if (auto saved = m_workspace->saveProjectFile(project); !saved)
-        say(QString::fromStdString(saved.error().text()), true);
+    if (auto saved = m_workspace->saveProjectFile(project); !saved) say(kit::messageText(saved.error()), true);
 }
 
 void MainWindow::runTests() {
-    if (!m_workspace->isOpen() || m_isTesting) return;
+    if (!m_workspace->isOpen() || m_testing) return;
     projects::Project project = m_workspace->project();
     project.sources = m_workspace->buildInput().files;
     project.tests.clear();
@@ -225,30 +234,39 @@ void MainWindow::runTests() {
     showDock("log");
     say(tr("The tests run…"));
     if (m_tester.joinable()) m_tester.join();
-    m_isTesting = true;
-    m_tester = std::thread([this, project = std::move(project)] {
-        auto report = testing::runTests(project, {});
-        kit::post(this, [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
-            m_isTesting = false;
-            if (!*report) return say(QString::fromStdString(report->error().text()), true);
-            const testing::Report& done = **report;
-            for (const std::string& text : done.diagnostics)
-                m_log->addMessage(QString::fromStdString(text).trimmed(), true);
-            for (const testing::TestResult& result : done.results) {
-                m_log->addMessage(
-                    (result.passed() ? tr("passed: %1") : tr("FAILED: %1")).arg(QString::fromStdString(result.title)),
-                    !result.passed());
-                for (const testing::Failure& failure : result.failures)
-                    m_log->addMessage(
-                        QString("    %1:%2  %3  %4")
-                            .arg(QString::fromStdString(failure.file))
-                            .arg(failure.line)
-                            .arg(QString::fromStdString(failure.message), QString::fromStdString(failure.detail)),
-                        true);
-            }
-            say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()),
-                done.failed() != 0 || done.hasErrors);
-        });
+    m_testing = std::make_shared<Progress>();
+    m_work->begin(tr("Tests"), m_testing);
+    m_tester = std::thread([this, progress = m_testing, project = std::move(project)] {
+        testing::Options options;
+        options.watched = progress.get();
+        auto report = testing::runTests(project, options);
+        QMetaObject::invokeMethod(
+            this,
+            [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
+                const bool isCancelled = m_testing->isCancelled();
+                m_work->end(std::exchange(m_testing, nullptr));
+                if (m_changesLanguage) changeLanguage();
+                if (!*report) return say(kit::messageText(report->error()), true);
+                const testing::Report& done = **report;
+                for (const std::string& text : done.diagnostics)
+                    m_log->addMessage(QString::fromStdString(text).trimmed(), true);
+                for (const testing::TestResult& result : done.results) {
+                    m_log->addMessage((result.passed() ? tr("passed: %1") : tr("FAILED: %1"))
+                                          .arg(QString::fromStdString(result.title)),
+                                      !result.passed());
+                    for (const testing::Failure& failure : result.failures)
+                        m_log->addMessage(
+                            QString("    %1:%2  %3  %4")
+                                .arg(QString::fromStdString(failure.file))
+                                .arg(failure.line)
+                                .arg(kit::messageText(failure.message), QString::fromStdString(failure.detail)),
+                            true);
+                }
+                if (isCancelled) say(tr("The tests were cancelled"));
+                say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()),
+                    done.failed() != 0 || done.hasErrors);
+            },
+            Qt::QueuedConnection);
     });
 }
 
@@ -261,7 +279,7 @@ void MainWindow::openSettings() {
     m_tabs->applySettings();
     if (m_control->session())
         m_control->session()->history().setBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
-    if (dialog.languageChanged()) restartForLanguage();
+    if (dialog.languageChanged()) changeLanguage();
 }
 
 void MainWindow::setSpeed() {
@@ -293,8 +311,7 @@ void MainWindow::openRecording() {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Open a Recording"), m_workspace->folder(), tr("Recordings (*.rec)"));
     if (path.isEmpty()) return;
-    if (auto opened = m_live->openRecording(path); !opened)
-        return say(QString::fromStdString(opened.error().text()), true);
+    if (auto opened = m_live->openRecording(path); !opened) return say(kit::messageText(opened.error()), true);
     showDock("trace");
 }
 
@@ -303,25 +320,14 @@ void MainWindow::backToLive() {
     m_control->view(std::nullopt);
 }
 
-void MainWindow::restartForLanguage() {
-    const auto answer = QMessageBox::question(this, tr("Language"),
-                                              tr("The window is built anew in the other language; the project opens "
-                                                 "again where it was, and a running controller stops. Do it now?"));
-    if (answer != QMessageBox::Yes) return;
-    m_folderToReopen = m_workspace->isOpen() ? m_workspace->folder() : QString();
-    m_settings.setWindowGeometry(saveGeometry());
-    m_wantsRestart = true;
-    if (!close()) m_wantsRestart = false;
-}
-
 void MainWindow::saveRecording() {
     const QString path = QFileDialog::getSaveFileName(
         this, tr("Save the Recording"), m_workspace->folder() + "/recording.rec", tr("Recordings (*.rec)"));
     if (path.isEmpty()) return;
     if (auto saved = m_live->saveRecording(path); !saved)
-        say(QString::fromStdString(saved.error().text()), true);
+        say(kit::messageText(saved.error()), true);
     else
-        say(tr("Saved: %1").arg(path));
+        say(*saved ? tr("Saved: %1").arg(path) : tr("Cancelled: nothing was saved"));
 }
 
 void MainWindow::about() {

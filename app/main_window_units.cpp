@@ -6,6 +6,7 @@
 #include "app/new_project.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
+#include "editor/kit/message_text.h"
 #include "hmi/designer/panel_designer.h"
 #include "runtime/base/text.h"
 
@@ -44,8 +45,7 @@ void MainWindow::newUnitIn(const QString& kind, const QString& wantedFile) {
         }
         return;
     }
-    if (auto added = m_workspace->addFile(file, text); !added)
-        return say(QString::fromStdString(added.error().text()), true);
+    if (auto added = m_workspace->addFile(file, text); !added) return say(kit::messageText(added.error()), true);
     m_tabs->openFile(file);
 }
 
@@ -101,7 +101,7 @@ void MainWindow::showConverted(analysis::TextLanguage to) {
     for (driver::SourceFile& source : input.files)
         if (source.path == path) source.text = text;
     const auto converted = analysis::convertBody(input, path, before->unit, to);
-    if (!converted) return say(QString::fromStdString(converted.error().text()), true);
+    if (!converted) return say(kit::messageText(converted.error()), true);
     const auto after =
         places(converted->text, [&](const analysis::BodyPlace& place) { return place.unit == before->unit; });
     const auto slice = [](const std::string& whole, const std::optional<analysis::BodyPlace>& place) {
@@ -214,8 +214,7 @@ void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, c
     // A file that held nothing else goes with it.
     const std::string rest = m_workspace->text(file);
     if (rest.find_first_not_of(" \t\r\n") == std::string::npos)
-        if (auto removed = m_workspace->removeFile(file); !removed)
-            say(QString::fromStdString(removed.error().text()), true);
+        if (auto removed = m_workspace->removeFile(file); !removed) say(kit::messageText(removed.error()), true);
 }
 
 // ------------------------------------------------------------------ files

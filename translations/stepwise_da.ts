@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>{0} is a variable too; steps and calls mean the ACTION</source>
-        <translation>{0} er også en variabel; trin og kald betyder ACTION'en</translation>
+        <translation>{0} er også en variabel; trin og kald betyder ACTION&apos;en</translation>
     </message>
     <message>
         <source>{0} is a word of the language and can not be a name</source>
@@ -501,6 +501,673 @@
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Gentag</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>division by zero</source>
+        <translation>division med nul</translation>
+    </message>
+    <message>
+        <source>index {0} is asked of an array without elements</source>
+        <translation>indeks {0} ønsket fra et felt uden elementer</translation>
+    </message>
+    <message>
+        <source>index {0} lies outside {1}..{2}</source>
+        <translation>indeks {0} ligger uden for {1}..{2}</translation>
+    </message>
+    <message>
+        <source>the reference is NULL</source>
+        <translation>referencen er NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type</source>
+        <translation>referencen peger ikke på en variabel af sin type</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable</source>
+        <translation>en VAR_IN_OUT er ikke forbundet med en variabel</translation>
+    </message>
+    <message>
+        <source>character {0} is asked of an empty text</source>
+        <translation>tegn {0} ønsket fra en tom tekst</translation>
+    </message>
+    <message>
+        <source>character {0} lies outside {1}..{2} of the text</source>
+        <translation>tegn {0} ligger uden for {1}..{2} i teksten</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that would not end</source>
+        <translation>watchdog&apos;en stoppede en task, der ikke ville slutte</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; is there a recursion without an end?</source>
+        <translation>kald er indlejret for dybt; er der en rekursion uden ende?</translation>
+    </message>
+    <message>
+        <source>the method that was called has no body</source>
+        <translation>den kaldte metode har ingen krop</translation>
+    </message>
+    <message>
+        <source>the scan was abandoned</source>
+        <translation>scanningen blev afbrudt</translation>
+    </message>
+    <message>
+        <source>warm</source>
+        <translation>varm</translation>
+    </message>
+    <message>
+        <source>cold</source>
+        <translation>kold</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>oprindelig</translation>
+    </message>
+    <message>
+        <source>in the middle of a scan</source>
+        <translation>midt i en scanning</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>filen eller mappen findes ikke</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>ingen tilladelse</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>der er ikke mere plads på drevet</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>det er en mappe</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>det er ikke en mappe</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>filsystemet kan kun læses</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>fejl ved læsning eller skrivning på drevet</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>filnavnet er for langt</translation>
+    </message>
+    <message>
+        <source>{0}; free some space and save again</source>
+        <translation>{0}; frigør plads og gem igen</translation>
+    </message>
+    <message>
+        <source>{0}; check the permissions of the folder</source>
+        <translation>{0}; kontrollér mappens rettigheder</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>afbrudt</translation>
+    </message>
+    <message>
+        <source>This is not a file that can be replaced; name another one</source>
+        <translation>Det er ikke en fil, der kan erstattes; angiv en anden</translation>
+    </message>
+    <message>
+        <source>the recording can not be written: {0}</source>
+        <translation>optagelsen kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>the recording can not be read: {0}</source>
+        <translation>optagelsen kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>the recording is damaged or not one</source>
+        <translation>optagelsen er beskadiget eller ikke en optagelse</translation>
+    </message>
+    <message>
+        <source>the program of the recording can not be built any more</source>
+        <translation>optagelsens program kan ikke længere bygges</translation>
+    </message>
+    <message>
+        <source>this version of the studio lays the program&apos;s variables out differently; open the recording with the version that made it</source>
+        <translation>denne version af studiet lægger programmets variabler anderledes; åbn optagelsen med den version, der lavede den</translation>
+    </message>
+    <message>
+        <source>The recording can not be opened: {0}</source>
+        <translation>Optagelsen kan ikke åbnes: {0}</translation>
+    </message>
+    <message>
+        <source>the program in it has errors</source>
+        <translation>programmet i den har fejl</translation>
+    </message>
+    <message>
+        <source>The recording holds no program</source>
+        <translation>Optagelsen indeholder intet program</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded yet</source>
+        <translation>Der er endnu ikke optaget noget</translation>
+    </message>
+    <message>
+        <source>that scan is not in the recording any more</source>
+        <translation>den scanning er ikke længere i optagelsen</translation>
+    </message>
+    <message>
+        <source>the program that recorded that scan is not at hand any more</source>
+        <translation>programmet, der optog den scanning, er der ikke længere</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; may be one of {1}: write the whole name</source>
+        <translation>&apos;{0}&apos; kan være en af {1}: skriv hele navnet</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>&apos;{0}&apos; har ingen variabel &apos;{1}&apos;; mente du &apos;{2}&apos;?</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
+        <translation>&apos;{0}&apos; har ingen variabel &apos;{1}&apos;</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
+        <translation>der er ingen variabel &apos;{0}&apos;; mente du &apos;{1}&apos;?</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;</source>
+        <translation>der er ingen variabel &apos;{0}&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; lies behind a reference, which a path does not follow</source>
+        <translation>&apos;{0}&apos; ligger bag en reference, som en sti ikke følger</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no part of a variable of type {1}</source>
+        <translation>&apos;{0}&apos; er ikke en del af en variabel af typen {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>{0} har ingen variabel &apos;{1}&apos;; mente du &apos;{2}&apos;?</translation>
+    </message>
+    <message>
+        <source>{0} has no variable &apos;{1}&apos;</source>
+        <translation>{0} har ingen variabel &apos;{1}&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT: name the variable that is connected to it</source>
+        <translation>&apos;{0}&apos; er en VAR_IN_OUT: angiv den variabel, der er forbundet med den</translation>
+    </message>
+    <message>
+        <source>a text has one index</source>
+        <translation>en tekst har ét indeks</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements</source>
+        <translation>en variabel af typen {0} har ingen elementer</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} indices, not {2}</source>
+        <translation>{0} kræver {1} indekser, ikke {2}</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits to name</source>
+        <translation>en variabel af typen {0} har ingen enkelte bit</translation>
+    </message>
+    <message>
+        <source>bit {0} lies outside 0..{1}</source>
+        <translation>bit {0} ligger uden for 0..{1}</translation>
+    </message>
+    <message>
+        <source>part {0} lies outside 0..{1}</source>
+        <translation>del {0} ligger uden for 0..{1}</translation>
+    </message>
+    <message>
+        <source>the program uses no address &apos;{0}&apos;</source>
+        <translation>programmet bruger ingen adresse &apos;{0}&apos;</translation>
+    </message>
+    <message>
+        <source>the path is empty</source>
+        <translation>stien er tom</translation>
+    </message>
+    <message>
+        <source>the path ends too early</source>
+        <translation>stien slutter for tidligt</translation>
+    </message>
+    <message>
+        <source>the path can not be read from &apos;{0}&apos; on</source>
+        <translation>stien kan ikke læses fra &apos;{0}&apos;</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
+    </message>
+    <message>
+        <source>a constant can not be written</source>
+        <translation>en konstant kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>a constant can not be forced</source>
+        <translation>en konstant kan ikke forceres</translation>
+    </message>
+    <message>
+        <source>the variable is not forced</source>
+        <translation>variablen er ikke forceret</translation>
+    </message>
+    <message>
+        <source>the new program&apos;s initial values fault: {0}</source>
+        <translation>det nye programs startværdier giver en fejl: {0}</translation>
+    </message>
+    <message>
+        <source>the retain file can not be written: {0}</source>
+        <translation>retain-filen kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>the retain file can not be read: {0}</source>
+        <translation>retain-filen kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>the retain file is not a file</source>
+        <translation>retain-filen er ikke en fil</translation>
+    </message>
+    <message>
+        <source>{0} does not fit a variable of type {1}</source>
+        <translation>{0} passer ikke i en variabel af typen {1}</translation>
+    </message>
+    <message>
+        <source>{0} lies outside {1}..{2}</source>
+        <translation>{0} ligger uden for {1}..{2}</translation>
+    </message>
+    <message>
+        <source>a character of the text does not fit a STRING; a WSTRING holds it</source>
+        <translation>et tegn i teksten passer ikke i en STRING; en WSTRING kan rumme det</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the variable holds {1}</source>
+        <translation>teksten har {0} tegn, variablen rummer {1}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} parts, the value has {2}</source>
+        <translation>{0} har {1} dele, værdien har {2}</translation>
+    </message>
+    <message>
+        <source>there is no value to write</source>
+        <translation>der er ingen værdi at skrive</translation>
+    </message>
+    <message>
+        <source>a reference can only be written NULL from outside</source>
+        <translation>en reference kan udefra kun skrives med NULL</translation>
+    </message>
+    <message>
+        <source>There is no program to optimise</source>
+        <translation>Der er intet program at optimere</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply</source>
+        <translation>Udtrykket er indlejret for dybt</translation>
+    </message>
+    <message>
+        <source>this is not an expression</source>
+        <translation>det er ikke et udtryk</translation>
+    </message>
+    <message>
+        <source>This body is no instruction list.</source>
+        <translation>Denne krop er ikke en instruktionsliste.</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here.</source>
+        <translation>Typen af {0} er ikke kendt her.</translation>
+    </message>
+    <message>
+        <source>This body is not ST.</source>
+        <translation>Denne krop er ikke ST.</translation>
+    </message>
+    <message>
+        <source>The code generator failed: {0}</source>
+        <translation>Kodegeneratoren fejlede: {0}</translation>
+    </message>
+    <message>
+        <source>The code generator made a broken module: {0}</source>
+        <translation>Kodegeneratoren lavede et defekt modul: {0}</translation>
+    </message>
+    <message>
+        <source>not compiled</source>
+        <translation>ikke oversat</translation>
+    </message>
+    <message>
+        <source>Code for the thread sanitizer needs a process that runs under it</source>
+        <translation>Kode til trådsanitizeren kræver en proces, der kører under den</translation>
+    </message>
+    <message>
+        <source>the program could not be optimised: {0}</source>
+        <translation>programmet kunne ikke optimeres: {0}</translation>
+    </message>
+    <message>
+        <source>the program has errors</source>
+        <translation>programmet har fejl</translation>
+    </message>
+    <message>
+        <source>the online change waits for the end of the scan that stands at a breakpoint</source>
+        <translation>onlineændringen venter på, at scanningen ved stoppunktet slutter</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} passer ikke i {1}, som er {2}</translation>
+    </message>
+    <message>
+        <source>This is a folder, a file is needed</source>
+        <translation>Det er en mappe, der kræves en fil</translation>
+    </message>
+    <message>
+        <source>This is a device, a file is needed</source>
+        <translation>Det er en enhed, der kræves en fil</translation>
+    </message>
+    <message>
+        <source>The file can not be read: {0}</source>
+        <translation>Filen kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>The file can not be written: {0}</source>
+        <translation>Filen kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>project.json er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
+    </message>
+    <message>
+        <source>project.json must hold one JSON object</source>
+        <translation>project.json skal indeholde ét JSON-objekt</translation>
+    </message>
+    <message>
+        <source>This folder holds neither a project.json nor ST files</source>
+        <translation>Denne mappe indeholder hverken en project.json eller ST-filer</translation>
+    </message>
+    <message>
+        <source>There is no library &quot;{0}&quot;; known are {1}</source>
+        <translation>Der er intet bibliotek &quot;{0}&quot;; kendte er {1}</translation>
+    </message>
+    <message>
+        <source>Name a project folder or ST files</source>
+        <translation>Angiv en projektmappe eller ST-filer</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder</source>
+        <translation>Der er ingen sådan fil eller mappe</translation>
+    </message>
+    <message>
+        <source>Name one project folder, or ST files, not both</source>
+        <translation>Angiv en projektmappe eller ST-filer, ikke begge dele</translation>
+    </message>
+    <message>
+        <source>There is no program to test</source>
+        <translation>Der er intet program at teste</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed</source>
+        <translation>Her er intet navn, der kan omdøbes</translation>
+    </message>
+    <message>
+        <source>{0} belongs to a library and keeps its name</source>
+        <translation>{0} hører til et bibliotek og beholder sit navn</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: letters, digits and _, beginning with a letter, and no keyword</source>
+        <translation>{0} er ikke et navn: bogstaver, cifre og _, med et bogstav først, og ikke et nøgleord</translation>
+    </message>
+    <message>
+        <source>{0} exists already in the project</source>
+        <translation>{0} findes allerede i projektet</translation>
+    </message>
+    <message>
+        <source>{0} exists already in {1}</source>
+        <translation>{0} findes allerede i {1}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made: {0}.</source>
+        <translation>Mappen kan ikke oprettes: {0}.</translation>
+    </message>
+    <message>
+        <source>The page cannot be written.</source>
+        <translation>Siden kan ikke skrives.</translation>
+    </message>
+    <message>
+        <source>There is no such file in the project</source>
+        <translation>Der er ingen sådan fil i projektet</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here</source>
+        <translation>Her er ingen krop i ST eller IL</translation>
+    </message>
+    <message>
+        <source>{0} is written in ST already</source>
+        <translation>{0} er allerede skrevet i ST</translation>
+    </message>
+    <message>
+        <source>{0} is written in IL already</source>
+        <translation>{0} er allerede skrevet i IL</translation>
+    </message>
+    <message>
+        <source>Mend the text first: {0}</source>
+        <translation>Ret først teksten: {0}</translation>
+    </message>
+    <message>
+        <source>It has no like in the other language: {0}</source>
+        <translation>Det har intet modstykke i det andet sprog: {0}</translation>
+    </message>
+    <message>
+        <source>The trace set-up is not JSON (see line {0})</source>
+        <translation>Trace-opsætningen er ikke JSON (se linje {0})</translation>
+    </message>
+    <message>
+        <source>A trace set-up must be a JSON object</source>
+        <translation>En trace-opsætning skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>This trace set-up was written by a newer Stepwise (version {0})</source>
+        <translation>Denne trace-opsætning er skrevet af en nyere Stepwise (version {0})</translation>
+    </message>
+    <message>
+        <source>The trace set-up is not good: {0}</source>
+        <translation>Trace-opsætningen er ikke i orden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history could not be opened: {0}</source>
+        <translation>Alarmhistorikken kunne ikke åbnes: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history is not usable: {0}</source>
+        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history could not be written: {0}</source>
+        <translation>Alarmhistorikken kunne ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} kan ikke være i {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} can not be written from a panel</source>
+        <translation>En {0} kan ikke skrives fra et panel</translation>
+    </message>
+    <message>
+        <source>Open a project first</source>
+        <translation>Åbn først et projekt</translation>
+    </message>
+    <message>
+        <source>There is a panel of that name already</source>
+        <translation>Der er allerede et panel med det navn</translation>
+    </message>
+    <message>
+        <source>The controller is not running</source>
+        <translation>Styringen kører ikke</translation>
+    </message>
+    <message>
+        <source>There is no action {0}.</source>
+        <translation>Der er ingen handling {0}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} er ikke et navn: brug bogstaver, cifre og understreg.</translation>
+    </message>
+    <message>
+        <source>There is a step {0} already.</source>
+        <translation>Der er allerede et trin {0}.</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice.</source>
+        <translation>Denne ændring ville ændre den samme tekst to gange.</translation>
+    </message>
+    <message>
+        <source>This transition leads nowhere yet.</source>
+        <translation>Denne transition fører endnu ingen steder hen.</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join behind this step.</source>
+        <translation>Intet ville føre til sammenføringen bag dette trin.</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top.</source>
+        <translation>Starttrinnet bliver øverst.</translation>
+    </message>
+    <message>
+        <source>Only a step with one transition of its own can be moved.</source>
+        <translation>Kun et trin med sin egen transition kan flyttes.</translation>
+    </message>
+    <message>
+        <source>The step stands there already.</source>
+        <translation>Trinnet står der allerede.</translation>
+    </message>
+    <message>
+        <source>A step can be put behind a transition that leads to one step.</source>
+        <translation>Et trin kan sættes bag en transition, der fører til ét trin.</translation>
+    </message>
+    <message>
+        <source>This step leads to itself only.</source>
+        <translation>Dette trin fører kun til sig selv.</translation>
+    </message>
+    <message>
+        <source>There is no branch at this place.</source>
+        <translation>Der er ingen forgrening på dette sted.</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition.</source>
+        <translation>En transition kræver en betingelse.</translation>
+    </message>
+    <message>
+        <source>A priority is a positive number.</source>
+        <translation>En prioritet er et positivt tal.</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet: insert a step behind it.</source>
+        <translation>Intet følger efter dette trin endnu: indsæt et trin bag det.</translation>
+    </message>
+    <message>
+        <source>The last branch leads nowhere.</source>
+        <translation>Den sidste gren fører ingen steder hen.</translation>
+    </message>
+    <message>
+        <source>There is no such action.</source>
+        <translation>Der er ingen sådan handling.</translation>
+    </message>
+    <message>
+        <source>There is no chart yet.</source>
+        <translation>Der er endnu intet diagram.</translation>
+    </message>
+    <message>
+        <source>The initial step can not be deleted; make another step the initial one first.</source>
+        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin.</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first.</source>
+        <translation>Flere transitioner forlader dette trin; slet først dets grene.</translation>
+    </message>
+    <message>
+        <source>The condition of this transition can not be read; edit it in the text.</source>
+        <translation>Betingelsen for denne transition kan ikke læses; redigér den i teksten.</translation>
+    </message>
+    <message>
+        <source>The branches behind this transition do not join; connect them in the text first.</source>
+        <translation>Grenene bag denne transition løber ikke sammen; forbind dem først i teksten.</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>intet udtryk</translation>
+    </message>
+    <message>
+        <source>index {0} outside {1}..{2}</source>
+        <translation>indeks {0} uden for {1}..{2}</translation>
+    </message>
+    <message>
+        <source>null reference</source>
+        <translation>reference til ingenting</translation>
+    </message>
+    <message>
+        <source>reference to no variable</source>
+        <translation>reference til ingen variabel</translation>
+    </message>
+    <message>
+        <source>IN_OUT without a variable</source>
+        <translation>IN_OUT uden variabel</translation>
+    </message>
+    <message>
+        <source>character {0} of a text with {1}</source>
+        <translation>tegn {0} i en tekst med {1}</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>ikke i dette billede</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>har ingen værdi her</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>simulering: {0}</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: {0}</source>
+        <translation>Simuleringen stoppede: {0}</translation>
+    </message>
+    <message>
+        <source>The controller stopped: {0}</source>
+        <translation>Styringen stoppede: {0}</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0</source>
+        <translation>Skridtet i denne løkke er 0</translation>
+    </message>
+    <message>
+        <source>the condition can not be evaluated</source>
+        <translation>betingelsen kan ikke beregnes</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>ASSERT ikke opfyldt: {0}</translation>
+    </message>
+    <message>
+        <source>Fault in the test: {0}</source>
+        <translation>fejl i testen: {0}</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end</source>
+        <translation>denne løkke i testen slutter ikke</translation>
+    </message>
+    <message>
+        <source>{0} has no value: {1}</source>
+        <translation>{0} har ingen værdi: {1}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>Kørslen afviger fra optagelsen {0}</translation>
     </message>
 </context>
 <context>
@@ -1759,6 +2426,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>Alarmhistorikken holdes kun i hukommelsen: %1</translation>
     </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Gemmer optagelsen …</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -1972,10 +2643,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 passed, %2 failed</source>
         <translation>%1 bestået, %2 fejlet</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprog</translation>
     </message>
     <message>
         <source>Real time</source>
@@ -2446,10 +3113,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Åbn en optagelse</translation>
     </message>
     <message>
-        <source>The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?</source>
-        <translation>Vinduet bygges op på ny på det andet sprog; projektet åbnes igen, hvor det var, og en kørende styring stopper. Skal det ske nu?</translation>
-    </message>
-    <message>
         <source>Show as ST…</source>
         <translation>Vis som ST…</translation>
     </message>
@@ -2525,6 +3188,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Filen kan ikke slettes; kontrollér mappens rettigheder</translation>
     </message>
     <message>
+        <source>The build was cancelled; everything is as it was</source>
+        <translation>Oversættelsen blev afbrudt; alt er som før</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>The tests were cancelled</source>
+        <translation>Testene blev afbrudt</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was saved</source>
+        <translation>Annulleret: intet blev gemt</translation>
+    </message>
+    <message>
         <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
         <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
     </message>
@@ -2547,6 +3226,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>It holds %1.</source>
         <translation>Den indeholder %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the tests have ended</source>
+        <translation>Sproget skifter, når testene er færdige</translation>
     </message>
 </context>
 <context>
@@ -3630,6 +4313,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>A recording from a file can not be resumed; only what the controller itself recorded</source>
         <translation>En gemt optagelse kan ikke fortsættes; kun det, styringen selv har optaget</translation>
     </message>
+    <message>
+        <source>Building</source>
+        <translation>Oversætter</translation>
+    </message>
+    <message>
+        <source>Not optimised: the quick code goes on</source>
+        <translation>Ikke optimeret: den hurtigt oversatte kode fortsætter</translation>
+    </message>
+    <message>
+        <source>Optimising</source>
+        <translation>Optimerer</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::StEditor</name>
@@ -4418,6 +5113,21 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
 </context>
 <context>
+    <name>plc::kit::WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuller</translation>
+    </message>
+    <message>
+        <source>%1 is being cancelled…</source>
+        <translation>%1: afbrydes …</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Annuller: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::ChannelPanel</name>
     <message>
         <source>Variable or expression</source>
@@ -4992,6 +5702,14 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Saving the samples…</source>
         <translation>Måleværdier gemmes…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>Åbner %1 …</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Gemmer optagelsen …</translation>
     </message>
 </context>
 </TS>

@@ -504,6 +504,673 @@
     </message>
 </context>
 <context>
+    <name>Errors</name>
+    <message>
+        <source>division by zero</source>
+        <translation>Division durch Null</translation>
+    </message>
+    <message>
+        <source>index {0} is asked of an array without elements</source>
+        <translation>Index {0} eines Feldes ohne Elemente verlangt</translation>
+    </message>
+    <message>
+        <source>index {0} lies outside {1}..{2}</source>
+        <translation>Index {0} liegt außerhalb von {1}..{2}</translation>
+    </message>
+    <message>
+        <source>the reference is NULL</source>
+        <translation>die Referenz ist NULL</translation>
+    </message>
+    <message>
+        <source>the reference does not point to a variable of its type</source>
+        <translation>die Referenz zeigt auf keine Variable ihres Typs</translation>
+    </message>
+    <message>
+        <source>a VAR_IN_OUT is not connected to a variable</source>
+        <translation>ein VAR_IN_OUT ist mit keiner Variablen verbunden</translation>
+    </message>
+    <message>
+        <source>character {0} is asked of an empty text</source>
+        <translation>Zeichen {0} eines leeren Textes verlangt</translation>
+    </message>
+    <message>
+        <source>character {0} lies outside {1}..{2} of the text</source>
+        <translation>Zeichen {0} liegt außerhalb von {1}..{2} des Textes</translation>
+    </message>
+    <message>
+        <source>the watchdog stopped a task that would not end</source>
+        <translation>der Watchdog hat eine Task angehalten, die nicht enden wollte</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; is there a recursion without an end?</source>
+        <translation>Aufrufe sind zu tief geschachtelt; gibt es eine Rekursion ohne Ende?</translation>
+    </message>
+    <message>
+        <source>the method that was called has no body</source>
+        <translation>die aufgerufene Methode hat keinen Rumpf</translation>
+    </message>
+    <message>
+        <source>the scan was abandoned</source>
+        <translation>der Zyklus wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>warm</source>
+        <translation>warm</translation>
+    </message>
+    <message>
+        <source>cold</source>
+        <translation>kalt</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>in the middle of a scan</source>
+        <translation>mitten in einem Zyklus</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>das ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>das Dateisystem kann nur gelesen werden</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben des Datenträgers</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>der Dateiname ist zu lang</translation>
+    </message>
+    <message>
+        <source>{0}; free some space and save again</source>
+        <translation>{0}; schaffen Sie Platz und speichern Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>{0}; check the permissions of the folder</source>
+        <translation>{0}; prüfen Sie die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>This is not a file that can be replaced; name another one</source>
+        <translation>Das ist keine Datei, die ersetzt werden kann; nennen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>the recording can not be written: {0}</source>
+        <translation>die Aufzeichnung kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>the recording can not be read: {0}</source>
+        <translation>die Aufzeichnung kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>the recording is damaged or not one</source>
+        <translation>die Aufzeichnung ist beschädigt oder keine</translation>
+    </message>
+    <message>
+        <source>the program of the recording can not be built any more</source>
+        <translation>das Programm der Aufzeichnung kann nicht mehr übersetzt werden</translation>
+    </message>
+    <message>
+        <source>this version of the studio lays the program&apos;s variables out differently; open the recording with the version that made it</source>
+        <translation>diese Version des Studios legt die Variablen des Programms anders ab; öffnen Sie die Aufzeichnung mit der Version, die sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>The recording can not be opened: {0}</source>
+        <translation>Die Aufzeichnung kann nicht geöffnet werden: {0}</translation>
+    </message>
+    <message>
+        <source>the program in it has errors</source>
+        <translation>das Programm darin hat Fehler</translation>
+    </message>
+    <message>
+        <source>The recording holds no program</source>
+        <translation>Die Aufzeichnung enthält kein Programm</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded yet</source>
+        <translation>Es wurde noch nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>that scan is not in the recording any more</source>
+        <translation>dieser Zyklus ist nicht mehr in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the program that recorded that scan is not at hand any more</source>
+        <translation>das Programm, das diesen Zyklus aufgezeichnet hat, ist nicht mehr vorhanden</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; may be one of {1}: write the whole name</source>
+        <translation>„{0}“ kann eines von {1} sein: schreiben Sie den ganzen Namen</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>„{0}“ hat keine Variable „{1}“; meinten Sie „{2}“?</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
+        <translation>„{0}“ hat keine Variable „{1}“</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
+        <translation>es gibt keine Variable „{0}“; meinten Sie „{1}“?</translation>
+    </message>
+    <message>
+        <source>there is no variable &apos;{0}&apos;</source>
+        <translation>es gibt keine Variable „{0}“</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; lies behind a reference, which a path does not follow</source>
+        <translation>„{0}“ liegt hinter einer Referenz, der ein Pfad nicht folgt</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no part of a variable of type {1}</source>
+        <translation>„{0}“ ist kein Teil einer Variablen vom Typ {1}</translation>
+    </message>
+    <message>
+        <source>{0} has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
+        <translation>{0} hat keine Variable „{1}“; meinten Sie „{2}“?</translation>
+    </message>
+    <message>
+        <source>{0} has no variable &apos;{1}&apos;</source>
+        <translation>{0} hat keine Variable „{1}“</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT: name the variable that is connected to it</source>
+        <translation>„{0}“ ist ein VAR_IN_OUT: nennen Sie die Variable, die damit verbunden ist</translation>
+    </message>
+    <message>
+        <source>a text has one index</source>
+        <translation>ein Text hat einen Index</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no elements</source>
+        <translation>eine Variable vom Typ {0} hat keine Elemente</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} indices, not {2}</source>
+        <translation>{0} braucht {1} Indizes, nicht {2}</translation>
+    </message>
+    <message>
+        <source>a variable of type {0} has no bits to name</source>
+        <translation>eine Variable vom Typ {0} hat keine einzelnen Bits</translation>
+    </message>
+    <message>
+        <source>bit {0} lies outside 0..{1}</source>
+        <translation>Bit {0} liegt außerhalb von 0..{1}</translation>
+    </message>
+    <message>
+        <source>part {0} lies outside 0..{1}</source>
+        <translation>Teil {0} liegt außerhalb von 0..{1}</translation>
+    </message>
+    <message>
+        <source>the program uses no address &apos;{0}&apos;</source>
+        <translation>das Programm benutzt keine Adresse „{0}“</translation>
+    </message>
+    <message>
+        <source>the path is empty</source>
+        <translation>der Pfad ist leer</translation>
+    </message>
+    <message>
+        <source>the path ends too early</source>
+        <translation>der Pfad endet zu früh</translation>
+    </message>
+    <message>
+        <source>the path can not be read from &apos;{0}&apos; on</source>
+        <translation>der Pfad ist ab „{0}“ nicht lesbar</translation>
+    </message>
+    <message>
+        <source>{0} is forced; release it before writing</source>
+        <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
+    </message>
+    <message>
+        <source>a constant can not be written</source>
+        <translation>eine Konstante kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>a constant can not be forced</source>
+        <translation>eine Konstante kann nicht geforct werden</translation>
+    </message>
+    <message>
+        <source>the variable is not forced</source>
+        <translation>die Variable ist nicht geforct</translation>
+    </message>
+    <message>
+        <source>the new program&apos;s initial values fault: {0}</source>
+        <translation>die Anfangswerte des neuen Programms führen zu einem Fehler: {0}</translation>
+    </message>
+    <message>
+        <source>the retain file can not be written: {0}</source>
+        <translation>die Retain-Datei kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>the retain file can not be read: {0}</source>
+        <translation>die Retain-Datei kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>the retain file is not a file</source>
+        <translation>die Retain-Datei ist keine Datei</translation>
+    </message>
+    <message>
+        <source>{0} does not fit a variable of type {1}</source>
+        <translation>{0} passt nicht in eine Variable vom Typ {1}</translation>
+    </message>
+    <message>
+        <source>{0} lies outside {1}..{2}</source>
+        <translation>{0} liegt außerhalb von {1}..{2}</translation>
+    </message>
+    <message>
+        <source>a character of the text does not fit a STRING; a WSTRING holds it</source>
+        <translation>ein Zeichen des Textes passt nicht in einen STRING; ein WSTRING nimmt es auf</translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, the variable holds {1}</source>
+        <translation>der Text hat {0} Zeichen, die Variable fasst {1}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} parts, the value has {2}</source>
+        <translation>{0} hat {1} Teile, der Wert hat {2}</translation>
+    </message>
+    <message>
+        <source>there is no value to write</source>
+        <translation>es gibt keinen Wert zu schreiben</translation>
+    </message>
+    <message>
+        <source>a reference can only be written NULL from outside</source>
+        <translation>eine Referenz kann von außen nur mit NULL beschrieben werden</translation>
+    </message>
+    <message>
+        <source>There is no program to optimise</source>
+        <translation>Es gibt kein Programm zu optimieren</translation>
+    </message>
+    <message>
+        <source>The expression is nested too deeply</source>
+        <translation>Der Ausdruck ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>this is not an expression</source>
+        <translation>das ist kein Ausdruck</translation>
+    </message>
+    <message>
+        <source>This body is no instruction list.</source>
+        <translation>Dieser Rumpf ist keine Anweisungsliste.</translation>
+    </message>
+    <message>
+        <source>The type of {0} is not known here.</source>
+        <translation>Der Typ von {0} ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>This body is not ST.</source>
+        <translation>Dieser Rumpf ist kein ST.</translation>
+    </message>
+    <message>
+        <source>The code generator failed: {0}</source>
+        <translation>Der Codegenerator ist gescheitert: {0}</translation>
+    </message>
+    <message>
+        <source>The code generator made a broken module: {0}</source>
+        <translation>Der Codegenerator hat ein fehlerhaftes Modul gemacht: {0}</translation>
+    </message>
+    <message>
+        <source>not compiled</source>
+        <translation>nicht übersetzt</translation>
+    </message>
+    <message>
+        <source>Code for the thread sanitizer needs a process that runs under it</source>
+        <translation>Code für den Thread-Sanitizer braucht einen Prozess, der unter ihm läuft</translation>
+    </message>
+    <message>
+        <source>the program could not be optimised: {0}</source>
+        <translation>das Programm konnte nicht optimiert werden: {0}</translation>
+    </message>
+    <message>
+        <source>the program has errors</source>
+        <translation>das Programm hat Fehler</translation>
+    </message>
+    <message>
+        <source>the online change waits for the end of the scan that stands at a breakpoint</source>
+        <translation>die Online-Änderung wartet auf das Ende des Zyklus, der an einem Haltepunkt steht</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} passt nicht in {1} vom Typ {2}</translation>
+    </message>
+    <message>
+        <source>This is a folder, a file is needed</source>
+        <translation>Das ist ein Ordner, nötig ist eine Datei</translation>
+    </message>
+    <message>
+        <source>This is a device, a file is needed</source>
+        <translation>Das ist ein Gerät, nötig ist eine Datei</translation>
+    </message>
+    <message>
+        <source>The file can not be read: {0}</source>
+        <translation>Die Datei kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>The file can not be written: {0}</source>
+        <translation>Die Datei kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>project.json ist kein gültiges JSON; suchen Sie ein fehlendes Komma, Anführungszeichen oder eine Klammer</translation>
+    </message>
+    <message>
+        <source>project.json must hold one JSON object</source>
+        <translation>project.json muss ein JSON-Objekt enthalten</translation>
+    </message>
+    <message>
+        <source>This folder holds neither a project.json nor ST files</source>
+        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien</translation>
+    </message>
+    <message>
+        <source>There is no library &quot;{0}&quot;; known are {1}</source>
+        <translation>Es gibt keine Bibliothek „{0}“; bekannt sind {1}</translation>
+    </message>
+    <message>
+        <source>Name a project folder or ST files</source>
+        <translation>Nennen Sie einen Projektordner oder ST-Dateien</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder</source>
+        <translation>Eine solche Datei oder einen solchen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Name one project folder, or ST files, not both</source>
+        <translation>Nennen Sie einen Projektordner oder ST-Dateien, nicht beides</translation>
+    </message>
+    <message>
+        <source>There is no program to test</source>
+        <translation>Es gibt kein Programm zu testen</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed</source>
+        <translation>Hier steht kein Name, der umbenannt werden kann</translation>
+    </message>
+    <message>
+        <source>{0} belongs to a library and keeps its name</source>
+        <translation>{0} gehört zu einer Bibliothek und behält seinen Namen</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: letters, digits and _, beginning with a letter, and no keyword</source>
+        <translation>{0} ist kein Name: Buchstaben, Ziffern und _, mit einem Buchstaben am Anfang, und kein Schlüsselwort</translation>
+    </message>
+    <message>
+        <source>{0} exists already in the project</source>
+        <translation>{0} gibt es schon im Projekt</translation>
+    </message>
+    <message>
+        <source>{0} exists already in {1}</source>
+        <translation>{0} gibt es schon in {1}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be made: {0}.</source>
+        <translation>Der Ordner kann nicht angelegt werden: {0}.</translation>
+    </message>
+    <message>
+        <source>The page cannot be written.</source>
+        <translation>Die Seite kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>There is no such file in the project</source>
+        <translation>Eine solche Datei gibt es im Projekt nicht</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here</source>
+        <translation>Hier ist kein Rumpf in ST oder AWL</translation>
+    </message>
+    <message>
+        <source>{0} is written in ST already</source>
+        <translation>{0} ist schon in ST geschrieben</translation>
+    </message>
+    <message>
+        <source>{0} is written in IL already</source>
+        <translation>{0} ist schon in AWL geschrieben</translation>
+    </message>
+    <message>
+        <source>Mend the text first: {0}</source>
+        <translation>Berichtigen Sie zuerst den Text: {0}</translation>
+    </message>
+    <message>
+        <source>It has no like in the other language: {0}</source>
+        <translation>Dafür gibt es in der anderen Sprache nichts Entsprechendes: {0}</translation>
+    </message>
+    <message>
+        <source>The trace set-up is not JSON (see line {0})</source>
+        <translation>Die Trace-Einstellung ist kein JSON (siehe Zeile {0})</translation>
+    </message>
+    <message>
+        <source>A trace set-up must be a JSON object</source>
+        <translation>Eine Trace-Einstellung muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>This trace set-up was written by a newer Stepwise (version {0})</source>
+        <translation>Diese Trace-Einstellung wurde von einem neueren Stepwise geschrieben (Version {0})</translation>
+    </message>
+    <message>
+        <source>The trace set-up is not good: {0}</source>
+        <translation>Die Trace-Einstellung ist nicht in Ordnung: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history could not be opened: {0}</source>
+        <translation>Die Alarmhistorie konnte nicht geöffnet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history is not usable: {0}</source>
+        <translation>Die Alarmhistorie ist nicht benutzbar: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history could not be written: {0}</source>
+        <translation>Die Alarmhistorie konnte nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} passt nicht in {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} can not be written from a panel</source>
+        <translation>Ein {0} kann von einem Bedienbild nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Open a project first</source>
+        <translation>Öffnen Sie zuerst ein Projekt</translation>
+    </message>
+    <message>
+        <source>There is a panel of that name already</source>
+        <translation>Ein Bedienbild dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>The controller is not running</source>
+        <translation>Die Steuerung läuft nicht</translation>
+    </message>
+    <message>
+        <source>There is no action {0}.</source>
+        <translation>Es gibt keine Aktion {0}.</translation>
+    </message>
+    <message>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} ist kein Name: Buchstaben, Ziffern und Unterstriche.</translation>
+    </message>
+    <message>
+        <source>There is a step {0} already.</source>
+        <translation>Einen Schritt {0} gibt es schon.</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice.</source>
+        <translation>Diese Änderung würde denselben Text zweimal ändern.</translation>
+    </message>
+    <message>
+        <source>This transition leads nowhere yet.</source>
+        <translation>Diese Transition führt noch nirgendwohin.</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join behind this step.</source>
+        <translation>Nichts würde zur Zusammenführung hinter diesem Schritt führen.</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top.</source>
+        <translation>Der Anfangsschritt bleibt oben.</translation>
+    </message>
+    <message>
+        <source>Only a step with one transition of its own can be moved.</source>
+        <translation>Nur ein Schritt mit einer eigenen Transition kann verschoben werden.</translation>
+    </message>
+    <message>
+        <source>The step stands there already.</source>
+        <translation>Der Schritt steht schon dort.</translation>
+    </message>
+    <message>
+        <source>A step can be put behind a transition that leads to one step.</source>
+        <translation>Ein Schritt kann hinter eine Transition gesetzt werden, die zu einem Schritt führt.</translation>
+    </message>
+    <message>
+        <source>This step leads to itself only.</source>
+        <translation>Dieser Schritt führt nur zu sich selbst.</translation>
+    </message>
+    <message>
+        <source>There is no branch at this place.</source>
+        <translation>An dieser Stelle gibt es keine Verzweigung.</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition.</source>
+        <translation>Eine Transition braucht eine Bedingung.</translation>
+    </message>
+    <message>
+        <source>A priority is a positive number.</source>
+        <translation>Eine Priorität ist eine positive Zahl.</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet: insert a step behind it.</source>
+        <translation>Auf diesen Schritt folgt noch nichts: fügen Sie dahinter einen Schritt ein.</translation>
+    </message>
+    <message>
+        <source>The last branch leads nowhere.</source>
+        <translation>Der letzte Zweig führt nirgendwohin.</translation>
+    </message>
+    <message>
+        <source>There is no such action.</source>
+        <translation>Eine solche Aktion gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no chart yet.</source>
+        <translation>Es gibt noch keinen Plan.</translation>
+    </message>
+    <message>
+        <source>The initial step can not be deleted; make another step the initial one first.</source>
+        <translation>Der Anfangsschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen zum Anfangsschritt.</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first.</source>
+        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige.</translation>
+    </message>
+    <message>
+        <source>The condition of this transition can not be read; edit it in the text.</source>
+        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text.</translation>
+    </message>
+    <message>
+        <source>The branches behind this transition do not join; connect them in the text first.</source>
+        <translation>Die Zweige hinter dieser Transition laufen nicht zusammen; verbinden Sie sie zuerst im Text.</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>kein Ausdruck</translation>
+    </message>
+    <message>
+        <source>index {0} outside {1}..{2}</source>
+        <translation>Index {0} außerhalb von {1}..{2}</translation>
+    </message>
+    <message>
+        <source>null reference</source>
+        <translation>Referenz auf nichts</translation>
+    </message>
+    <message>
+        <source>reference to no variable</source>
+        <translation>Referenz auf keine Variable</translation>
+    </message>
+    <message>
+        <source>IN_OUT without a variable</source>
+        <translation>IN_OUT ohne Variable</translation>
+    </message>
+    <message>
+        <source>character {0} of a text with {1}</source>
+        <translation>Zeichen {0} eines Textes mit {1}</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>nicht in diesem Abbild</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>hat hier keinen Wert</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>Simulation: {0}</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: {0}</source>
+        <translation>Die Simulation ist stehen geblieben: {0}</translation>
+    </message>
+    <message>
+        <source>The controller stopped: {0}</source>
+        <translation>Die Steuerung ist stehen geblieben: {0}</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0</source>
+        <translation>Die Schrittweite dieser Schleife ist 0</translation>
+    </message>
+    <message>
+        <source>the condition can not be evaluated</source>
+        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>ASSERT nicht erfüllt: {0}</translation>
+    </message>
+    <message>
+        <source>Fault in the test: {0}</source>
+        <translation>Fehler im Test: {0}</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end</source>
+        <translation>Diese Schleife des Tests endet nicht</translation>
+    </message>
+    <message>
+        <source>{0} has no value: {1}</source>
+        <translation>{0} hat keinen Wert: {1}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
+    </message>
+</context>
+<context>
     <name>Hmi</name>
     <message>
         <source>as it is</source>
@@ -1759,6 +2426,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The alarm history is kept in memory only: %1</source>
         <translation>Die Alarmgeschichte bleibt nur im Speicher: %1</translation>
     </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Die Aufzeichnung wird gespeichert …</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::MainWindow</name>
@@ -1972,10 +2643,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 passed, %2 failed</source>
         <translation>%1 bestanden, %2 fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
     </message>
     <message>
         <source>Real time</source>
@@ -2446,10 +3113,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>The window is built anew in the other language; the project opens again where it was, and a running controller stops. Do it now?</source>
-        <translation>Das Fenster wird in der anderen Sprache neu aufgebaut; das Projekt öffnet sich wieder, wo es war, und eine laufende Steuerung hält an. Jetzt ausführen?</translation>
-    </message>
-    <message>
         <source>Show as ST…</source>
         <translation>Als ST zeigen…</translation>
     </message>
@@ -2525,6 +3188,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Datei lässt sich nicht löschen; bitte die Rechte des Ordners prüfen</translation>
     </message>
     <message>
+        <source>The build was cancelled; everything is as it was</source>
+        <translation>Das Übersetzen wurde abgebrochen; alles ist wie vorher</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>The tests were cancelled</source>
+        <translation>Die Tests wurden abgebrochen</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was saved</source>
+        <translation>Abgebrochen: nichts wurde gespeichert</translation>
+    </message>
+    <message>
         <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
         <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
     </message>
@@ -2547,6 +3226,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>It holds %1.</source>
         <translation>Sie enthält %1.</translation>
+    </message>
+    <message>
+        <source>The language changes when the tests have ended</source>
+        <translation>Die Sprache wechselt, wenn die Tests zu Ende sind</translation>
     </message>
 </context>
 <context>
@@ -3630,6 +4313,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>A recording from a file can not be resumed; only what the controller itself recorded</source>
         <translation>Eine gespeicherte Aufzeichnung kann nicht fortgesetzt werden; nur, was die Steuerung selbst aufgezeichnet hat</translation>
     </message>
+    <message>
+        <source>Building</source>
+        <translation>Übersetzen</translation>
+    </message>
+    <message>
+        <source>Not optimised: the quick code goes on</source>
+        <translation>Nicht optimiert: der schnell übersetzte Code läuft weiter</translation>
+    </message>
+    <message>
+        <source>Optimising</source>
+        <translation>Optimieren</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::StEditor</name>
@@ -4418,6 +5113,21 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
 </context>
 <context>
+    <name>plc::kit::WorkStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 is being cancelled…</source>
+        <translation>%1: wird abgebrochen …</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Abbrechen: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::trace::ChannelPanel</name>
     <message>
         <source>Variable or expression</source>
@@ -4992,6 +5702,14 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>Saving the samples…</source>
         <translation>Messwerte werden gespeichert…</translation>
+    </message>
+    <message>
+        <source>Opening %1…</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Saving the recording…</source>
+        <translation>Die Aufzeichnung wird gespeichert …</translation>
     </message>
 </context>
 </TS>

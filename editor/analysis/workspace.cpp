@@ -131,6 +131,10 @@ std::string Workspace::savedText(const QString& file) const {
     return it == m_files.end() ? std::string() : it->second.onDisk;
 }
 
+void Workspace::announce() {
+    if (m_model) emit analysed(m_model);
+}
+
 void Workspace::setText(const QString& file, std::string text) {
     const auto it = m_files.find(file);
     if (it == m_files.end() || it->second.text == text) return;

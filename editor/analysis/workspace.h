@@ -55,6 +55,7 @@ public:
     Result<void> saveProjectFile(const projects::Project& project);
 
     [[nodiscard]] std::shared_ptr<const analysis::CodeModel> model() const { return m_model; }
+    void announce(); // the newest analysis again, to views that are new
     void checkNow(); // without waiting for the pause in typing
     /// The model of the texts as they are now: waits for it, at most some seconds; null when it does not come.
     [[nodiscard]] std::shared_ptr<const analysis::CodeModel> presentModel();

@@ -323,6 +323,19 @@ void EventLog::addMessage(const QString& message, bool isError) {
     m_tree->scrollToItem(item);
 }
 
+EventLog::Kept EventLog::release() {
+    Kept kept;
+    kept.seen = m_seen;
+    while (m_tree->topLevelItemCount() > 0) kept.rows.push_back(m_tree->takeTopLevelItem(0));
+    return kept;
+}
+
+void EventLog::restore(Kept kept) {
+    m_seen = kept.seen;
+    for (QTreeWidgetItem* row : kept.rows) m_tree->addTopLevelItem(row);
+    m_tree->scrollToBottom();
+}
+
 void EventLog::refresh() {
     if (!m_control.session()) return;
     const auto events = m_control.session()->eventsSince(m_seen);

@@ -69,6 +69,13 @@ public:
     explicit EventLog(RunControl& control, QWidget* parent = nullptr);
     void addMessage(const QString& text, bool isError);
     [[nodiscard]] int count() const { return m_tree->topLevelItemCount(); }
+    /// Everything it holds, for the log of another window on the same controller.
+    struct Kept {
+        std::vector<QTreeWidgetItem*> rows; // owned by who takes them
+        size_t seen = 0;
+    };
+    [[nodiscard]] Kept release();
+    void restore(Kept kept);
 
 private:
     void refresh();

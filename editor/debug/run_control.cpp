@@ -1,4 +1,5 @@
 #include "editor/debug/run_control.h"
+#include "editor/kit/message_text.h"
 
 #include "editor/kit/post.h"
 #include "projects/session/value_text.h"
@@ -23,6 +24,7 @@ RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent),
 }
 
 RunControl::~RunControl() {
+    if (m_building) m_building->cancel();
     if (m_builder.joinable()) m_builder.join();
 }
 
@@ -37,27 +39,63 @@ QString RunControl::retainFile() const {
 
 // ------------------------------------------------------------------ building
 
-void RunControl::build(std::function<void(bool)> then) {
-    if (m_isBuilding || !m_workspace.isOpen()) return;
-    m_isBuilding = true;
+void RunControl::buildAside(std::function<void(std::shared_ptr<driver::Built>)> then) {
+    m_building = std::make_shared<Progress>();
     emit buildStarted();
+    emit workBegan(tr("Building"), m_building);
     if (m_builder.joinable()) m_builder.join();
-    m_builder = std::thread([this, input = m_workspace.buildInput(), then = std::move(then)] {
-        auto built = std::make_shared<driver::Built>(driver::build(input));
-        kit::post(this, [this, built, then] {
-            m_isBuilding = false;
-            const bool good = built->program != nullptr;
-            size_t errors = 0;
-            for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
-                errors += d.severity == diagnostics::Severity::Error;
-            if (good) adopt(built, false);
-            emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
-                                     : !built->failure.empty() ? text(built->failure)
-                                                               : tr("%n error(s): the program was not built", nullptr,
-                                                                    static_cast<int>(errors)));
-            if (then) then(good);
-        });
+    m_builder = std::thread([this, progress = m_building, input = m_workspace.buildInput(), then = std::move(then)] {
+        auto built = std::make_shared<driver::Built>(driver::build(input, progress.get()));
+        const auto finish = [this, progress, built, then] {
+            m_building = nullptr;
+            emit workEnded(progress);
+            if (progress->isCancelled()) return emit buildCancelled();
+            then(built);
+        };
+        QMetaObject::invokeMethod(
+            this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); },
+            Qt::QueuedConnection);
     });
+}
+
+void RunControl::build(std::function<void(bool)> then) {
+    if (m_building || !m_workspace.isOpen()) return;
+    buildAside([this, then = std::move(then)](const std::shared_ptr<driver::Built>& built) {
+        const bool good = built->program != nullptr;
+        size_t errors = 0;
+        for (const diagnostics::Diagnostic& d : built->checked.analysis->diagnostics)
+            errors += d.severity == diagnostics::Severity::Error;
+        if (good) adopt(built, false);
+        emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
+                                 : !built->failure.empty()
+                                     ? kit::messageText(built->failure)
+                                     : tr("%n error(s): the program was not built", nullptr, static_cast<int>(errors)));
+        if (then) then(good);
+    });
+}
+
+RunControl::Hold RunControl::hold() {
+    if (auto held = m_hold.lock()) return held;
+    const Hold made(this, [](RunControl* self) {
+        QMetaObject::invokeMethod(
+            self,
+            [self] {
+                for (const auto& each : std::exchange(self->m_afterHold, {})) each();
+            },
+            Qt::QueuedConnection);
+    });
+    m_hold = made;
+    return made;
+}
+
+void RunControl::watchOptimising(std::shared_ptr<Progress> now) {
+    if (now == m_optimising) return;
+    const std::shared_ptr<Progress> before = std::exchange(m_optimising, std::move(now));
+    if (before) {
+        emit workEnded(before);
+        if (before->isCancelled()) emit messageAdded(tr("Not optimised: the quick code goes on"), false);
+    }
+    if (m_optimising) emit workBegan(tr("Optimising"), m_optimising);
 }
 
 void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning) {
@@ -91,10 +129,12 @@ void RunControl::endSession() {
     emit sessionAboutToEnd();
     m_isEnding = false;
     m_frames.clear(); // they are the session's
+    if (m_optimising) emit workEnded(std::exchange(m_optimising, nullptr));
     m_session.reset();
 }
 
 void RunControl::disconnectSession() {
+    if (m_building) m_building->cancel();
     m_timer.stop();
     endSession();
     m_viewed.reset();
@@ -103,6 +143,15 @@ void RunControl::disconnectSession() {
     m_status = {};
     emit sessionChanged();
     emit statusChanged();
+    emit refreshed();
+}
+
+void RunControl::announce() {
+    if (m_building) emit workBegan(tr("Building"), m_building);
+    if (m_optimising) emit workBegan(tr("Optimising"), m_optimising);
+    emit breakpointsChanged();
+    emit statusChanged();
+    emit viewedChanged();
     emit refreshed();
 }
 
@@ -183,19 +232,12 @@ void RunControl::runTo(const QString& file, int line) {
 
 void RunControl::onlineChange() {
     if (!isRunning()) return start();
-    if (m_isBuilding) return;
-    m_isBuilding = true;
-    emit buildStarted();
-    if (m_builder.joinable()) m_builder.join();
-    m_builder = std::thread([this, input = m_workspace.buildInput()] {
-        auto built = std::make_shared<driver::Built>(driver::build(input));
-        kit::post(this, [this, built] {
-            m_isBuilding = false;
-            if (built->program) adopt(built, true);
-            emit buildFinished(built->program != nullptr,
-                               built->program ? tr("The change waits for the end of the scan")
-                                              : tr("The program has errors; the controller goes on with the old one"));
-        });
+    if (m_building) return;
+    buildAside([this](const std::shared_ptr<driver::Built>& built) {
+        if (built->program) adopt(built, true);
+        emit buildFinished(built->program != nullptr,
+                           built->program ? tr("The change waits for the end of the scan")
+                                          : tr("The program has errors; the controller goes on with the old one"));
     });
 }
 
@@ -241,10 +283,14 @@ void RunControl::tick() {
     if (!m_session) return;
     const controller::State before = m_status.state;
     const uint64_t scansBefore = m_status.scans;
+    const std::string retainProblem = m_status.retainProblem;
     m_status = m_session->status();
-    for (const std::string& refusal : m_session->takeRefusals()) emit messageAdded(text(refusal), true);
+    if (!m_status.retainProblem.empty() && m_status.retainProblem != retainProblem)
+        emit messageAdded(kit::messageText(m_status.retainProblem), true);
+    for (const std::string& refusal : m_session->takeRefusals()) emit messageAdded(kit::messageText(refusal), true);
     m_forced.clear();
     for (const controller::Forced& forced : m_session->forces()) m_forced.insert(foldCase(forced.path));
+    watchOptimising(m_session->optimising());
     const bool stateChanged = before != m_status.state;
     if (m_status.state == controller::State::Halted)
         m_frames = m_session->haltFrames();
@@ -253,7 +299,11 @@ void RunControl::tick() {
     if (!m_viewed && !m_recorded) refreshImage();
     if (stateChanged) {
         emit statusChanged();
-        if (m_status.state == controller::State::Halted) emit halted();
+        if (m_status.state == controller::State::Halted) {
+            if (const std::string problem = m_session->haltProblem(); !problem.empty())
+                emit messageAdded(kit::messageText(problem), true);
+            emit halted();
+        }
     } else if (scansBefore != m_status.scans) {
         emit statusChanged();
     }
@@ -289,7 +339,7 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
         if (known == m_recordedExpressions.end()) {
             const auto compiled = m_recorded->compile(expression.toStdString(), scope.toStdString(), *m_imageProgram);
             if (!compiled) {
-                shown.reason = text(compiled.error().message);
+                shown.reason = kit::messageText(compiled.error().message);
                 return shown;
             }
             known = m_recordedExpressions.emplace(key, *compiled).first;
@@ -298,7 +348,7 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     } else {
         const auto compiled = m_session->expression(expression.toStdString(), scope.toStdString());
         if (!compiled) {
-            shown.reason = text(compiled.error().message);
+            shown.reason = kit::messageText(compiled.error().message);
             return shown;
         }
         // A recorded image of an older version has another layout: the expression is made anew for it.
@@ -313,7 +363,7 @@ RunControl::Shown RunControl::value(const QString& expression, const QString& sc
     const expression::Outcome outcome = present.evaluate(m_image);
     shown.type = present.type();
     if (!outcome.hasValue()) {
-        shown.reason = text(outcome.reason);
+        shown.reason = kit::messageText(outcome.reason);
         return shown;
     }
     shown.value = outcome.value;

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] session::Session* session() { return m_session.get(); } // null: nothing built
     [[nodiscard]] const session::Session* session() const { return m_session.get(); }
     [[nodiscard]] const session::Status& status() const { return m_status; }
-    [[nodiscard]] bool isBuilding() const { return m_isBuilding; }
+    [[nodiscard]] bool isBuilding() const { return m_building != nullptr; }
     [[nodiscard]] bool isOnline() const { return m_session != nullptr; }
     [[nodiscard]] bool isEnding() const { return m_isEnding; }
     [[nodiscard]] bool isRunning() const;
@@ -57,6 +57,11 @@ public:
     [[nodiscard]] QString recordedName() const { return m_recorded ? m_recorded->name : QString(); }
     /// There are values to show: of a controller or of a recording.
     [[nodiscard]] bool hasValues() const { return isOnline() || showsRecorded(); }
+
+    /// While one is held the session stays: a new one waits. What works on a session's history outside this thread
+    /// holds it.
+    using Hold = std::shared_ptr<void>;
+    [[nodiscard]] Hold hold();
 
     // commands
     void build(std::function<void(bool)> then = {}); // makes a session, keeps it stopped
@@ -72,6 +77,7 @@ public:
     void setMode(session::RunMode mode);
     [[nodiscard]] session::RunMode mode() const { return m_mode; }
     void disconnectSession(); // project closes
+    void announce();          // all of its state again, to views that are new
 
     // breakpoints, kept with the project
     [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints; }
@@ -110,6 +116,10 @@ public:
 signals:
     void buildStarted();
     void buildFinished(bool good, const QString& message);
+    void buildCancelled(); // everything is as it was before
+    /// What may take long, for the status line; `work` cancels it.
+    void workBegan(const QString& label, const std::shared_ptr<plc::Progress>& work);
+    void workEnded(const std::shared_ptr<plc::Progress>& work);
     void sessionChanged();    // another Session, or none
     void sessionAboutToEnd(); // views let go of it now
     void statusChanged();
@@ -123,6 +133,9 @@ signals:
 
 private:
     void tick();
+    /// Builds on a thread of its own; `then` comes back to this one, unless it was cancelled.
+    void buildAside(std::function<void(std::shared_ptr<driver::Built>)> then);
+    void watchOptimising(std::shared_ptr<Progress> now);
     void adopt(std::shared_ptr<driver::Built> built, bool changeRunning);
     void postBreakpoints();
     void refreshImage();
@@ -147,7 +160,9 @@ private:
     std::shared_ptr<const image::CompiledProgram> m_imageProgram;
     std::set<std::string> m_forced; // folded paths
     QTimer m_timer;
-    bool m_isBuilding = false;
+    std::shared_ptr<Progress> m_building, m_optimising; // null: nothing of the kind goes on
+    std::weak_ptr<void> m_hold;
+    std::vector<std::function<void()>> m_afterHold;
     bool m_isEnding = false;
     std::thread m_builder;
 };

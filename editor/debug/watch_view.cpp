@@ -1,6 +1,7 @@
 #include "editor/debug/watch_view.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
 
@@ -82,6 +83,7 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
     auto* format = new QComboBox(bar);
     format->addItems({tr("Decimal"), tr("Hexadecimal"), tr("Binary")});
     format->setAccessibleName(tr("Number format"));
+    format->setObjectName("numberFormat");
     bar->addWidget(format);
     connect(format, &QComboBox::currentIndexChanged, this,
             [this](int index) { setFormat(static_cast<types::NumberFormat>(index)); });
@@ -146,12 +148,34 @@ QStringList WatchView::expressions() const {
     return out;
 }
 
+std::vector<WatchView::Row> WatchView::rows() const {
+    std::vector<Row> out;
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        const QTreeWidgetItem* item = m_tree->topLevelItem(i);
+        out.push_back({expressionOf(item), item->text(Prepared), item->isExpanded()});
+    }
+    return out;
+}
+
+void WatchView::setRows(const std::vector<Row>& rows) {
+    m_tree->clear();
+    for (const Row& row : rows) {
+        add(row.expression);
+        QTreeWidgetItem* item = m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
+        item->setText(Prepared, row.prepared);
+        item->setExpanded(row.isUnfolded);
+    }
+}
+
 void WatchView::setExpressions(const QStringList& expressions) {
     m_tree->clear();
     for (const QString& each : expressions) add(each);
 }
 
 void WatchView::setFormat(types::NumberFormat format) {
+    const auto index = static_cast<int>(format);
+    if (auto* choice = findChild<QComboBox*>("numberFormat"); choice && choice->currentIndex() != index)
+        return choice->setCurrentIndex(index); // comes back here
     m_format = format;
     refresh();
 }
@@ -233,7 +257,7 @@ void WatchView::applyPrepared(bool force) {
             const auto done =
                 force ? m_control.force(expressionOf(item), prepared) : m_control.write(expressionOf(item), prepared);
             const QSignalBlocker blocker(m_tree);
-            item->setToolTip(Prepared, done ? QString() : QString::fromStdString(done.error().text()));
+            item->setToolTip(Prepared, done ? QString() : kit::messageText(done.error()));
             item->setForeground(Prepared, done ? kit::colors().text : kit::colors().bad);
             if (done) item->setText(Prepared, {});
         }

@@ -19,7 +19,15 @@ public:
     void add(const QString& expression);
     [[nodiscard]] QStringList expressions() const;
     void setExpressions(const QStringList& expressions);
+    /// The list with what was typed into it, for the watch of another window on the same controller.
+    struct Row {
+        QString expression, prepared;
+        bool isUnfolded = false;
+    };
+    [[nodiscard]] std::vector<Row> rows() const;
+    void setRows(const std::vector<Row>& rows);
     void setFormat(types::NumberFormat format);
+    [[nodiscard]] types::NumberFormat format() const { return m_format; }
     [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
     [[nodiscard]] static QString expressionOf(const QTreeWidgetItem* item);
 

@@ -2,6 +2,7 @@
 // a transition's end to another step, an action up, down or to another step. Each drop is one edit of the text.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 
 #include <QApplication>
@@ -37,7 +38,7 @@ bool ChartView::dragEvent(QEvent* event) {
             m_scene->dropHint().showAt(drop.hint,
                                        good         ? drop.text
                                        : drop.edits ? QString()
-                                                    : QString::fromStdString(drop.edits.error().text()),
+                                                    : kit::messageText(drop.edits.error()),
                                        good);
         m_canvas->viewport()->setCursor(good ? Qt::DragMoveCursor : Qt::ForbiddenCursor);
         return true;

@@ -2,6 +2,7 @@
 // of.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
@@ -77,12 +78,12 @@ std::vector<std::string> errorsIn(std::string_view text, std::string_view unit) 
 QString ChartView::complaintOf(const QString& text) const {
     if (!m_makeEdits || !m_chart || text.trimmed().isEmpty() || text == m_fieldBegin) return {};
     const Result<chart::Edits> edits = m_makeEdits(text.trimmed());
-    if (!edits) return QString::fromStdString(edits.error().text());
+    if (!edits) return kit::messageText(edits.error());
     const std::string unit = m_unit.toStdString();
     std::vector<std::string> before = errorsIn(m_text, unit);
     for (const std::string& error : errorsIn(chart::applyEdits(m_text, *edits), unit)) {
         const auto known = std::find(before.begin(), before.end(), error);
-        if (known == before.end()) return QString::fromStdString(error);
+        if (known == before.end()) return kit::messageText(error);
         before.erase(known);
     }
     if (m_fieldKind != FieldKind::Condition || !m_model) return {};
@@ -94,7 +95,7 @@ QString ChartView::complaintOf(const QString& text) const {
         sema::checkExpression(analysis, m_model->sources(), text.toStdString(), scope, arena);
     for (const diagnostics::Diagnostic& d : checked.diagnostics) {
         if (d.kind == diagnostics::Kind::NotAllowedInExpression) return {}; // a call: a program may, a watch may not
-        if (d.severity == diagnostics::Severity::Error) return QString::fromStdString(d.message());
+        if (d.severity == diagnostics::Severity::Error) return kit::messageText(d.message());
     }
     if (checked.root && analysis.program->types->storageKind(checked.root->type) != types::TypeKind::Bool)
         return tr("A condition is a BOOL");

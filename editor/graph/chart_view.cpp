@@ -2,6 +2,7 @@
 
 #include "editor/graph/chart_items.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "runtime/base/text.h"
@@ -167,7 +168,7 @@ void ChartView::rebuild() {
     chart::check(*m_chart, sink);
     std::vector<ChartMessage> messages;
     for (const diagnostics::Diagnostic& d : sink.all())
-        messages.push_back({d.range, QString::fromStdString(d.message()), d.severity == diagnostics::Severity::Error});
+        messages.push_back({d.range, kit::messageText(d.message()), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
     applyBreakpoints();
     if (!m_selectAfter.isEmpty())
@@ -230,8 +231,7 @@ void ChartView::setModel(const std::shared_ptr<const analysis::CodeModel>& model
     std::vector<ChartMessage> messages;
     for (const diagnostics::Diagnostic& d : model->diagnostics())
         if (d.range.file == *id && d.severity != diagnostics::Severity::Info)
-            messages.push_back(
-                {d.range, QString::fromStdString(d.message()), d.severity == diagnostics::Severity::Error});
+            messages.push_back({d.range, kit::messageText(d.message()), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
 }
 
@@ -353,7 +353,7 @@ void ChartView::selectTowards(int dx, int dy) {
 
 void ChartView::request(const Result<chart::Edits>& edits, const QString& selectName) {
     if (m_isStale) return emit failed(tr("Mend the text first: this is the last good drawing"));
-    if (!edits) return emit failed(QString::fromStdString(edits.error().text()));
+    if (!edits) return emit failed(kit::messageText(edits.error()));
     if (edits->empty()) return;
     m_selectAfter = selectName;
     const chart::Edits wanted = *edits; // the chart they come from goes with the text

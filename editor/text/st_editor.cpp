@@ -1,6 +1,7 @@
 #include "editor/text/st_editor.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
 #include "editor/text/st_marks.h"
@@ -429,7 +430,7 @@ void StEditor::showToolTip(const QPoint& position) {
             html += QString("<p><b>%1</b> %2</p>")
                         .arg(QString::fromUtf8(diagnostics::codeOf(d.kind).data(),
                                                static_cast<int>(diagnostics::codeOf(d.kind).size())),
-                             QString::fromStdString(d.message()).toHtmlEscaped());
+                             kit::messageText(d.message()).toHtmlEscaped());
             for (const diagnostics::Fix& fix : d.fixes)
                 html += QString("<p>&nbsp;&nbsp;%1 <i>Alt+Enter</i></p>")
                             .arg(QString::fromStdString(fix.title).toHtmlEscaped());

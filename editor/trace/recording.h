@@ -50,7 +50,7 @@ public:
     /// The program of the newest scan, for names and completion; null before anything ran.
     [[nodiscard]] virtual std::shared_ptr<const image::CompiledProgram> program() const = 0;
     /// Writes what is recorded now to a file that `stepwise replay` and the studio open.
-    virtual Result<void> save(const std::string& path) const = 0;
+    virtual Result<void> save(const std::string& path, Progress* progress = nullptr) const = 0;
 };
 
 using history::PositionRange;

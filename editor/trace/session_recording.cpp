@@ -33,22 +33,25 @@ std::optional<Position> SessionRecording::findChange(const std::string& text, Po
     return m_session.history().findChange(*expression, m_session.recompile(text), from, direction);
 }
 
-Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& path) {
+Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& path, Progress* progress) {
     std::shared_ptr<FileRecording> recording(new FileRecording);
     std::string failure;
     auto history = history::History::load(
-        path, [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
+        path,
+        [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
             driver::BuildInput input;
             for (const auto& [name, text] : sources) input.files.push_back({name, text});
             input.libraries = libraries;
-            driver::Built built = driver::build(input);
+            driver::Built built = driver::build(input, progress);
             if (!built.program) {
                 failure = built.failure.empty() ? "the program in it has errors" : built.failure;
                 return nullptr;
             }
             recording->m_versions.push_back({built.program, built.checked});
             return built.program;
-        });
+        },
+        progress);
+    if (!history && isCancelled(progress)) return history.error();
     if (!history) return failure.empty() ? history.error() : Error{"The recording can not be opened: " + failure, path};
     recording->m_history = std::move(*history);
     return recording;

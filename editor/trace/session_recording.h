@@ -30,7 +30,9 @@ public:
     std::optional<Position> findChange(const std::string& expression, Position from,
                                        history::History::Direction direction) const override;
     std::shared_ptr<const image::CompiledProgram> program() const override { return m_session.program(); }
-    Result<void> save(const std::string& path) const override { return m_session.history().save(path); }
+    Result<void> save(const std::string& path, Progress* progress = nullptr) const override {
+        return m_session.history().save(path, progress);
+    }
 
 private:
     const session::Session& m_session;
@@ -39,7 +41,8 @@ private:
 /// A recording that `stepwise run --record` or the studio saved; its program is built again from the sources in it.
 class FileRecording final : public Recording {
 public:
-    [[nodiscard]] static Result<std::shared_ptr<FileRecording>> open(const std::string& path);
+    [[nodiscard]] static Result<std::shared_ptr<FileRecording>> open(const std::string& path,
+                                                                     Progress* progress = nullptr);
 
     std::pair<Position, Position> extent() const override;
     std::vector<history::Branch> branches() const override { return m_history->branches(); }
@@ -56,7 +59,9 @@ public:
     std::optional<Position> findChange(const std::string& expression, Position from,
                                        history::History::Direction direction) const override;
     std::shared_ptr<const image::CompiledProgram> program() const override;
-    Result<void> save(const std::string& path) const override { return m_history->save(path); }
+    Result<void> save(const std::string& path, Progress* progress = nullptr) const override {
+        return m_history->save(path, progress);
+    }
     [[nodiscard]] const history::History& history() const { return *m_history; }
     /// For images of that version, as seen from `scope`.
     Result<expression::Expression> expression(const std::string& text, const std::string& scope,

@@ -1,5 +1,6 @@
 #include "editor/trace/time_slider.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/plot_model.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
@@ -228,7 +229,7 @@ bool TimeSlider::stepChange(int direction) {
     const std::string variable = m_variable->text().trimmed().toStdString();
     if (!m_recording || m_recording->extent().second == 0 || variable.empty()) return false;
     if (const auto type = m_recording->typeOf(variable); !type) {
-        emit message(QString::fromStdString(type.error().message));
+        emit message(kit::messageText(type.error().message));
         return false;
     }
     const Position from = m_position ? *m_position : m_recording->extent().second - 1;

@@ -1,5 +1,6 @@
 #include "editor/trace/trace_plot.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "runtime/controller/controller.h"
 
@@ -60,7 +61,7 @@ struct MarkText {
 
 QString markText(int kind, const std::string& utf8) {
     using controller::EventKind;
-    const QString text = QString::fromStdString(utf8);
+    const QString text = kit::messageText(utf8);
     const auto with = [&](const QString& word) { return text.isEmpty() ? word : word + QStringLiteral(": ") + text; };
     switch (static_cast<EventKind>(kind)) {
     case EventKind::Started:
@@ -159,7 +160,7 @@ void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed*
         curve.offset = channel.offset;
         curve.isVisible = channel.isVisible;
         if (feed) curve.source = feed->source(channel.expression);
-        if (feed) curve.problem = QString::fromStdString(feed->problem(channel.expression));
+        if (feed) curve.problem = kit::messageText(feed->problem(channel.expression));
         if (type) {
             for (const auto& [value, name] : type->valueNames)
                 curve.valueNames.emplace(value, QString::fromStdString(name));

@@ -3,6 +3,7 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/plot_export.h"
 #include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
@@ -74,7 +75,7 @@ TraceView::TraceView(QWidget* parent) : QWidget(parent), m_store(std::make_share
     m_channels->setCheck([this](const QString& text) {
         if (!m_recording) return QString();
         const auto type = m_recording->typeOf(text.trimmed().toStdString());
-        return type ? QString() : QString::fromStdString(type.error().message);
+        return type ? QString() : kit::messageText(type.error().message);
     });
     m_channels->setPicker([this](const QString& current) { return kit::pickVariable(m_variables, current, this); });
     connect(m_channels, &ChannelPanel::changeRequested, this,
@@ -222,7 +223,7 @@ void TraceView::makeActions(QToolBar* bar) {
             QFileDialog::getSaveFileName(this, tr("Save recording"), inProject({}), tr("Recordings (*.rec)"));
         if (path.isEmpty() || !m_recording) return;
         if (!path.endsWith(QLatin1String(".rec"))) path += QStringLiteral(".rec");
-        report(m_recording->save(path.toStdString()));
+        report(saveRecording(path));
     });
     connect(files, &QMenu::aboutToShow, this, [this, close, save] {
         close->setEnabled(showsFile());
@@ -253,7 +254,7 @@ void TraceView::makeActions(QToolBar* bar) {
 }
 
 void TraceView::report(const Result<void>& result) {
-    if (!result) emit failed(QString::fromStdString(result.error().text()));
+    if (!result) emit failed(kit::messageText(result.error()));
 }
 
 void TraceView::exportTo(const QString& suffix) {

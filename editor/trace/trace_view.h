@@ -18,6 +18,7 @@ class QToolBar;
 namespace plc::trace {
 
 class ChannelPanel;
+class FileRecording;
 
 class TraceView : public QWidget {
     Q_OBJECT
@@ -30,6 +31,8 @@ public:
     /// Shows a recording from a file instead of the running one, until it is closed.
     Result<void> openRecording(const QString& path);
     void closeRecording();
+    /// What is drawn, live or from a file, to a file; cancelled, there is none.
+    Result<void> saveRecording(const QString& path);
     /// The samples in view as CSV; it can be cancelled, then the file stays as it was.
     void exportSamples(const QString& path);
     bool showsFile() const { return m_opened != nullptr; }
@@ -71,6 +74,20 @@ public:
     /// Loads an older recording beneath and notes it in the set-up; an empty path takes it away.
     Result<void> compareWith(const QString& path);
 
+    /// What the user made of it, for the trace of another window on the same controller.
+    struct Kept {
+        TraceSetup setup;
+        QString path, openedName;
+        bool isModified = false, isFollowing = true;
+        int64_t from = 0, to = 0; // the times in view
+        std::shared_ptr<const Recording> opened, beneath;
+        QString compared; // path of what lies beneath
+    };
+    [[nodiscard]] Kept kept() const;
+    void restore(Kept kept);
+    /// What it gives is kept while the running recording is read outside this thread.
+    void setHold(std::function<std::shared_ptr<void>()> hold) { m_hold = std::move(hold); }
+
 signals:
     void setupChanged();
     void positionActivated(quint64 position); // double click on a chart
@@ -96,6 +113,7 @@ private:
     void report(const Result<void>& result);
     void showRecording(const Recording* recording);
     void followCompareWith();
+    [[nodiscard]] Result<std::shared_ptr<FileRecording>> readFile(const QString& path);
     QString inProject(const QString& path) const;
 
     const Recording* m_recording = nullptr; // drawn
@@ -108,6 +126,7 @@ private:
     ProgramVariables m_variables;
     TraceSetup m_setup;
     QString m_path, m_folder;
+    std::function<std::shared_ptr<void>()> m_hold;
     QUndoStack m_undo;
     TriggerMachine m_trigger;
     int64_t m_triggerRead = INT64_MIN;

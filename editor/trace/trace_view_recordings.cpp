@@ -1,6 +1,7 @@
 // The recordings behind a trace: the running one, one from a file, one laid beneath to compare.
 #include "editor/kit/edit_history.h"
 #include "editor/kit/long_task.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/session_recording.h"
 #include "editor/trace/trace_view.h"
@@ -15,11 +16,32 @@ void TraceView::setRecording(const Recording* recording) {
     if (!m_opened) showRecording(recording);
 }
 
+/// Null when it was cancelled. The program in the file is compiled again, which takes longest.
+Result<std::shared_ptr<FileRecording>> TraceView::readFile(const QString& path) {
+    Result<std::shared_ptr<FileRecording>> opened = std::shared_ptr<FileRecording>();
+    const bool isDone =
+        kit::LongTask::runAside(tr("Opening %1…").arg(QFileInfo(path).fileName()), this, [&](Progress& progress) {
+            opened = FileRecording::open(path.toStdString(), &progress);
+        });
+    if (!isDone) return std::shared_ptr<FileRecording>();
+    return opened;
+}
+
+Result<void> TraceView::saveRecording(const QString& path) {
+    if (!m_recording) return Error{"Nothing was recorded yet", path.toStdString()};
+    const std::shared_ptr<void> held = m_hold ? m_hold() : nullptr;
+    Result<void> saved;
+    const bool isDone =
+        kit::LongTask::runAside(tr("Saving the recording…"), this, [&, recording = m_recording](Progress& progress) {
+            saved = recording->save(path.toStdString(), &progress);
+        });
+    return isDone ? saved : Result<void>();
+}
+
 Result<void> TraceView::openRecording(const QString& path) {
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor); // the program in it is compiled again
-    auto opened = FileRecording::open(path.toStdString());
-    QGuiApplication::restoreOverrideCursor();
+    auto opened = readFile(path);
     if (!opened) return opened.error();
+    if (!*opened) return {};
     showRecording(nullptr);
     m_opened = *opened;
     m_openedName = QFileInfo(path).fileName();
@@ -29,6 +51,39 @@ Result<void> TraceView::openRecording(const QString& path) {
     m_plot->fit();
     emit recordingShown();
     return {};
+}
+
+TraceView::Kept TraceView::kept() const {
+    const kit::PlotModel& model = m_plot->model();
+    Kept kept{m_setup,    m_path,   m_openedName, isModified(), m_plot->isFollowing(),
+              model.from, model.to, m_opened,     m_beneath,    m_compared};
+    kept.setup.span = model.to - model.from;
+    kept.setup.cursorA = model.cursorA;
+    kept.setup.cursorB = model.cursorB;
+    return kept;
+}
+
+void TraceView::restore(Kept kept) {
+    m_path = kept.path;
+    m_compared = kept.compared; // it need not be read again
+    if (kept.beneath) m_olderFeed = std::make_unique<TraceFeed>(*kept.beneath, m_store);
+    m_beneath = std::move(kept.beneath);
+    setSetup(std::move(kept.setup));
+    if (kept.isModified) m_undo.resetClean();
+    if (kept.opened) {
+        showRecording(nullptr);
+        m_opened = std::move(kept.opened);
+        m_openedName = kept.openedName;
+        showRecording(m_opened.get());
+        m_feed->pumpAll();
+        emit recordingShown();
+    }
+    m_plot->setFollowing(kept.isFollowing);
+    m_plot->edit([&](kit::PlotModel& model) {
+        model.from = kept.from;
+        model.to = kept.to;
+    });
+    emit setupChanged();
 }
 
 void TraceView::closeRecording() {
@@ -52,10 +107,9 @@ Result<void> TraceView::compareWith(const QString& path) {
         setBeneath(nullptr);
         return {};
     }
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    auto opened = FileRecording::open(path.toStdString());
-    QGuiApplication::restoreOverrideCursor();
+    auto opened = readFile(path);
     if (!opened) return opened.error();
+    if (!*opened) return {};
     const QString shown = m_folder.isEmpty() ? path : QDir(inProject({})).relativeFilePath(path);
     m_compared = shown;
     change(tr("Compare"), [&](TraceSetup& s) { s.compareWith = shown.toStdString(); });
@@ -73,11 +127,12 @@ void TraceView::followCompareWith() {
         m_beneath.reset();
         return;
     }
-    auto opened = FileRecording::open(inProject(wanted).toStdString());
+    auto opened = readFile(inProject(wanted));
     if (!opened) {
-        emit failed(QString::fromStdString(opened.error().text()));
+        emit failed(kit::messageText(opened.error()));
         return;
     }
+    if (!*opened) return;
     m_beneath = *opened;
     m_olderFeed = std::make_unique<TraceFeed>(*m_beneath, m_store);
 }

@@ -2,6 +2,7 @@
 
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/arrange.h"
 #include "projects/storage/project_file.h"
@@ -251,7 +252,7 @@ void TextEditor::importCsv(const QString& path) {
     const auto bytes = projects::readFile(path.toStdString());
     const auto parsed = bytes ? TextTable::parse(*bytes, path) : Result<TextTable>(bytes.error());
     if (!parsed) {
-        QMessageBox::warning(this, tr("Import CSV"), QString::fromStdString(parsed.error().text()));
+        QMessageBox::warning(this, tr("Import CSV"), kit::messageText(parsed.error()));
         return;
     }
     // Texts of the file win; keys and languages that it does not have stay.
@@ -267,8 +268,7 @@ void TextEditor::importCsv(const QString& path) {
 
 void TextEditor::exportCsv(const QString& path) const {
     if (const auto written = projects::writeFileAtomically(path.toStdString(), m_model->table().write()); !written)
-        QMessageBox::warning(const_cast<TextEditor*>(this), tr("Export CSV"),
-                             QString::fromStdString(written.error().text()));
+        QMessageBox::warning(const_cast<TextEditor*>(this), tr("Export CSV"), kit::messageText(written.error()));
 }
 
 void TextEditor::revealKey(const QString& key) {

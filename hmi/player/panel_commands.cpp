@@ -1,4 +1,5 @@
 #include "hmi/player/panel_commands.h"
+#include "editor/kit/message_text.h"
 
 #include "hmi/player/panel_player.h"
 #include "runtime/base/text.h"
@@ -100,7 +101,7 @@ QString checkBinding(const driver::Checked& checked, const QString& expression, 
                      bool isTarget) {
     const auto compiled = driver::compileExpression(checked, expression.toStdString());
     if (!compiled) {
-        const QString message = QString::fromStdString(compiled.error().message), near = nearMatch(checked, expression);
+        const QString message = kit::messageText(compiled.error().message), near = nearMatch(checked, expression);
         return near.isEmpty() || message.contains(near)
                    ? message
                    : message + QStringLiteral("; ") + HmiCheck::tr("did you mean %1?").arg(near);

@@ -1,4 +1,5 @@
 #include "hmi/player/panel_player.h"
+#include "editor/kit/message_text.h"
 
 #include "hmi/player/player_status.h"
 
@@ -249,7 +250,7 @@ QString PanelPlayer::post(const WriteRequest& write) {
     if (state == controller::State::Stopped || state == controller::State::Fault)
         return no(say(SystemText::NotRunning));
     const auto target = m_session->expression(path);
-    if (!target) return no(QString::fromStdString(target.error().message));
+    if (!target) return no(kit::messageText(target.error().message, language()));
     const std::optional<image::Place> place = target->place();
     if (!place) return no(say(SystemText::NotWritable));
     for (const controller::Forced& forced : m_session->forces())
@@ -258,13 +259,13 @@ QString PanelPlayer::post(const WriteRequest& write) {
     const Result<types::Value> value = toPlc(target->types(), target->type(), write.value);
     if (!value)
         return no(whyNot(factsOf(target->types(), target->type(), true), write.value,
-                         QString::fromStdString(value.error().message)));
+                         kit::messageText(value.error().message, language())));
     if (write.kind == WriteKind::Write) {
         m_session->write(path, *value);
         return {};
     }
     const Result<types::Value> released = toPlc(target->types(), target->type(), write.released);
-    if (!released) return no(QString::fromStdString(released.error().message));
+    if (!released) return no(kit::messageText(released.error().message, language()));
     m_pressed.insert(write.target, write.released);
     m_session->press(path, *value, *released);
     return {};
@@ -308,7 +309,7 @@ void PanelPlayer::updateStatus() {
     case Freshness::Fault:
         text = say(SystemText::Fault);
         if (const auto& fault = m_values->status().fault)
-            text += QStringLiteral(": ") + QString::fromStdString(fault->message);
+            text += QStringLiteral(": ") + kit::messageText(fault->message, language());
         weight = PlayerStatus::Weight::Bad;
         break;
     case Freshness::Past: {
@@ -333,7 +334,7 @@ void PanelPlayer::frame() {
         followLanguageVariable();
         evaluateRecorded();
         if (m_session)
-            for (const std::string& refusal : m_session->takeRefusals()) refuse(QString::fromStdString(refusal));
+            for (const std::string& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
     updateStatus();
     if (!m_refusal.isEmpty() && m_refusalAge.isValid() && m_refusalAge.elapsed() > 4000) {

@@ -1,4 +1,5 @@
 #include "hmi/player/plc_values.h"
+#include "editor/kit/message_text.h"
 
 #include <cstring>
 
@@ -32,14 +33,14 @@ void PlcValues::compile(Binding& binding) {
     if (m_recording) {
         if (!m_program) return failed(QStringLiteral("no longer recorded"));
         auto compiled = m_recording->compile(text, *m_program);
-        if (!compiled) return failed(QString::fromStdString(compiled.error().message));
+        if (!compiled) return failed(kit::messageText(compiled.error().message));
         binding.compiled = std::move(*compiled);
     } else {
         if (!m_session) return failed({});
         auto compiled = m_session->expression(text);
         if (!compiled) {
             binding.facts = {};
-            return failed(QString::fromStdString(compiled.error().message));
+            return failed(kit::messageText(compiled.error().message));
         }
         binding.facts = factsOf(compiled->types(), compiled->type(), compiled->place().has_value());
         binding.compiled = m_program && m_program != m_session->program() ? m_session->recompile(text)(*m_program)
@@ -66,7 +67,7 @@ BindingId PlcValues::bind(const QString& expression) {
     if (added.compiled.isValid() && !m_image.empty()) {
         const expression::Outcome outcome = added.compiled.evaluate(m_image);
         added.value = outcome.hasValue() ? toPanel(added.compiled.types(), outcome.value)
-                                         : Value::none(QString::fromStdString(outcome.reason));
+                                         : Value::none(kit::messageText(outcome.reason));
     }
     ++m_revision;
     return {index};
@@ -158,7 +159,7 @@ void PlcValues::evaluate() {
         }
         const expression::Outcome outcome = binding.compiled.evaluate(m_image);
         Value now = outcome.hasValue() ? toPanel(binding.compiled.types(), outcome.value)
-                                       : Value::none(QString::fromStdString(outcome.reason));
+                                       : Value::none(kit::messageText(outcome.reason));
         if (now == binding.value) continue;
         binding.value = std::move(now);
         changed = true;

@@ -36,9 +36,16 @@ void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
     if (!worker) return;
     worker->post([this, built = std::move(built)] {
         if (isQuitting.load() || built->program->optimised.load()) return;
-        const Result<void> done = driver::optimise(*built);
-        if (done) return;
+        const auto progress = std::make_shared<Progress>();
+        {
+            const std::lock_guard lock(mutex);
+            optimising = progress;
+        }
+        if (isQuitting.load()) progress->cancel(); // set before it could be seen
+        const Result<void> done = driver::optimise(*built, progress.get());
         const std::lock_guard lock(mutex); // the quick code goes on
+        optimising = nullptr;
+        if (done || progress->isCancelled()) return;
         shared.refusals.push_back("the program could not be optimised: " + done.error().text());
     });
 }
@@ -51,6 +58,7 @@ Session::~Session() {
     m->wakeUp.signal();
     if (m->thread.joinable()) m->thread.join();
     m->isQueueing.store(false);
+    if (const auto work = optimising()) work->cancel();
     m->worker.reset();
     if (m->lastRetainScan != m->controller.nextScan() && !m->settings.retainFile.empty()) (void)saveRetained();
 }
@@ -251,6 +259,11 @@ std::vector<controller::Event> Session::eventsSince(size_t index) const {
 std::vector<std::string> Session::takeRefusals() {
     const std::lock_guard lock(m->mutex);
     return std::exchange(m->shared.refusals, {});
+}
+
+std::shared_ptr<Progress> Session::optimising() const {
+    const std::lock_guard lock(m->mutex);
+    return m->optimising;
 }
 
 void Session::latest(Snapshot& into) const {

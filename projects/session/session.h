@@ -109,6 +109,8 @@ public:
     [[nodiscard]] std::vector<controller::Event> eventsSince(size_t index) const;
     /// Refusals of posted commands (unknown path, wrong type, forced): text per command, oldest first, taken once.
     [[nodiscard]] std::vector<std::string> takeRefusals();
+    /// The work on the optimised code, while it goes on; cancelled, the quick code stays. Else null.
+    [[nodiscard]] std::shared_ptr<Progress> optimising() const;
     /// Newest finished image (a copy of the published snapshot); at a breakpoint the image as it is now.
     [[nodiscard]] std::vector<std::byte> snapshot(uint64_t* scan = nullptr) const;
     /// The same with all that belongs to it; `into` keeps its memory from call to call.

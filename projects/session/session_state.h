@@ -61,6 +61,7 @@ struct Session::State final : controller::ScanObserver {
     };
     mutable std::mutex mutex;
     Shared shared;
+    std::shared_ptr<Progress> optimising; // behind the mutex; null between jobs
 
     // --- the scan thread
     controller::Controller controller;

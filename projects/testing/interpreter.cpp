@@ -237,6 +237,7 @@ Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
 }
 
 bool Interpreter::oneScan(const Stmt& at) {
+    if (isCancelled(m_watched)) return false;
     controller::Controller& controller = m_session.controller();
     controller.scan();
     const bool wasFault = controller.state() == controller::State::Fault;

@@ -12,6 +12,8 @@ public:
     Interpreter(const projects::Project& project, const TestProgram& program, const PlannedTest& test,
                 const driver::Built& built, session::Session& session);
     void run(TestResult& result);
+    /// Ends the test at the next scan once that is cancelled; null: never.
+    void cancelWith(const Progress* watched) { m_watched = watched; }
 
 private:
     enum class Flow : uint8_t { Next, Exit, Continue, Stop };
@@ -45,6 +47,7 @@ private:
     const PlannedTest& m_test;
     const driver::Built& m_built;
     session::Session& m_session;
+    const Progress* m_watched = nullptr;
     TestResult* m_result = nullptr;
     std::vector<std::vector<std::byte>> m_images; // of this test's scans, only while a COMPARE needs them
     uint64_t m_loopPasses = 0;

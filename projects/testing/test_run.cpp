@@ -85,17 +85,22 @@ Result<Report> runTests(const projects::Project& project, const Options& options
         renderDiagnostics(program, nullptr, options.colours, report);
         return report;
     }
-    const driver::Built built = driver::build(program.input());
+    const driver::Built built = driver::build(program.input(), options.watched);
+    if (built.isCancelled) return report;
     report.buildMs = built.checkMs + built.codeMs;
     renderDiagnostics(program, &built.checked, options.colours, report);
     if (report.hasErrors) return report;
     if (!built.program)
         return Error{built.failure.empty() ? "There is no program to test" : built.failure, project.name};
     if (!options.coverage)
-        if (auto optimised = driver::optimise(built); !optimised) return optimised.error();
+        if (auto optimised = driver::optimise(built, options.watched); !optimised && !isCancelled(options.watched))
+            return optimised.error();
+    if (isCancelled(options.watched)) return report;
+    double begun = 0;
 
     Coverage coverage(*built.program);
     for (const PlannedTest& test : program.tests()) {
+        if (!goesOn(options.watched, begun++ / static_cast<double>(program.tests().size()))) break;
         if (!isWanted(test.title, options.filter)) continue;
         const auto begin = std::chrono::steady_clock::now();
         session::Session session(built, {});
@@ -105,7 +110,9 @@ Result<Report> runTests(const projects::Project& project, const Options& options
         result.file = program.testSources()[FileId(test.fileIndex)].path();
         result.line = program.testSources()[FileId(test.fileIndex)].lineColumn(test.test->titleRange.begin).line;
         Interpreter interpreter(project, program, test, built, session);
+        interpreter.cancelWith(options.watched);
         interpreter.run(result);
+        if (isCancelled(options.watched)) break; // not a whole test
         if (options.coverage) coverage.collect(session.controller());
         if (!result.passed() && !options.recordingFolder.empty()) {
             std::error_code ignored;

@@ -3,6 +3,7 @@
 // scans. Functions; one thread.
 #pragma once
 #include "projects/model/project.h"
+#include "runtime/base/progress.h"
 #include "runtime/base/result.h"
 #include "runtime/controller/controller.h"
 
@@ -57,6 +58,7 @@ struct Options {
     bool coverage = false;
     bool colours = false;
     std::string recordingFolder; // where a failing test leaves its recording; empty = none
+    Progress* watched = nullptr; // cancels between scans; the tests that had ended are reported
     std::function<void(const TestResult&)> progress;
     std::function<void(session::Session&)> finished; // after each test, with the recording of its scans
 };

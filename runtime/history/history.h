@@ -2,6 +2,7 @@
 // Written by the scan thread (as ScanObserver's work, through `append`), read by any thread: readers see all scans
 // finished before they asked.
 #pragma once
+#include "runtime/base/progress.h"
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
 
@@ -118,12 +119,14 @@ public:
                                                      const Recompile& recompile, Position from,
                                                      Direction direction) const;
 
-    /// A recording on disk: sources and libraries to rebuild the program, then the segments. Atomic write.
-    Result<void> save(const std::string& path) const;
+    /// A recording on disk: sources and libraries to rebuild the program, then the segments. Atomic write; cancelled,
+    /// the file is as it was.
+    Result<void> save(const std::string& path, Progress* progress = nullptr) const;
     /// `rebuild` compiles the sources the file holds (the history does not know the compiler).
     using Rebuild = std::function<std::shared_ptr<const image::CompiledProgram>(
         const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries)>;
-    [[nodiscard]] static Result<std::unique_ptr<History>> load(const std::string& path, const Rebuild& rebuild);
+    [[nodiscard]] static Result<std::unique_ptr<History>> load(const std::string& path, const Rebuild& rebuild,
+                                                               Progress* progress = nullptr);
 
 private:
     struct State;

@@ -141,7 +141,8 @@ void collectLog(const Segment& s, uint32_t log, uint32_t count, std::vector<std:
     }
 }
 
-void writeSegment(Writer& out, const Segment& s, uint64_t program) {
+/// False when it was cancelled halfway.
+bool writeSegment(Writer& out, const Segment& s, uint64_t program, const Progress* progress) {
     const uint32_t count = s.count.load(std::memory_order_acquire);
     out.number(program);
     out.number(s.first);
@@ -151,15 +152,17 @@ void writeSegment(Writer& out, const Segment& s, uint64_t program) {
     out.bytes(s.keyframe.get(), size_t(s.blocks) * kBlock);
     std::vector<std::byte> log;
     for (uint32_t i = 0; i <= s.blocks; ++i) {
+        if (isCancelled(progress)) return false;
         collectLog(s, i, count, log);
         out.number(static_cast<uint64_t>(log.size()));
         out.bytes(log.data(), log.size());
     }
+    return true;
 }
 
 } // namespace
 
-Result<void> History::save(const std::string& path) const {
+Result<void> History::save(const std::string& path, Progress* progress) const {
     struct stat known {};
     if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
         return Error{"This is not a file that can be replaced; name another one", path};
@@ -206,16 +209,23 @@ Result<void> History::save(const std::string& path) const {
         out.number(static_cast<int32_t>(mark.kind));
         out.text(mark.text);
     }
-    const uint64_t end = m->endSegment.load();
-    for (uint64_t n = m->firstSegment.load(); n < end; ++n) {
+    const auto cancelled = [&] {
+        ::close(handle);
+        ::unlink(aside.c_str());
+        return Error{"cancelled", path};
+    };
+    const uint64_t begin = m->firstSegment.load(), end = m->endSegment.load();
+    for (uint64_t n = begin; n < end; ++n) {
+        if (!goesOn(progress, static_cast<double>(n - begin) / static_cast<double>(end - begin))) return cancelled();
         const Epochs::Pin pin = m->epochs.pin();
         const Segment* s = m->segment(n);
         if (!s) continue; // evicted meanwhile
         const auto known = std::find_if(origins.begin(), origins.end(),
                                         [&](const ProgramOrigin& o) { return o.program == s->program; });
-        writeSegment(out, *s, static_cast<uint64_t>(known - origins.begin()));
+        if (!writeSegment(out, *s, static_cast<uint64_t>(known - origins.begin()), progress)) return cancelled();
     }
     out.number(~uint64_t(0)); // no more segments
+    if (isCancelled(progress)) return cancelled();
     if (!out.finish() || ::fsync(handle) != 0) return refused(handle);
     if (::close(handle) != 0 || ::rename(aside.c_str(), path.c_str()) != 0) return refused(-1);
     return {};
@@ -254,19 +264,24 @@ bool restoreLog(SegmentWriter& writer, const Segment& s, uint32_t log, uint32_t 
 
 } // namespace
 
-Result<std::unique_ptr<History>> History::load(const std::string& path, const Rebuild& rebuild) {
+Result<std::unique_ptr<History>> History::load(const std::string& path, const Rebuild& rebuild, Progress* progress) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file) return Error{std::string("the recording can not be read: ") + std::strerror(errno), path};
     const auto size = static_cast<uint64_t>(file.tellg());
     file.seekg(0);
-    const Error damaged{"the recording is damaged or not one", path};
+    const Error cancelled{"cancelled", path}, damaged{"the recording is damaged or not one", path};
     Reader in(file);
     char magic[sizeof kMagic];
     if (!in.bytes(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0) return damaged;
     auto history = std::make_unique<History>(std::max<size_t>(size * 4, size_t(256) << 20));
     State& state = *history->m;
     std::vector<std::shared_ptr<const image::CompiledProgram>> programs;
-    for (uint64_t n = in.count(size); n > 0 && in.isGood(); --n) {
+    const uint64_t versions = in.count(size);
+    for (uint64_t n = 0; n < versions && in.isGood(); ++n) {
+        constexpr double kBuilt = 0.6; // of the whole; the rest is reading
+        if (progress)
+            progress->enter(kBuilt * static_cast<double>(n) / static_cast<double>(versions),
+                            kBuilt * static_cast<double>(n + 1) / static_cast<double>(versions));
         const auto print = in.number<uint64_t>();
         ProgramOrigin origin;
         for (uint64_t i = in.count(size); i > 0 && in.isGood(); --i) {
@@ -276,6 +291,7 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         for (uint64_t i = in.count(size); i > 0 && in.isGood(); --i) origin.libraries.push_back(in.text(size));
         if (!in.isGood()) return damaged;
         origin.program = rebuild(origin.sources, origin.libraries);
+        if (isCancelled(progress)) return cancelled;
         if (!origin.program) return Error{"the program of the recording can not be built any more", path};
         if (layoutPrint(origin.program->layout) != print)
             return Error{"this version of the studio lays the program's variables out differently; open the recording "
@@ -297,7 +313,9 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         state.marks.push_back(std::move(mark));
     }
     bool isFirst = true;
+    if (progress) progress->enter(progress->share(), 1);
     for (;;) {
+        if (!goesOn(progress, static_cast<double>(file.tellg()) / static_cast<double>(size))) return cancelled;
         const auto program = in.number<uint64_t>();
         if (!in.isGood()) return damaged;
         if (program == ~uint64_t(0)) break;

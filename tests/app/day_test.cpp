@@ -184,13 +184,5 @@ TEST_F(DayTest, TheNextMorningEverythingIsWhereItWas) {
     EXPECT_EQ(window->watch().expressions(), QStringList{"Main.done"});
 }
 
-TEST_F(DayTest, AnotherLanguageBuildsTheWindowAnewWhereItWas) {
-    answerNext(QMessageBox::Yes);
-    window->restartForLanguage();
-    EXPECT_TRUE(window->wantsRestart());
-    EXPECT_EQ(window->folderToReopen(), folder.path());
-    EXPECT_FALSE(window->isVisible());
-}
-
 } // namespace
 } // namespace plc::app

@@ -1,4 +1,6 @@
-// What takes long shows how far it got and can be cancelled: search and replace in all files, export of samples.
+// What takes long shows how far it got and can be cancelled: search and replace in all files, export of samples, both
+// builds, recordings, the tests.
+#include "app/live_views.h"
 #include "app/search_view.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/plot_export.h"
@@ -9,6 +11,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QTimer>
+#include <QToolButton>
 
 namespace plc::app {
 namespace {
@@ -94,6 +97,124 @@ TEST_F(LongTaskTest, ACancelledExportLeavesTheFileAsItWas) {
     EXPECT_EQ(size(), 6);
     EXPECT_TRUE(save());
     EXPECT_GT(size(), 700'000);
+}
+
+// ------------------------------------------------------------------ the builds
+
+class LongBuildTest : public LongTaskTest {
+protected:
+    /// Enough functions that optimising them takes its time.
+    void SetUp() override {
+        QByteArray text;
+        for (int i = 0; i < 250; ++i) {
+            const QByteArray n = QByteArray::number(i);
+            text += "FUNCTION_BLOCK Block" + n + "\nVAR\n    a : ARRAY[0..20] OF DINT;\n    i, s : DINT;\nEND_VAR\n";
+            for (int line = 0; line < 12; ++line)
+                text += "FOR i := 0 TO 20 DO\n    a[i] := a[i] * 3 + s;\n    s := s + a[20 - i] MOD 7;\nEND_FOR\n";
+            text += "END_FUNCTION_BLOCK\n";
+        }
+        text += "PROGRAM Plant\nVAR\n    scans : DINT;\n";
+        for (int i = 0; i < 250; ++i)
+            text += "    b" + QByteArray::number(i) + " : Block" + QByteArray::number(i) + ";\n";
+        text += "END_VAR\nscans := scans + 1;\nIF scans < 0 THEN\n";
+        for (int i = 0; i < 250; ++i) text += "    b" + QByteArray::number(i) + "();\n";
+        text += "END_IF\nEND_PROGRAM\nCONFIGURATION Cell\nRESOURCE Cpu ON PLC\n"
+                "    TASK T (INTERVAL := T#10ms, PRIORITY := 1);\n    PROGRAM Main WITH T : Main;\n"
+                "    PROGRAM Plant WITH T : Plant;\nEND_RESOURCE\nEND_CONFIGURATION\n";
+        write("src/plant.st", text);
+        LongTaskTest::SetUp();
+    }
+    QToolButton* cancel() { return window->findChild<QToolButton*>("cancelWork"); }
+    bool clickCancelOf(const QString& work) {
+        return waitFor([&] { return cancel()->isVisible() && cancel()->accessibleName().contains(work); }, 30'000) &&
+               (QTest::mouseClick(cancel(), Qt::LeftButton), true);
+    }
+    bool runs() {
+        return waitFor([&] { return window->control().value("Plant.scans").text.toInt() > 5; }, 30'000);
+    }
+};
+
+TEST_F(LongBuildTest, ACancelledBuildMakesNoController) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(clickCancelOf("Building"));
+    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }, 30'000));
+    EXPECT_FALSE(window->control().isOnline());
+    EXPECT_FALSE(cancel()->isVisible());
+    window->action("run.start")->trigger();
+    EXPECT_TRUE(runs()) << "the next build is not cancelled";
+}
+
+TEST_F(LongBuildTest, ACancelledOnlineChangeLeavesTheRunningProgram) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(runs());
+    const auto program = window->control().session()->program();
+    window->workspace().setText("src/main.st", std::string(kMain) + "\n");
+    window->action("run.change")->trigger();
+    ASSERT_TRUE(clickCancelOf("Building"));
+    ASSERT_TRUE(waitFor([&] { return !window->control().isBuilding(); }, 30'000));
+    const auto scans = window->control().status().scans;
+    EXPECT_TRUE(waitFor([&] { return window->control().status().scans > scans + 5; }));
+    EXPECT_EQ(window->control().session()->program(), program);
+    EXPECT_EQ(window->control().status().state, controller::State::Running);
+}
+
+TEST_F(LongBuildTest, CancelledOptimisingLeavesTheQuickCode) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(runs());
+    ASSERT_TRUE(clickCancelOf("Optimising")) << "too fast to be seen";
+    ASSERT_TRUE(waitFor([&] { return window->control().session()->optimising() == nullptr; }, 30'000));
+    EXPECT_EQ(window->control().session()->program()->optimised.load(), nullptr);
+    const auto scans = window->control().status().scans;
+    EXPECT_TRUE(waitFor([&] { return window->control().status().scans > scans + 5; }));
+    EXPECT_TRUE(waitFor([&] { return !cancel()->isVisible(); }));
+}
+
+// ------------------------------------------------------------------ recordings, tests
+
+TEST_F(LongTaskTest, ACancelledRecordingLeavesNoHalfFile) {
+    window->control().setMode({session::Pace::Fastest, 1.0});
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor(
+        [&] {
+            return window->control().session() &&
+                   window->control().session()->history().statistics().bytes > 60'000'000;
+        },
+        30'000));
+    window->action("run.pause")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Paused; }));
+    write("run.rec", "before");
+    const QString path = folder.path() + "/run.rec";
+    cancelAt = 0;
+    clicker.start();
+    const auto cancelled = window->live().saveRecording(path);
+    clicker.stop();
+    ASSERT_TRUE(cancelled);
+    EXPECT_EQ(clicks, 1);
+    EXPECT_FALSE(*cancelled);
+    EXPECT_EQ(QFileInfo(path).size(), 6);
+    EXPECT_FALSE(QFile::exists(path + ".new"));
+    const auto saved = window->live().saveRecording(path);
+    EXPECT_TRUE(saved && *saved);
+    EXPECT_GT(QFileInfo(path).size(), 1'000'000);
+
+    clicker.start();
+    EXPECT_TRUE(window->live().openRecording(path));
+    clicker.stop();
+    EXPECT_EQ(clicks, 2);
+    EXPECT_FALSE(window->control().showsRecorded());
+    EXPECT_TRUE(window->live().openRecording(path));
+    EXPECT_TRUE(window->control().showsRecorded());
+}
+
+TEST_F(LongTaskTest, CancelledTestsEndBetweenTwoScans) {
+    write("tests/long.st", "TEST 'takes an hour'\nRUN 1000000000 SCANS;\nEND_TEST\n");
+    ASSERT_TRUE(window->openProject(folder.path()));
+    window->action("run.tests")->trigger();
+    auto* cancel = window->findChild<QToolButton*>("cancelWork");
+    ASSERT_TRUE(waitFor([&] { return cancel->isVisible(); }));
+    QTest::qWait(300);
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return !cancel->isVisible(); }, 10'000));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Checked tree → LLVM IR (D5). Two tiers: Quick keeps every local in the frame area and stops at sites (debugging,
 // first scan); Optimised inlines and vectorises with all guards on. One module per call; LLVM stays behind this header.
 #pragma once
+#include "runtime/base/progress.h"
 #include "runtime/compiler/tree/tree.h"
 #include "runtime/image/program.h"
 
@@ -26,6 +27,8 @@ struct DebugMap {
 struct Options {
     Tier tier = Tier::Quick;
     bool threadSanitizer = false;
+    Progress* progress = nullptr; // cancels between functions; what was emitted till then is of no use
+    double progressFrom = 0;      // the share of the whole that is done before
 };
 
 /// What both the whole program and every function need to know; made once, shared by the threads that emit parts of it.

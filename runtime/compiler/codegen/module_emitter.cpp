@@ -41,6 +41,7 @@ std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
         if (!isOwn(f) || program.functions[f].isAbstract) continue;
         if (!isQuick() && !facts[f].isReachable) continue;
+        if (isCancelled(options.progress)) return std::move(module);
         FunctionEmitter(*this, f).emit();
     }
     emitEntries();

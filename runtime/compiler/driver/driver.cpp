@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace plc::driver {
 
@@ -100,7 +101,13 @@ std::vector<std::string> libraryNames() {
     return names;
 }
 
-Checked check(const BuildInput& input) {
+namespace {
+
+/// Where a build stands after reading, after checking; the rest is code.
+constexpr double kRead = 0.1, kChecked = 0.3;
+
+/// Nothing when it was cancelled.
+std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress) {
     auto sources = std::make_shared<SourceSet>();
     std::vector<std::string> libraryOf;
     sources->files.reserve(input.files.size() + library::sources().size()); // texts must not move: the trees view them
@@ -117,6 +124,7 @@ Checked check(const BuildInput& input) {
     diagnostics::Sink sink;
     std::vector<std::unique_ptr<syntax::SyntaxFile>> files;
     for (size_t i = 0; i < sources->files.size(); ++i) {
+        if (!goesOn(progress, kRead * static_cast<double>(i) / static_cast<double>(sources->files.size()))) return {};
         const FileId id(i);
         const std::string_view text = (*sources)[id].text();
         auto file = parse::parseFile(id, text, sink);
@@ -130,13 +138,21 @@ Checked check(const BuildInput& input) {
     options.strict = input.strict;
     for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
     checked.analysis = sema::analyze(*sources, std::move(files), sink.take(), options);
+    if (!goesOn(progress, kChecked)) return {};
     return checked;
 }
 
-Built build(const BuildInput& input) {
+} // namespace
+
+Checked check(const BuildInput& input) { return *checkWatched(input, nullptr); }
+
+Built build(const BuildInput& input, Progress* progress) {
     Built built;
     const auto begin = std::chrono::steady_clock::now();
-    built.checked = check(input);
+    std::optional<Checked> checked = checkWatched(input, progress);
+    built.isCancelled = !checked;
+    if (!checked) return built;
+    built.checked = std::move(*checked);
     built.checkMs = millisecondsSince(begin);
     if (built.checked.analysis->hasErrors || !built.checked.analysis->program) return built;
     const auto codeBegin = std::chrono::steady_clock::now();
@@ -144,7 +160,11 @@ Built build(const BuildInput& input) {
     auto debug = std::make_shared<codegen::DebugMap>(codegen::makeDebugMap(tree));
     codegen::Options options;
     options.threadSanitizer = input.threadSanitizer;
+    options.progress = progress;
+    options.progressFrom = kChecked;
     auto code = jit::compile(tree, *debug, options);
+    built.isCancelled = isCancelled(progress);
+    if (built.isCancelled) return built;
     if (!code) {
         built.failure = code.error().text();
         return built;
@@ -158,13 +178,15 @@ Built build(const BuildInput& input) {
     return built;
 }
 
-Result<void> optimise(const Built& built) {
+Result<void> optimise(const Built& built, Progress* progress) {
     if (!built.program) return Error{"There is no program to optimise", ""};
     codegen::Options options;
     options.tier = codegen::Tier::Optimised;
     options.threadSanitizer = built.input->threadSanitizer;
+    options.progress = progress;
     auto code = jit::compile(*built.checked.analysis->program, *built.debug, options);
     if (!code) return code.error();
+    if (isCancelled(progress)) return Error{"cancelled", ""};
     built.program->optimisedOwner = std::move(code.value());
     built.program->optimised.store(built.program->optimisedOwner.get(), std::memory_order_release);
     return {};

@@ -1,6 +1,7 @@
 // Sources → checked, compiled program: the one door to the compiler for command line, studio and tests. Owned by
 // nobody: functions and immutable results. Any thread; one build at a time per call.
 #pragma once
+#include "runtime/base/progress.h"
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/sema/sema.h"
 #include "runtime/expression/expression.h"
@@ -37,15 +38,17 @@ struct Checked {
 struct Built {
     Checked checked;
     std::shared_ptr<image::CompiledProgram> program; // null when there are errors
+    bool isCancelled = false;                        // then nothing else of it counts
     std::string failure;                             // the compiler's own failure (never the user's), else empty
     double checkMs = 0, codeMs = 0;
     std::shared_ptr<const codegen::DebugMap> debug; // both tiers share it
     std::shared_ptr<const BuildInput> input;        // what it was built from (recordings keep it)
 };
-/// Checks and compiles with the quick tier.
-[[nodiscard]] Built build(const BuildInput& input);
-/// Compiles the optimised tier and publishes it in `program`; call from a worker thread.
-[[nodiscard]] Result<void> optimise(const Built& built);
+/// Checks and compiles with the quick tier. `progress` may cancel it between files, functions and parts of the code.
+[[nodiscard]] Built build(const BuildInput& input, Progress* progress = nullptr);
+/// Compiles the optimised tier and publishes it in `program`; call from a worker thread. Cancelled, it is
+/// an error and the program stays as it was.
+[[nodiscard]] Result<void> optimise(const Built& built, Progress* progress = nullptr);
 
 /// Compiles an expression (D7) for images of `checked`'s layout, as seen from instance path `scope` ("" = top).
 /// The error text is the first diagnostic's message.

@@ -14,6 +14,7 @@
 #include <llvm/Target/TargetMachine.h>
 #include <llvm/Transforms/Instrumentation/ThreadSanitizer.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -128,20 +129,51 @@ void instrument(llvm::Module& module, llvm::TargetMachine& machine) {
     all.run(module, modules);
 }
 
-void optimise(llvm::Module& module, llvm::TargetMachine& machine) {
+/// How far the parts of a program have come together; each is several steps.
+class Steps {
+public:
+    Steps(const codegen::Options& options, uint32_t count)
+        : m_progress(options.progress), m_from(options.progressFrom), m_count(count) {}
+    /// So many more steps are done; false when the work is to end.
+    bool done(double steps) {
+        const double all = m_done.fetch_add(steps, std::memory_order_relaxed) + steps;
+        return goesOn(m_progress, m_from + (1 - m_from) * all / m_count);
+    }
+    [[nodiscard]] bool isCancelled() const { return plc::isCancelled(m_progress); }
+
+private:
+    Progress* m_progress;
+    double m_from;
+    uint32_t m_count;
+    std::atomic<double> m_done{0};
+};
+constexpr uint32_t kEmitSteps = 2, kOptimiseSteps = 5, kObjectSteps = 3;
+
+/// Cancelled, the passes that are left do nothing.
+void optimise(llvm::Module& module, llvm::TargetMachine& machine, Steps& steps) {
+    constexpr double kLooksPerFunction = 8; // of the pass that the pipeline asks most often
+    const auto functions = static_cast<double>(std::max<size_t>(1, module.size()));
+    double looks = 0;
+    llvm::PassInstrumentationCallbacks callbacks;
+    callbacks.registerShouldRunOptionalPassCallback(
+        [&steps](llvm::StringRef, const llvm::Any&) { return !steps.isCancelled(); });
+    callbacks.registerAfterPassCallback([&](llvm::StringRef pass, const llvm::Any&, const llvm::PreservedAnalyses&) {
+        if (pass != "InstCombinePass" || ++looks > kLooksPerFunction * functions) return;
+        (void)steps.done(kOptimiseSteps / (kLooksPerFunction * functions));
+    });
     llvm::PipelineTuningOptions tuning;
     tuning.LoopVectorization = true;
     tuning.SLPVectorization = true;
-    llvm::PassBuilder builder(&machine, tuning);
+    llvm::PassBuilder builder(&machine, tuning, std::nullopt, &callbacks);
     llvm::LoopAnalysisManager loops;
-    llvm::FunctionAnalysisManager functions;
+    llvm::FunctionAnalysisManager ofFunctions;
     llvm::CGSCCAnalysisManager sccs;
     llvm::ModuleAnalysisManager modules;
     builder.registerModuleAnalyses(modules);
     builder.registerCGSCCAnalyses(sccs);
-    builder.registerFunctionAnalyses(functions);
+    builder.registerFunctionAnalyses(ofFunctions);
     builder.registerLoopAnalyses(loops);
-    builder.crossRegisterProxies(loops, functions, sccs, modules);
+    builder.crossRegisterProxies(loops, ofFunctions, sccs, modules);
     llvm::ModulePassManager passes = builder.buildPerModuleDefaultPipeline(llvm::OptimizationLevel::O2);
     passes.run(module, modules);
 }
@@ -183,7 +215,8 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
 
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
 Result<Object> compilePart(const tree::Program& program, const codegen::ProgramFacts& facts,
-                           const codegen::Options& options, codegen::Part part) {
+                           const codegen::Options& options, codegen::Part part, Steps& steps) {
+    const Error cancelled{"cancelled", ""};
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto builder = machineFor(isQuick);
     if (!builder) return failed(builder.takeError());
@@ -192,6 +225,7 @@ Result<Object> compilePart(const tree::Program& program, const codegen::ProgramF
     llvm::LLVMContext context;
     context.setDiscardValueNames(isQuick);
     const std::unique_ptr<llvm::Module> module = codegen::emitModule(context, program, facts, options, part);
+    if (!steps.done(kEmitSteps)) return cancelled;
     module->setDataLayout((*machine)->createDataLayout());
     module->setTargetTriple((*machine)->getTargetTriple().str());
     dump(*module, isQuick ? "quick" + std::to_string(part.index) : "plain");
@@ -204,11 +238,13 @@ Result<Object> compilePart(const tree::Program& program, const codegen::ProgramF
     if (options.threadSanitizer) instrument(*module, **machine);
     const bool marks = marksWrites(program.layout);
     if (!isQuick && marks) keepImageArguments(*module);
-    if (!isQuick) optimise(*module, **machine);
+    if (!isQuick) optimise(*module, **machine, steps);
+    if (steps.isCancelled()) return cancelled;
     if (marks) markWrites(*module, program.layout.imageSize);
     if (!isQuick) dump(*module, "optimised");
     auto object = llvm::orc::SimpleCompiler(**machine)(*module);
     if (!object) return failed(object.takeError());
+    (void)steps.done(kObjectSteps);
     return std::move(*object);
 }
 
@@ -224,11 +260,13 @@ uint32_t partsFor(const tree::Program& program, const codegen::Options& options)
 std::vector<Result<Object>> compileParts(const tree::Program& program, const codegen::ProgramFacts& facts,
                                          const codegen::Options& options, uint32_t count) {
     std::vector<Result<Object>> objects;
+    const bool isQuick = options.tier == codegen::Tier::Quick;
+    Steps steps(options, count * (kEmitSteps + (isQuick ? 0 : kOptimiseSteps) + kObjectSteps));
     for (uint32_t i = 0; i < count; ++i) objects.push_back(Error{"not compiled", ""});
     std::vector<std::thread> threads;
     for (uint32_t i = 1; i < count; ++i)
-        threads.emplace_back([&, i] { objects[i] = compilePart(program, facts, options, {i, count}); });
-    objects[0] = compilePart(program, facts, options, {0, count});
+        threads.emplace_back([&, i] { objects[i] = compilePart(program, facts, options, {i, count}, steps); });
+    objects[0] = compilePart(program, facts, options, {0, count}, steps);
     for (std::thread& thread : threads) thread.join();
     return objects;
 }

@@ -83,7 +83,7 @@ public:
         return seek(from, direction, [&](Position p) { return p > oldest && value(scans[p]) != value(scans[p - 1]); });
     }
     std::shared_ptr<const image::CompiledProgram> program() const override { return nullptr; }
-    plc::Result<void> save(const std::string& path) const override { return Error{"nothing to save", path}; }
+    plc::Result<void> save(const std::string& path, Progress*) const override { return Error{"nothing to save", path}; }
 
 private:
     bool truth(const std::string& text, Position p) const { return channels.at(text).value(scans[p]).value_or(0) != 0; }
