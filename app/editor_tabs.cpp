@@ -126,8 +126,14 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
             });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
         if (StPage* page = pageOf(file)) {
+            const editor::LineMap map(page->first().utf8(), m_workspace.text(file));
+            std::map<int, int> moved;
+            for (const editor::EditorBreakpoint& b : m_control.breakpoints())
+                if (b.file == file) moved[b.line] = map.nearest(b.line);
             page->first().takeText(m_workspace.text(file)); // undo leads back to what was here
             for (StEditor* each : page->editors()) each->setSavedText(m_workspace.savedText(file));
+            m_control.moveBreakpoints(file, moved);
+            showBreakpoints();
         }
     });
     connect(&workspace, &editor::Workspace::modificationChanged, this, &EditorTabs::markModified);
@@ -259,6 +265,8 @@ void EditorTabs::connectEditor(StEditor* editor) {
     });
     connect(editor, &StEditor::edited, this, [this, editor](const QString& file) {
         if (!m_isApplying) m_workspace.setText(file, editor->utf8());
+        if (const std::map<int, int> moved = editor->movedBreakpoints(); !moved.empty())
+            m_control.moveBreakpoints(file, moved);
     });
     editor->setUndo([this] { undo(); }, [this] { redo(); });
     connect(editor, &StEditor::projectEditsRequested, this, [this](const std::vector<analysis::FileEdits>& edits) {
@@ -592,7 +600,7 @@ void EditorTabs::showBreakpoints() {
         for (const editor::EditorBreakpoint& b : m_control.breakpoints()) {
             if (b.file != editor->file()) continue;
             lines.insert(b.line);
-            if (!b.isEnabled) disabled.insert(b.line);
+            if (!b.isEnabled || !b.hasCode) disabled.insert(b.line);
         }
         editor->setBreakpoints(lines, disabled);
         if (StPage* page = pageOf(editor->file()); page && page->chart())
@@ -603,14 +611,11 @@ void EditorTabs::showBreakpoints() {
 void EditorTabs::showExecutedLine() {
     QString file;
     int line = 0;
-    uint32_t offset = 0;
     if (m_control.session() && m_control.status().state == controller::State::Halted) {
         const auto frames = m_control.session()->haltFrames();
-        if (!frames.empty() && frames.front().range.file.isValid()) {
-            const SourceText& source = m_control.session()->program()->sources[frames.front().range.file];
-            file = QString::fromStdString(source.path());
-            offset = frames.front().range.begin;
-            line = static_cast<int>(source.lineColumn(offset).line);
+        if (const auto place = frames.empty() ? std::nullopt : m_control.placeInText(frames.front().range)) {
+            file = place->file;
+            line = place->line;
         }
     }
     static const char* const kShown = "executedPlace";

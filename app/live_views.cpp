@@ -290,16 +290,18 @@ void LiveViews::recordingShown() {
 
 /// The panel shows what everything else shows: the controller, or the recording from a file.
 void LiveViews::showInPanel() {
+    std::optional<hmi::PanelRecording> shown;
+    if (const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording()))
+        shown =
+            hmi::PanelRecording{&opened->history(), opened->program(),
+                                [file = opened.get()](const std::string& text, const image::CompiledProgram& program) {
+                                    return file->expression(text, {}, program);
+                                },
+                                opened};
+    if (m_design) m_design->setRecording(shown);
     if (!m_player) return;
-    const auto opened = std::dynamic_pointer_cast<const trace::FileRecording>(m_trace->openedRecording());
-    if (!opened) return m_player->setRecording(std::nullopt);
-    m_player->setRecording(
-        hmi::PanelRecording{&opened->history(), opened->program(),
-                            [file = opened.get()](const std::string& text, const image::CompiledProgram& program) {
-                                return file->expression(text, {}, program);
-                            },
-                            opened});
-    m_player->setPosition(m_control.viewed());
+    m_player->setRecording(shown);
+    if (shown) m_player->setPosition(m_control.viewed());
 }
 
 Result<void> LiveViews::openRecording(const QString& path) { return m_trace->openRecording(path); }
@@ -311,6 +313,7 @@ void LiveViews::viewedChanged() {
     m_slider->setPosition(viewed);
     m_trace->showPosition(viewed);
     if (m_player) m_player->setPosition(viewed);
+    if (m_design) m_design->setPosition(viewed);
 }
 
 Result<void> LiveViews::addPanel(const QString& name) {

@@ -194,6 +194,7 @@ void MainWindow::makeActions() {
         QAction* toggle = each->toggleViewAction();
         toggle->setObjectName("dock." + each->objectName());
         toggle->setIcon(each->windowIcon());
+        toggle->setShortcut(m_settings.shortcut(toggle->objectName(), {}));
         view->addAction(toggle);
         m_actions << toggle;
     }
@@ -230,6 +231,7 @@ void MainWindow::makeStatusLine() {
     };
     m_faultButton = new QToolButton(this);
     m_faultButton->setAutoRaise(true);
+    m_faultButton->setAccessibleName(tr("Fault of the controller"));
     m_faultButton->setIcon(kit::icon(kit::Icon::Error));
     m_faultButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_faultButton->hide();
@@ -351,6 +353,7 @@ void MainWindow::connectParts() {
         if (now == m_shownState && now == controller::State::Running && m_sinceStatus.isValid() &&
             m_sinceStatus.elapsed() < 150)
             return;
+        if (now != m_shownState && now == controller::State::Fault) showDock("callPath");
         m_shownState = now;
         m_sinceStatus.start();
         updateStatus();
@@ -371,9 +374,9 @@ void MainWindow::connectParts() {
     connect(m_control, &editor::RunControl::halted, this, [this] { showDock("callPath"); });
     connect(m_faultButton, &QToolButton::clicked, this, [this] {
         const auto& fault = m_control->status().fault;
-        if (!fault || !fault->range.file.isValid() || !m_control->session()) return;
-        m_tabs->goTo(QString::fromStdString(m_control->session()->program()->sources[fault->range.file].path()),
-                     fault->range.begin, fault->range.length());
+        const auto& shown = fault ? fault : m_control->status().simulationFault;
+        if (const auto place = shown ? m_control->placeInText(shown->range) : std::nullopt)
+            m_tabs->goTo(place->file, place->offset, place->length);
     });
     connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
     connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
@@ -403,7 +406,9 @@ void MainWindow::updateStatus() {
     if (online) {
         switch (status.state) {
         case State::Running:
-            state = tr("RUN"), ground = c.good, ink = c.base;
+            state = m_control->mode().pace == session::Pace::Real ? tr("RUN")
+                                                                  : tr("RUN %1").arg(speedText(m_control->mode()));
+            ground = c.good, ink = c.base;
             break;
         case State::Paused:
             state = tr("PAUSE"), ground = c.warning, ink = c.base;
@@ -456,8 +461,10 @@ void MainWindow::updateStatus() {
     m_problemButton->setText(errors || warnings ? QString("%1 / %2").arg(errors).arg(warnings) : tr("no problems"));
     if (QAction* live = action("time.live")) live->setEnabled(past || recorded);
     if (QAction* resume = action("time.resume")) resume->setEnabled(past && !recorded);
-    for (const char* id : {"run.stepIn", "run.stepOver", "run.stepOut"})
-        if (QAction* each = action(id)) each->setEnabled(online && status.state == State::Halted);
+    const bool open = m_workspace->isOpen();
+    for (const char* id : {"run.stepIn", "run.stepOver", "run.toCursor"}) // where nothing runs yet they start it
+        if (QAction* each = action(id)) each->setEnabled(open && status.state != State::Fault);
+    if (QAction* out = action("run.stepOut")) out->setEnabled(online && status.state == State::Halted);
     for (const char* id : {"run.pause", "run.stop", "run.change"})
         if (QAction* each = action(id)) each->setEnabled(m_control->isRunning());
     for (const char* id : {"time.back", "time.forward"})

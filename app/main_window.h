@@ -111,6 +111,7 @@ public:
     void openPalette();
     void resetLayout();
     void setSpeed();
+    [[nodiscard]] static QString speedText(session::RunMode mode); // "10 ×"
     void setHistoryBudget();
     void saveRecording();
     void newPanel();

@@ -22,6 +22,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QInputDialog>
+#include <QLocale>
 #include <QMessageBox>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -282,19 +283,40 @@ void MainWindow::openSettings() {
     if (dialog.languageChanged()) changeLanguage();
 }
 
+QString MainWindow::speedText(session::RunMode mode) {
+    if (mode.pace == session::Pace::Fastest) return tr("at full speed");
+    return tr("%1 ×").arg(QLocale().toString(mode.pace == session::Pace::Real ? 1.0 : mode.factor, 'g', 6));
+}
+
 void MainWindow::setSpeed() {
-    const QStringList choices{tr("Real time"), tr("2 ×"), tr("10 ×"), tr("100 ×"), tr("As fast as possible")};
+    std::vector<session::RunMode> modes;
+    for (const double factor : {0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0})
+        modes.push_back({factor == 1.0 ? session::Pace::Real : session::Pace::Factor, factor});
+    modes.push_back({session::Pace::Fastest, 1.0});
+    QStringList choices;
+    for (const session::RunMode& mode : modes)
+        choices << (mode.pace == session::Pace::Real      ? tr("Real time")
+                    : mode.pace == session::Pace::Fastest ? tr("As fast as possible")
+                                                          : speedText(mode));
+    const session::RunMode now = m_control->mode();
+    const auto present = std::find_if(modes.begin(), modes.end(), [&](const session::RunMode& each) {
+        return each.pace == now.pace && (each.pace != session::Pace::Factor || each.factor == now.factor);
+    });
+    if (present == modes.end()) choices << speedText(now);
     bool ok = false;
     const QString chosen =
-        QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller:"), choices, 0, false, &ok);
+        QInputDialog::getItem(this, tr("Speed"), tr("Speed of the controller; any factor can be typed:"), choices,
+                              static_cast<int>(present - modes.begin()), true, &ok)
+            .trimmed();
     if (!ok) return;
-    const int index = static_cast<int>(choices.indexOf(chosen));
-    if (index == 0)
-        m_control->setMode({session::Pace::Real, 1.0});
-    else if (index == 4)
-        m_control->setMode({session::Pace::Fastest, 1.0});
-    else
-        m_control->setMode({session::Pace::Factor, index == 1 ? 2.0 : index == 2 ? 10.0 : 100.0});
+    if (const auto index = choices.indexOf(chosen); index >= 0 && index < static_cast<int>(modes.size()))
+        return m_control->setMode(modes[static_cast<size_t>(index)]);
+    const QString number = QString(chosen).remove(QChar(0xD7)).remove('x').replace(',', '.').trimmed();
+    bool isNumber = false;
+    const double factor = number.toDouble(&isNumber);
+    if (!isNumber || !(factor >= 0.001 && factor <= 10'000))
+        return say(tr("The speed is a factor from 0.001 to 10000"), true);
+    m_control->setMode({factor == 1.0 ? session::Pace::Real : session::Pace::Factor, factor});
 }
 
 void MainWindow::setHistoryBudget() {

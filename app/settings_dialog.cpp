@@ -1,5 +1,7 @@
 #include "app/settings_dialog.h"
 
+#include "app/main_window.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -8,7 +10,7 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMap>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
@@ -101,32 +103,68 @@ QWidget* SettingsDialog::makeShortcuts() {
         m_shortcuts->setItem(row, 0, item);
         auto* edit = new QKeySequenceEdit(m_actions[row]->shortcut(), m_shortcuts);
         m_shortcuts->setCellWidget(row, 1, edit);
-        connect(edit, &QKeySequenceEdit::keySequenceChanged, this, &SettingsDialog::markConflicts);
+        edit->setAccessibleName(tr("Shortcut of %1").arg(m_actions[row]->text()));
+        connect(edit, &QKeySequenceEdit::keySequenceChanged, this, [this, row] {
+            m_edited.removeAll(row);
+            m_edited << row;
+            markConflicts();
+        });
     }
     connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
         for (int row = 0; row < m_shortcuts->rowCount(); ++row)
             m_shortcuts->setRowHidden(row, !m_shortcuts->item(row, 0)->text().contains(text, Qt::CaseInsensitive));
     });
+    filter->setAccessibleName(tr("Filter of the actions"));
+    m_conflict = new QLabel(page);
+    m_conflict->setWordWrap(true);
+    m_conflict->hide();
+    auto* defaults = new QPushButton(tr("All Defaults"), page);
+    connect(defaults, &QPushButton::clicked, this, [this] {
+        for (int row = 0; row < m_actions.size(); ++row) keysOf(row)->setKeySequence(defaultOf(m_actions[row]));
+    });
     auto* layout = new QVBoxLayout(page);
     layout->addWidget(filter);
     layout->addWidget(m_shortcuts);
+    layout->addWidget(m_conflict);
+    layout->addWidget(defaults, 0, Qt::AlignLeft);
     return page;
 }
 
+QKeySequenceEdit* SettingsDialog::keysOf(int row) const {
+    return static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1));
+}
+
+QKeySequence SettingsDialog::defaultOf(const QAction* action) {
+    for (const ActionSpec& spec : actionTable())
+        if (action->objectName() == QLatin1String(spec.id))
+            return {QString::fromLatin1(spec.shortcut), QKeySequence::PortableText};
+    return {};
+}
+
+/// Which row gives its shortcut up, for one that was edited later or at all; -1 = keeps it.
+int SettingsDialog::takenBy(int row) const {
+    const QKeySequence keys = keysOf(row)->keySequence();
+    if (keys.isEmpty()) return -1;
+    int winner = row;
+    for (int other = 0; other < m_shortcuts->rowCount(); ++other)
+        if (keysOf(other)->keySequence() == keys && m_edited.lastIndexOf(other) > m_edited.lastIndexOf(winner))
+            winner = other;
+    return winner == row ? -1 : winner;
+}
+
 void SettingsDialog::markConflicts() {
-    QMap<QString, int> uses;
-    const auto keys = [&](int row) {
-        return static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1))
-            ->keySequence()
-            .toString(QKeySequence::PortableText);
-    };
-    for (int row = 0; row < m_shortcuts->rowCount(); ++row)
-        if (!keys(row).isEmpty()) ++uses[keys(row)];
+    QStringList lost;
     for (int row = 0; row < m_shortcuts->rowCount(); ++row) {
-        const bool clash = uses.value(keys(row)) > 1;
-        m_shortcuts->item(row, 0)->setForeground(clash ? kit::colors().bad : kit::colors().text);
-        m_shortcuts->item(row, 0)->setToolTip(clash ? tr("Another action has the same shortcut") : QString());
+        const int winner = takenBy(row);
+        const auto name = [&](int which) { return m_shortcuts->item(which, 0)->text(); };
+        m_shortcuts->item(row, 0)->setForeground(winner >= 0 ? kit::colors().bad : kit::colors().text);
+        m_shortcuts->item(row, 0)->setToolTip(winner >= 0 ? tr("Another action has the same shortcut") : QString());
+        if (winner >= 0)
+            lost << tr("%1 now belongs to “%2”; “%3” loses it.")
+                        .arg(keysOf(row)->keySequence().toString(QKeySequence::NativeText), name(winner), name(row));
     }
+    m_conflict->setText(lost.join('\n'));
+    m_conflict->setVisible(!lost.isEmpty());
 }
 
 void SettingsDialog::accept() {
@@ -143,9 +181,12 @@ void SettingsDialog::accept() {
     m_settings.setChangeOnSave(m_changeOnSave->isChecked());
     m_settings.setHistoryMegabytes(m_history->value());
     for (int row = 0; row < m_actions.size(); ++row) {
-        const QKeySequence keys = static_cast<QKeySequenceEdit*>(m_shortcuts->cellWidget(row, 1))->keySequence();
+        const QKeySequence keys = takenBy(row) >= 0 ? QKeySequence() : keysOf(row)->keySequence();
         if (keys == m_actions[row]->shortcut()) continue;
         m_actions[row]->setShortcut(keys);
+        m_actions[row]->setToolTip(
+            keys.isEmpty() ? m_actions[row]->text()
+                           : QString("%1 (%2)").arg(m_actions[row]->text(), keys.toString(QKeySequence::NativeText)));
         m_settings.setShortcut(m_actions[row]->objectName(), keys);
     }
     QDialog::accept();

@@ -7,6 +7,8 @@
 
 class QCheckBox;
 class QComboBox;
+class QKeySequenceEdit;
+class QLabel;
 class QSpinBox;
 class QTableWidget;
 
@@ -25,6 +27,9 @@ private:
     QWidget* makeRun();
     QWidget* makeShortcuts();
     void markConflicts();
+    [[nodiscard]] QKeySequenceEdit* keysOf(int row) const;
+    [[nodiscard]] static QKeySequence defaultOf(const QAction* action);
+    [[nodiscard]] int takenBy(int row) const;
 
     Settings& m_settings;
     QList<QAction*> m_actions;
@@ -32,6 +37,8 @@ private:
     QSpinBox *m_indent, *m_history;
     QCheckBox *m_upperCase, *m_autoClose, *m_formatOnSave, *m_changeOnSave, *m_values;
     QTableWidget* m_shortcuts;
+    QLabel* m_conflict;
+    QList<int> m_edited; // rows, the last one wins a shortcut
     bool m_languageChanged = false;
 };
 

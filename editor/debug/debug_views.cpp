@@ -4,9 +4,14 @@
 #include "editor/kit/theme.h"
 #include "editor/trace/trace_plot.h"
 
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QTime>
 #include <QToolBar>
@@ -88,9 +93,46 @@ void ForceView::refresh() {
 
 // ------------------------------------------------------------------ call path
 
+namespace {
+
+constexpr int kPartsShown = 500;
+
+/// A value with its parts below it; rows that are there keep their unfolding.
+void fillValue(QTreeWidgetItem* item, const types::TypeTable& types, const QString& name, const types::Value& value) {
+    const QString shown = text(types::toText(types, value)).left(300);
+    if (item->text(0) != name) item->setText(0, name);
+    if (item->text(1) != shown) item->setText(1, shown);
+    const auto* parts = std::get_if<std::vector<types::Value>>(&value.data);
+    const types::Type* type = parts ? &types[value.type] : nullptr;
+    int row = 0;
+    const auto part = [&](const QString& label, const types::Value& each) {
+        fillValue(row < item->childCount() ? item->child(row) : new QTreeWidgetItem(item), types, label, each);
+        ++row;
+    };
+    if (parts && type->kind == types::TypeKind::Array) {
+        std::vector<int64_t> index;
+        for (const types::Dimension& d : type->dimensions) index.push_back(d.low);
+        for (size_t i = 0; i < parts->size() && row < kPartsShown; ++i) {
+            QStringList at;
+            for (const int64_t each : index) at << QString::number(each);
+            part("[" + at.join(", ") + "]", (*parts)[i]);
+            size_t d = index.size();
+            while (d > 0 && ++index[d - 1] > type->dimensions[d - 1].high)
+                index[d - 1] = type->dimensions[d - 1].low, --d;
+        }
+    } else if (parts) {
+        for (size_t i = 0; i < parts->size() && i < type->fields.size() && row < kPartsShown; ++i)
+            if (!type->fields[i].isPrivate) part(text(type->fields[i].name), (*parts)[i]);
+    }
+    while (item->childCount() > row) delete item->child(row);
+}
+
+} // namespace
+
 CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
     m_frames = makeTree(this, {tr("Unit"), tr("Instance"), tr("Line")}, tr("Call path"));
     m_values = makeTree(this, {tr("Variable"), tr("Value")}, tr("Values of the frame"));
+    m_values->setRootIsDecorated(true);
     auto* splitter = new QSplitter(this);
     splitter->addWidget(m_frames);
     splitter->addWidget(m_values);
@@ -98,40 +140,49 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
         m_frames->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents); // the line in sight
     stack(this, {splitter});
     connect(&control, &RunControl::halted, this, &CallPathView::refresh);
+    connect(&control, &RunControl::sessionChanged, this, &CallPathView::refresh);
     connect(&control, &RunControl::statusChanged, this, [this] {
-        if (m_control.status().state != controller::State::Halted &&
-            m_control.status().state != controller::State::Fault)
-            refresh();
-        else if (m_control.status().state == controller::State::Fault && m_frames->topLevelItemCount() == 0)
-            refresh();
+        const controller::State now = m_control.status().state;
+        if (std::exchange(m_shownState, now) != now && now != controller::State::Halted) refresh();
     });
-    connect(m_frames, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        m_values->clear();
-        if (!item || !m_control.session()) return;
-        const auto frame = static_cast<size_t>(item->data(0, Qt::UserRole).toInt());
-        if (m_control.status().state == controller::State::Halted)
-            for (const auto& [name, value] : m_control.session()->frameVariables(frame))
-                new QTreeWidgetItem(
-                    m_values, {text(name), text(types::toText(*m_control.session()->program()->layout.types, value))});
+    connect(&control, &RunControl::refreshed, this, [this] { // written meanwhile
+        if (isVisible() && m_control.status().state == controller::State::Halted) showValues();
     });
-    connect(m_frames, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-        emit placeRequested(item->data(1, Qt::UserRole).toString(), item->data(2, Qt::UserRole).toUInt());
-    });
+    connect(m_frames, &QTreeWidget::currentItemChanged, this, &CallPathView::showValues);
+    const auto go = [this](QTreeWidgetItem* item) {
+        if (const auto place = m_control.placeInText(m_ranges[static_cast<size_t>(frameOf(item))]))
+            emit placeRequested(place->file, place->offset);
+    };
+    connect(m_frames, &QTreeWidget::itemActivated, this, go);
+    connect(m_frames, &QTreeWidget::itemClicked, this, go);
+}
+
+int CallPathView::frameOf(QTreeWidgetItem* item) const { return m_frames->indexOfTopLevelItem(item); }
+
+void CallPathView::showValues() {
+    QTreeWidgetItem* current = m_frames->currentItem();
+    const auto variables = current && m_control.session()
+                               ? m_control.session()->frameVariables(static_cast<size_t>(frameOf(current)))
+                               : std::vector<std::pair<std::string, types::Value>>();
+    while (m_values->topLevelItemCount() > static_cast<int>(variables.size()))
+        delete m_values->topLevelItem(m_values->topLevelItemCount() - 1);
+    if (variables.empty()) return;
+    const auto program = m_control.session()->program();
+    for (size_t i = 0; i < variables.size(); ++i)
+        fillValue(static_cast<int>(i) < m_values->topLevelItemCount() ? m_values->topLevelItem(static_cast<int>(i))
+                                                                      : new QTreeWidgetItem(m_values),
+                  *program->layout.types, text(variables[i].first), variables[i].second);
 }
 
 void CallPathView::refresh() {
     m_frames->clear();
-    m_values->clear();
-    if (!m_control.session()) return;
-    const auto program = m_control.session()->program();
+    m_ranges.clear();
+    if (!m_control.session() || m_control.isEnding()) return showValues();
     const auto add = [&](const std::string& function, const std::string& instance, SourceRange range) {
         auto* item = new QTreeWidgetItem(m_frames, {text(function), text(instance)});
-        item->setData(0, Qt::UserRole, m_frames->topLevelItemCount() - 1);
-        if (!range.file.isValid()) return;
-        const SourceText& file = program->sources[range.file];
-        item->setText(2, QString("%1:%2").arg(text(file.path())).arg(file.lineColumn(range.begin).line));
-        item->setData(1, Qt::UserRole, text(file.path()));
-        item->setData(2, Qt::UserRole, range.begin);
+        m_ranges.push_back(range);
+        if (const auto place = m_control.placeInText(range))
+            item->setText(2, QString("%1:%2").arg(place->file).arg(place->line));
     };
     if (m_control.status().state == controller::State::Halted)
         for (const session::HaltFrame& frame : m_control.session()->haltFrames())
@@ -140,6 +191,7 @@ void CallPathView::refresh() {
         for (const controller::FaultFrame& frame : m_control.status().fault->calls)
             add(frame.function, frame.instance, frame.range);
     if (m_frames->topLevelItemCount()) m_frames->setCurrentItem(m_frames->topLevelItem(0));
+    showValues();
 }
 
 // ------------------------------------------------------------------ breakpoints
@@ -178,6 +230,10 @@ void BreakpointView::reload() {
             new QTreeWidgetItem(m_tree, {QString("%1:%2").arg(each.file).arg(each.line), each.condition,
                                          each.hitCount ? QString::number(each.hitCount) : QString(), each.instance});
         item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+        if (!each.hasCode) {
+            item->setForeground(0, kit::colors().muted);
+            item->setToolTip(0, tr("The program that runs has no code at this line or below it"));
+        }
         item->setCheckState(0, each.isEnabled ? Qt::Checked : Qt::Unchecked);
         item->setData(0, Qt::UserRole, each.file);
         item->setData(1, Qt::UserRole, each.line);
@@ -303,24 +359,84 @@ void TaskMonitor::refresh() {
 
 // ------------------------------------------------------------------ log
 
+namespace {
+constexpr int kProblemRole = Qt::UserRole;
+constexpr int kMostEvents = 5000;
+} // namespace
+
 EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_control(control) {
     QToolBar* bar = makeBar(this);
     m_tree = makeTree(this, {tr("Time"), tr("PLC time"), tr("Scan"), tr("Event")}, tr("Events"));
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setColumnWidth(0, 80);
     m_tree->setColumnWidth(1, 110);
     m_tree->setColumnWidth(2, 80);
     connect(bar->addAction(kit::icon(kit::Icon::Clear), tr("Clear")), &QAction::triggered, m_tree, &QTreeWidget::clear);
+    QAction* copyRows = bar->addAction(kit::icon(kit::Icon::Copy), tr("Copy the selected rows, else all"));
+    connect(copyRows, &QAction::triggered, this, &EventLog::copy);
+    auto* copyKey = new QAction(kit::icon(kit::Icon::Copy), tr("Copy"), m_tree);
+    copyKey->setShortcut(QKeySequence::Copy);
+    copyKey->setShortcutContext(Qt::WidgetShortcut);
+    connect(copyKey, &QAction::triggered, this, &EventLog::copy);
+    m_tree->addAction(copyKey);
+    m_tree->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_problemsOnly = bar->addAction(kit::icon(kit::Icon::Warning), tr("Only faults and refusals"));
+    m_problemsOnly->setCheckable(true);
+    connect(m_problemsOnly, &QAction::toggled, this, &EventLog::filterAll);
+    m_filter = new QLineEdit(bar);
+    m_filter->setPlaceholderText(tr("Filter"));
+    m_filter->setAccessibleName(tr("Filter of the events"));
+    m_filter->setClearButtonEnabled(true);
+    m_filter->setMaximumWidth(260);
+    connect(m_filter, &QLineEdit::textChanged, this, &EventLog::filterAll);
+    bar->addWidget(m_filter);
     stack(this, {bar, m_tree});
     connect(&control, &RunControl::refreshed, this, &EventLog::refresh);
     connect(&control, &RunControl::sessionChanged, this, [this] { m_seen = 0; });
     connect(&control, &RunControl::messageAdded, this, &EventLog::addMessage);
 }
 
+void EventLog::add(const QStringList& columns, int icon, bool isProblem) {
+    const QScrollBar& bar = *m_tree->verticalScrollBar();
+    const bool follows = bar.value() >= bar.maximum(); // who reads further up is left there
+    auto* item = new QTreeWidgetItem(m_tree, columns);
+    item->setIcon(3, kit::icon(static_cast<kit::Icon>(icon)));
+    item->setData(0, kProblemRole, isProblem);
+    filter(item);
+    if (m_tree->topLevelItemCount() > kMostEvents) delete m_tree->topLevelItem(0);
+    if (follows) m_tree->scrollToBottom();
+}
+
+void EventLog::filter(QTreeWidgetItem* item) {
+    const QString wanted = m_filter->text().trimmed();
+    bool isShown = wanted.isEmpty();
+    for (int column = 0; column < m_tree->columnCount() && !isShown; ++column)
+        isShown = item->text(column).contains(wanted, Qt::CaseInsensitive);
+    item->setHidden(!isShown || (m_problemsOnly->isChecked() && !item->data(0, kProblemRole).toBool()));
+}
+
+void EventLog::filterAll() {
+    for (int row = 0; row < m_tree->topLevelItemCount(); ++row) filter(m_tree->topLevelItem(row));
+}
+
+QString EventLog::shownText() const {
+    const bool all = m_tree->selectedItems().isEmpty();
+    QString out;
+    for (int row = 0; row < m_tree->topLevelItemCount(); ++row) {
+        const QTreeWidgetItem* item = m_tree->topLevelItem(row);
+        if (item->isHidden() || !(all || item->isSelected())) continue;
+        QStringList columns;
+        for (int column = 0; column < m_tree->columnCount(); ++column) columns << item->text(column);
+        out += columns.join('\t') + '\n';
+    }
+    return out;
+}
+
+void EventLog::copy() { QApplication::clipboard()->setText(shownText()); }
+
 void EventLog::addMessage(const QString& message, bool isError) {
-    auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), {}, {}, message});
-    item->setIcon(3, kit::icon(isError ? kit::Icon::Error : kit::Icon::Information));
-    if (m_tree->topLevelItemCount() > 5000) delete m_tree->topLevelItem(0);
-    m_tree->scrollToItem(item);
+    add({QTime::currentTime().toString("HH:mm:ss"), {}, {}, message},
+        static_cast<int>(isError ? kit::Icon::Error : kit::Icon::Information), isError);
 }
 
 EventLog::Kept EventLog::release() {
@@ -341,9 +457,6 @@ void EventLog::refresh() {
     const auto events = m_control.session()->eventsSince(m_seen);
     m_seen += events.size();
     for (const controller::Event& event : events) {
-        auto* item = new QTreeWidgetItem(m_tree, {QTime::currentTime().toString("HH:mm:ss"), timeText(event.time),
-                                                  QString::number(event.scan),
-                                                  trace::markText(static_cast<int>(event.kind), event.text)});
         using controller::EventKind;
         const kit::Icon icon = event.kind == EventKind::Fault                                       ? kit::Icon::Error
                                : event.kind == EventKind::Force || event.kind == EventKind::Release ? kit::Icon::Force
@@ -351,10 +464,10 @@ void EventLog::refresh() {
                                : event.kind == EventKind::Breakpoint   ? kit::Icon::Breakpoint
                                : event.kind == EventKind::SkippedScans ? kit::Icon::Warning
                                                                        : kit::Icon::Information;
-        item->setIcon(3, kit::icon(icon));
-        if (m_tree->topLevelItemCount() > 5000) delete m_tree->topLevelItem(0);
+        add({QTime::currentTime().toString("HH:mm:ss"), timeText(event.time), QString::number(event.scan),
+             trace::markText(static_cast<int>(event.kind), event.text)},
+            static_cast<int>(icon), event.kind == EventKind::Fault || event.kind == EventKind::SkippedScans);
     }
-    if (!events.empty()) m_tree->scrollToBottom();
 }
 
 } // namespace plc::editor

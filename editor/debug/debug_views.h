@@ -6,6 +6,9 @@
 #include <QTreeWidget>
 #include <QWidget>
 
+class QAction;
+class QLineEdit;
+
 namespace plc::editor {
 
 class ForceView : public QWidget {
@@ -29,9 +32,14 @@ signals:
     void placeRequested(const QString& file, uint32_t offset);
 
 private:
+    void showValues();
+    [[nodiscard]] int frameOf(QTreeWidgetItem* item) const;
+
     RunControl& m_control;
     QTreeWidget* m_frames;
     QTreeWidget* m_values;
+    std::vector<SourceRange> m_ranges; // of the frames, in the program
+    controller::State m_shownState = controller::State::Stopped;
 };
 
 class BreakpointView : public QWidget {
@@ -76,12 +84,20 @@ public:
     };
     [[nodiscard]] Kept release();
     void restore(Kept kept);
+    /// The selected rows, else all that are shown: a line each, columns apart by tabs.
+    [[nodiscard]] QString shownText() const;
 
 private:
     void refresh();
+    void add(const QStringList& columns, int icon, bool isProblem);
+    void filter(QTreeWidgetItem* item);
+    void filterAll();
+    void copy();
 
     RunControl& m_control;
     QTreeWidget* m_tree;
+    QLineEdit* m_filter;
+    QAction* m_problemsOnly;
     size_t m_seen = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "editor/kit/post.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
+#include "runtime/debug/sites.h"
 #include "runtime/types/conversion.h"
 
 #include <QDir>
@@ -100,13 +101,16 @@ void RunControl::watchOptimising(std::shared_ptr<Progress> now) {
 
 void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning) {
     if (changeRunning && m_session) {
-        m_session->changeProgram(*built, [this](const controller::OnlineChangeReport& report) {
-            const QString summary = tr("Online change: %1 kept, %2 new, %3 lost")
-                                        .arg(report.kept.size())
-                                        .arg(report.initialised.size())
-                                        .arg(report.lost.size());
-            kit::post(this, [this, summary] { emit onlineChangeFinished(summary); });
-        });
+        m_session->changeProgram(
+            *built,
+            [this](const controller::OnlineChangeReport& report) {
+                const QString summary = tr("Online change: %1 kept, %2 new, %3 lost")
+                                            .arg(report.kept.size())
+                                            .arg(report.initialised.size())
+                                            .arg(report.lost.size());
+                kit::post(this, [this, summary] { emit onlineChangeFinished(summary); });
+            },
+            breakpointsFor(*built->program));
         return;
     }
     m_viewed.reset();
@@ -117,6 +121,7 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
     }
     endSession();
     m_session = std::make_unique<session::Session>(*built, settings);
+    m_haltsSeen = 0;
     postBreakpoints();
     m_timer.start();
     tick();
@@ -185,11 +190,33 @@ void RunControl::start() {
     leaveRecorded();
     view(std::nullopt);
     if (m_session && m_status.state == controller::State::Halted) return resume();
-    if (m_session && m_status.state == controller::State::Paused) return m_session->start();
-    build([this](bool good) {
-        if (good) m_session->startThread(m_mode);
+    startThen(false, {});
+}
+
+/// Goes on with the controller as it stands; builds when there is none, after a fault and where the text has changed.
+void RunControl::startThen(bool paused, std::function<void()> then) {
+    const bool stands = m_session && (m_status.state == controller::State::Paused ||
+                                      (m_status.state == controller::State::Stopped && isUpToDate()));
+    if (stands) {
+        m_session->startThread(m_mode, paused);
+        if (then) then();
+        return tick();
+    }
+    build([this, paused, then = std::move(then)](bool good) {
+        if (good) m_session->startThread(m_mode, paused);
+        if (good && then) then();
         tick();
     });
+}
+
+bool RunControl::isUpToDate() const {
+    if (!m_session || !m_session->built().input) return false;
+    const driver::BuildInput &built = *m_session->built().input, now = m_workspace.buildInput();
+    return built.libraries == now.libraries &&
+           std::equal(built.files.begin(), built.files.end(), now.files.begin(), now.files.end(),
+                      [](const driver::SourceFile& a, const driver::SourceFile& b) {
+                          return a.path == b.path && a.text == b.text;
+                      });
 }
 
 void RunControl::pause() {
@@ -211,23 +238,34 @@ void RunControl::singleScan() {
     leaveRecorded();
     view(std::nullopt);
     if (m_session && isRunning()) return m_session->singleScan();
-    build([this](bool good) {
-        if (!good) return;
-        m_session->startThread(m_mode);
-        m_session->pause();
-        m_session->singleScan();
-    });
+    startThen(true, [this] { m_session->singleScan(); });
 }
 
 void RunControl::step(session::StepKind kind) {
-    if (m_session) m_session->step(kind);
+    leaveRecorded();
+    view(std::nullopt);
+    if (isRunning()) return m_session->step(kind);
+    startThen(true, [this] { m_session->step(session::StepKind::In); }); // to the first statement
 }
 
 void RunControl::runTo(const QString& file, int line) {
-    if (!m_session) return;
-    const SourceSet& sources = m_session->program()->sources;
-    for (size_t i = 0; i < sources.files.size(); ++i)
-        if (text(sources.files[i].path()) == file) m_session->runTo(FileId(i), static_cast<uint32_t>(line));
+    leaveRecorded();
+    view(std::nullopt);
+    const auto go = [this, file, line] {
+        const auto program = m_session->program();
+        const FileId id = debug::fileOfPath(*program, file.toStdString());
+        uint32_t wanted = 0;
+        if (id.isValid()) {
+            const SourceText& built = program->sources[id];
+            wanted = static_cast<uint32_t>(LineMap(textOf(file, built), built.text()).nearest(line));
+        }
+        if (debug::sitesOfLine(*program, id, wanted).sites.empty())
+            emit messageAdded(tr("There is no code at or below line %1 of %2").arg(line).arg(file), true);
+        else
+            m_session->runTo(id, wanted);
+    };
+    if (isRunning()) return go();
+    startThen(true, go);
 }
 
 void RunControl::onlineChange() {
@@ -244,6 +282,7 @@ void RunControl::onlineChange() {
 void RunControl::setMode(session::RunMode mode) {
     m_mode = mode;
     if (m_session) m_session->setMode(mode);
+    emit statusChanged();
 }
 
 // ------------------------------------------------------------------ breakpoints
@@ -265,16 +304,84 @@ void RunControl::toggleBreakpoint(const QString& file, int line) {
     emit breakpointsChanged();
 }
 
+void RunControl::moveBreakpoints(const QString& file, const std::map<int, int>& lines) {
+    std::vector<EditorBreakpoint> moved;
+    for (EditorBreakpoint each : m_breakpoints) {
+        if (const auto it = lines.find(each.line); each.file == file && it != lines.end()) each.line = it->second;
+        const bool isDouble = std::any_of(moved.begin(), moved.end(), [&](const EditorBreakpoint& other) {
+            return other.file == each.file && other.line == each.line;
+        });
+        if (!isDouble) moved.push_back(std::move(each));
+    }
+    if (moved == m_breakpoints) return;
+    m_breakpoints = std::move(moved); // in the program that runs they stand where they stood
+    emit breakpointsChanged();
+}
+
 void RunControl::postBreakpoints() {
     if (!m_session) return;
+    m_session->setBreakpoints(breakpointsFor(*m_session->program()));
+}
+
+std::string RunControl::textOf(const QString& file, const SourceText& built) const {
+    return m_workspace.files().contains(file) ? m_workspace.text(file) : std::string(built.text());
+}
+
+std::vector<session::Breakpoint> RunControl::breakpointsFor(const image::CompiledProgram& program) {
+    struct Maps {
+        LineMap toProgram, toText;
+    };
+    std::map<QString, Maps> maps;
+    const std::vector<EditorBreakpoint> before = m_breakpoints;
     std::vector<session::Breakpoint> posted;
-    const SourceSet& sources = m_session->program()->sources;
-    for (const EditorBreakpoint& each : m_breakpoints)
-        for (size_t i = 0; i < sources.files.size(); ++i)
-            if (text(sources.files[i].path()) == each.file)
-                posted.push_back({FileId(i), static_cast<uint32_t>(each.line), each.condition.toStdString(),
-                                  static_cast<uint32_t>(each.hitCount), each.instance.toStdString(), each.isEnabled});
-    m_session->setBreakpoints(std::move(posted));
+    for (EditorBreakpoint& each : m_breakpoints) {
+        const FileId file = debug::fileOfPath(program, each.file.toStdString());
+        each.hasCode = false;
+        if (!file.isValid()) continue;
+        const SourceText& built = program.sources[file];
+        if (!maps.contains(each.file)) {
+            const std::string now = textOf(each.file, built);
+            maps.emplace(each.file, Maps{{now, built.text()}, {built.text(), now}});
+        }
+        const Maps& map = maps.at(each.file);
+        auto line = static_cast<uint32_t>(map.toProgram.nearest(each.line));
+        const debug::SitesOfLine found = debug::sitesOfLine(program, file, line);
+        each.hasCode = !found.sites.empty();
+        if (!each.hasCode) continue;
+        line = found.line;
+        if (map.toProgram.exact(each.line)) // a new line waits for its build
+            each.line = map.toText.exact(static_cast<int>(line)).value_or(each.line);
+        posted.push_back({file, line, each.condition.toStdString(), static_cast<uint32_t>(each.hitCount),
+                          each.instance.toStdString(), each.isEnabled});
+    }
+    if (before != m_breakpoints) {
+        moveBreakpoints({}, {}); // two may have come to one line
+        QMetaObject::invokeMethod(this, &RunControl::breakpointsChanged, Qt::QueuedConnection);
+    }
+    return posted;
+}
+
+std::optional<RunControl::TextPlace> RunControl::placeInText(SourceRange range) const {
+    if (!m_session || !range.file.isValid()) return std::nullopt;
+    const auto program = m_session->program();
+    if (range.file.index() >= program->sources.files.size()) return std::nullopt;
+    const SourceText& built = program->sources[range.file];
+    TextPlace place;
+    place.file = text(built.path());
+    place.line = static_cast<int>(built.lineColumn(range.begin).line);
+    place.offset = range.begin;
+    place.length = range.length();
+    const std::string now = textOf(place.file, built);
+    if (now == built.text()) return place;
+    const uint32_t column = range.begin - built.lineBegin(static_cast<uint32_t>(place.line));
+    const LineMap map(built.text(), now);
+    const bool isSame = map.exact(place.line).has_value();
+    place.line = map.nearest(place.line);
+    size_t begin = 0;
+    for (int line = 1; line < place.line && begin != std::string::npos; ++line) begin = now.find('\n', begin) + 1;
+    place.offset = static_cast<uint32_t>(begin) + (isSame ? column : 0);
+    if (!isSame) place.length = 0;
+    return place;
 }
 
 // ------------------------------------------------------------------ the 30 Hz look
@@ -292,16 +399,19 @@ void RunControl::tick() {
     for (const controller::Forced& forced : m_session->forces()) m_forced.insert(foldCase(forced.path));
     watchOptimising(m_session->optimising());
     const bool stateChanged = before != m_status.state;
+    // A step may end before anybody looked: halts are counted.
+    const bool haltedAnew = m_status.state == controller::State::Halted && m_status.halts != m_haltsSeen;
+    if (haltedAnew) m_haltsSeen = m_status.halts;
     if (m_status.state == controller::State::Halted)
         m_frames = m_session->haltFrames();
     else
         m_frames.clear();
     if (!m_viewed && !m_recorded) refreshImage();
-    if (stateChanged) {
+    if (stateChanged || haltedAnew) {
         emit statusChanged();
-        if (m_status.state == controller::State::Halted) {
+        if (haltedAnew) {
             if (const std::string problem = m_session->haltProblem(); !problem.empty())
-                emit messageAdded(kit::messageText(problem), true);
+                emit messageAdded(tr("The condition of the breakpoint: %1").arg(kit::messageText(problem)), true);
             emit halted();
         }
     } else if (scansBefore != m_status.scans) {
@@ -470,6 +580,9 @@ Result<void> RunControl::write(const QString& path, const QString& valueText) {
 }
 
 Result<void> RunControl::force(const QString& path, const QString& valueText) {
+    if (m_viewed && !m_recorded)
+        return Error{tr("The past can not be forced; resume from here or go back to live first").toStdString(),
+                     path.toStdString()};
     if (m_recorded)
         return Error{
             tr("A recording from a file can not be written; go back to the running controller first").toStdString(),

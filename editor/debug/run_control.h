@@ -4,6 +4,7 @@
 // them reaches into the scan.
 #pragma once
 #include "editor/analysis/workspace.h"
+#include "editor/debug/line_map.h"
 #include "projects/session/session.h"
 
 #include <QElapsedTimer>
@@ -24,6 +25,7 @@ struct EditorBreakpoint {
     int hitCount = 0;
     QString instance;
     bool isEnabled = true;
+    bool hasCode = true; // false: the program that runs has none at the line or below it
     bool operator==(const EditorBreakpoint&) const = default;
 };
 
@@ -83,6 +85,19 @@ public:
     [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints; }
     void setBreakpoints(std::vector<EditorBreakpoint> breakpoints);
     void toggleBreakpoint(const QString& file, int line);
+    /// The text was edited: what stood at the first line of a pair stands at the second now.
+    void moveBreakpoints(const QString& file, const std::map<int, int>& lines);
+
+    /// Where a place of the program that runs is in the text as it stands now.
+    struct TextPlace {
+        QString file;
+        int line = 0;        // from 1
+        uint32_t offset = 0; // of the place, or of the line when the text there was edited
+        uint32_t length = 0;
+    };
+    [[nodiscard]] std::optional<TextPlace> placeInText(SourceRange range) const;
+    /// The program in the controller is that of the text as it stands.
+    [[nodiscard]] bool isUpToDate() const;
 
     // values
     struct Shown {
@@ -138,6 +153,10 @@ private:
     void watchOptimising(std::shared_ptr<Progress> now);
     void adopt(std::shared_ptr<driver::Built> built, bool changeRunning);
     void postBreakpoints();
+    /// As the program knows them; moves those on lines without code to where they halt.
+    std::vector<session::Breakpoint> breakpointsFor(const image::CompiledProgram& program);
+    void startThen(bool paused, std::function<void()> then);
+    [[nodiscard]] std::string textOf(const QString& file, const SourceText& built) const;
     void refreshImage();
     void endSession();
     [[nodiscard]] const history::History* shownHistory() const;
@@ -150,6 +169,7 @@ private:
     session::RunMode m_mode{session::Pace::Real, 1.0};
     std::vector<EditorBreakpoint> m_breakpoints;
     std::vector<session::HaltFrame> m_frames;
+    uint64_t m_haltsSeen = 0;
     std::map<QString, QString> m_preferredInstance;              // POU → instance path
     mutable std::map<QString, std::vector<QString>> m_instances; // found, by POU, of m_instancesOf
     mutable std::shared_ptr<const image::CompiledProgram> m_instancesOf;

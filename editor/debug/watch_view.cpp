@@ -15,14 +15,20 @@
 #include <QMimeData>
 #include <QScrollBar>
 #include <QStringListModel>
+#include <QStyledItemDelegate>
 #include <QToolBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <map>
 
 namespace plc::editor {
 
 namespace {
 constexpr int kExpressionRole = Qt::UserRole;
-constexpr int kUnfoldedRole = Qt::UserRole + 1;
+constexpr int kUnfoldedRole = Qt::UserRole + 1; // the version of the program whose parts the row has, from 1
+constexpr int kFromRole = Qt::UserRole + 2;     // a stretch of a long array: its first element, from 0
+constexpr uint64_t kStretch = 1000;
 
 /// Rows are dragged as the variables that they watch: onto a panel, a chart or an entry.
 class WatchTree final : public QTreeWidget {
@@ -39,6 +45,21 @@ protected:
     }
 };
 
+/// Values and types are read; what is typed is an expression or a prepared value.
+class WatchDelegate final : public QStyledItemDelegate {
+public:
+    WatchDelegate(QObject* parent, int name, int prepared)
+        : QStyledItemDelegate(parent), m_name(name), m_prepared(prepared) {}
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        const bool isTyped = index.column() == m_prepared || (index.column() == m_name && !index.parent().isValid());
+        return isTyped ? QStyledItemDelegate::createEditor(parent, option, index) : nullptr;
+    }
+
+private:
+    int m_name, m_prepared;
+};
+
 } // namespace
 
 WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
@@ -53,6 +74,15 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
     m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_tree->setAccessibleName(tr("Watch list"));
+    m_tree->setItemDelegate(new WatchDelegate(m_tree, Name, Prepared));
+    auto* remove = new QAction(kit::icon(kit::Icon::Delete), tr("Remove"), m_tree);
+    remove->setShortcut(QKeySequence::Delete);
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    connect(remove, &QAction::triggered, this, &WatchView::removeSelected);
+    m_tree->addAction(remove);
+    connect(m_tree, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
+        if (column == Value) prepare(item);
+    });
     m_tree->header()->setStretchLastSection(true);
     m_tree->setColumnWidth(Name, 190);
     m_tree->setColumnWidth(Value, 120);
@@ -81,7 +111,8 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
     });
     bar->addSeparator();
     auto* format = new QComboBox(bar);
-    format->addItems({tr("Decimal"), tr("Hexadecimal"), tr("Binary")});
+    format->addItems({tr("Decimal"), tr("Hexadecimal"), tr("Binary"), tr("Time", "number format")});
+    format->setToolTip(tr("Numbers as decimals, in hexadecimal or binary, or milliseconds as a time"));
     format->setAccessibleName(tr("Number format"));
     format->setObjectName("numberFormat");
     bar->addWidget(format);
@@ -118,10 +149,11 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
         if (column == Name && !item->parent() && item->text(Name) != expressionOf(item)) {
             item->setData(Name, kExpressionRole, item->text(Name).trimmed());
             qDeleteAll(item->takeChildren());
-            item->setData(Name, kUnfoldedRole, false);
+            item->setData(Name, kUnfoldedRole, 0);
             fillRow(item);
             emit expressionsChanged();
         }
+        if (column == Prepared) checkPrepared(item);
     });
     connect(&control, &RunControl::refreshed, this, [this] {
         const bool runs = m_control.status().state == controller::State::Running && !m_control.viewed();
@@ -181,6 +213,7 @@ void WatchView::setFormat(types::NumberFormat format) {
 }
 
 void WatchView::fillRow(QTreeWidgetItem* item) {
+    if (expressionOf(item).isEmpty()) return; // a stretch of an array
     const QSignalBlocker blocker(m_tree);
     const RunControl::Shown shown = m_control.value(expressionOf(item), {}, m_format);
     const kit::ThemeColors& c = kit::colors();
@@ -192,8 +225,8 @@ void WatchView::fillRow(QTreeWidgetItem* item) {
                          : aggregate && type->kind == types::TypeKind::Block ? QString()
                                                                              : shown.text.left(300);
     if (item->text(Value) != text) item->setText(Value, text);
-    if (type && item->text(Type) != QString::fromStdString(type->name))
-        item->setText(Type, QString::fromStdString(type->name));
+    const QString typeName = type ? QString::fromStdString(type->name) : QString();
+    if ((type || !shown.reason.isEmpty()) && item->text(Type) != typeName) item->setText(Type, typeName);
     item->setForeground(Value, !shown.reason.isEmpty() ? c.muted
                                : shown.isForced        ? c.forced
                                : shown.isBool          ? (shown.isTrue ? c.good : c.muted)
@@ -201,43 +234,83 @@ void WatchView::fillRow(QTreeWidgetItem* item) {
     item->setToolTip(Value, shown.reason.isEmpty() ? shown.text.left(2000) : shown.reason);
     item->setIcon(Value, shown.isForced ? kit::icon(kit::Icon::Force) : QIcon());
     item->setChildIndicatorPolicy(aggregate ? QTreeWidgetItem::ShowIndicator : QTreeWidgetItem::DontShowIndicator);
+    const qulonglong unfolded = item->data(Name, kUnfoldedRole).toULongLong();
+    if (known && unfolded && unfolded != program->version + 1) unfold(item); // another version, other parts
+}
+
+QTreeWidgetItem* WatchView::addPart(QTreeWidgetItem* parent, const QString& name, const QString& expression,
+                                    types::TypeId type) {
+    auto* row = new QTreeWidgetItem(parent, {name});
+    row->setData(Name, kExpressionRole, expression);
+    row->setFlags(row->flags() | Qt::ItemIsEditable);
+    row->setChildIndicatorPolicy(m_control.imageProgram()->layout.types->isAggregate(type)
+                                     ? QTreeWidgetItem::ShowIndicator
+                                     : QTreeWidgetItem::DontShowIndicator);
+    return row;
+}
+
+/// Elements from the one with this number; of a long array stretches that unfold in their turn.
+void WatchView::unfoldArray(QTreeWidgetItem* item, const types::Type& type, const QString& base, uint64_t from) {
+    uint64_t count = 1;
+    for (const types::Dimension& d : type.dimensions) count *= d.count();
+    const auto indexOf = [&](uint64_t element) {
+        QStringList parts;
+        for (size_t d = type.dimensions.size(); d-- > 0;) {
+            const uint64_t size = type.dimensions[d].count();
+            parts.prepend(QString::number(type.dimensions[d].low + static_cast<int64_t>(element % size)));
+            element /= size;
+        }
+        return "[" + parts.join(", ") + "]";
+    };
+    if (count > kStretch && !item->data(Name, kFromRole).isValid()) {
+        for (uint64_t first = 0; first < count; first += kStretch) {
+            auto* stretch =
+                new QTreeWidgetItem(item, {tr("%1 … %2", "stretch of an array")
+                                               .arg(indexOf(first), indexOf(std::min(first + kStretch, count) - 1))});
+            stretch->setData(Name, kFromRole, QVariant::fromValue<qulonglong>(first));
+            stretch->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
+        }
+        return;
+    }
+    for (uint64_t element = from; element < std::min(from + kStretch, count); ++element)
+        addPart(item, indexOf(element), base + indexOf(element), type.element);
 }
 
 void WatchView::unfold(QTreeWidgetItem* item) {
-    if (item->data(Name, kUnfoldedRole).toBool()) return;
     const auto* program = m_control.imageProgram();
-    const RunControl::Shown shown = m_control.value(expressionOf(item));
-    if (!program || !shown.type.isValid()) return;
-    const types::TypeTable& types = *program->layout.types;
-    const types::Type& type = types[shown.type];
+    if (!program || item->data(Name, kUnfoldedRole).toULongLong() == program->version + 1) return;
+    const bool isStretch = item->data(Name, kFromRole).isValid();
+    const QString base = expressionOf(isStretch ? item->parent() : item);
+    const RunControl::Shown shown = m_control.value(base);
+    if (!shown.type.isValid()) return;
+    const types::Type& type = (*program->layout.types)[shown.type];
     const QSignalBlocker blocker(m_tree);
-    const auto child = [&](const QString& name, const QString& expression, const QString& comment) {
-        auto* row = new QTreeWidgetItem(item, {name});
-        row->setData(Name, kExpressionRole, expression);
-        row->setFlags(row->flags() | Qt::ItemIsEditable);
-        row->setText(Comment, comment);
-        fillRow(row);
-    };
-    const QString base = expressionOf(item);
+    std::map<QString, std::pair<bool, QString>> before; // what the user had done with the parts
+    for (int i = 0; i < item->childCount(); ++i)
+        before[item->child(i)->text(Name)] = {item->child(i)->isExpanded(), item->child(i)->text(Prepared)};
+    qDeleteAll(item->takeChildren());
     if (type.kind == types::TypeKind::Array) {
-        std::vector<int64_t> index;
-        for (const types::Dimension& d : type.dimensions) index.push_back(d.low);
-        for (int shownRows = 0; shownRows < 1000 && !index.empty(); ++shownRows) {
-            QStringList parts;
-            for (const int64_t i : index) parts << QString::number(i);
-            child("[" + parts.join(", ") + "]", base + "[" + parts.join(", ") + "]", {});
-            size_t d = index.size();
-            while (d > 0 && ++index[d - 1] > type.dimensions[d - 1].high)
-                index[d - 1] = type.dimensions[d - 1].low, --d;
-            if (d == 0) break;
-        }
+        unfoldArray(item, type, base, item->data(Name, kFromRole).toULongLong());
     } else {
         for (const types::Field& field : type.fields)
-            if (!field.isPrivate)
-                child(QString::fromStdString(field.name), base + "." + QString::fromStdString(field.name),
-                      QString::fromStdString(field.comment));
+            if (!field.isPrivate) {
+                const QString name = QString::fromStdString(field.name);
+                addPart(item, name, base + "." + name, field.bit >= 0 ? types::TypeId() : field.type)
+                    ->setText(Comment, QString::fromStdString(field.comment));
+            }
     }
-    item->setData(Name, kUnfoldedRole, true);
+    item->setData(Name, kUnfoldedRole, QVariant::fromValue<qulonglong>(program->version + 1));
+    for (int i = 0; i < item->childCount(); ++i) {
+        QTreeWidgetItem* part = item->child(i);
+        if (const auto it = before.find(part->text(Name)); it != before.end()) {
+            part->setText(Prepared, it->second.second);
+            if (it->second.first) {
+                unfold(part);
+                part->setExpanded(true);
+            }
+        }
+        if (i < 100) fillRow(part); // the others when they come into sight
+    }
 }
 
 void WatchView::refresh() {
@@ -266,6 +339,30 @@ void WatchView::applyPrepared(bool force) {
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) apply(apply, m_tree->topLevelItem(i));
 }
 
+/// A double click on a value: a BOOL is prepared to be the other, of anything else the value is there to be changed.
+void WatchView::prepare(QTreeWidgetItem* item) {
+    const RunControl::Shown shown = m_control.value(expressionOf(item));
+    if (shown.text.isEmpty() || item->childIndicatorPolicy() == QTreeWidgetItem::ShowIndicator) return;
+    if (shown.isBool) return item->setText(Prepared, shown.isTrue ? "FALSE" : "TRUE");
+    if (item->text(Prepared).isEmpty()) item->setText(Prepared, shown.text);
+    m_tree->editItem(item, Prepared);
+}
+
+void WatchView::checkPrepared(QTreeWidgetItem* item) {
+    const QString prepared = item->text(Prepared).trimmed();
+    const bool isChecked = m_control.session() && !prepared.isEmpty();
+    const auto value = isChecked ? m_control.parse(expressionOf(item), prepared) : Result<types::Value>(types::Value());
+    const QSignalBlocker blocker(m_tree);
+    item->setToolTip(Prepared, value ? QString() : QString::fromStdString(value.error().text()));
+    item->setForeground(Prepared, value ? kit::colors().text : kit::colors().bad);
+}
+
+void WatchView::removeSelected() {
+    for (QTreeWidgetItem* each : m_tree->selectedItems())
+        if (!each->parent()) delete each;
+    emit expressionsChanged();
+}
+
 void WatchView::writePrepared() { applyPrepared(false); }
 void WatchView::forcePrepared() { applyPrepared(true); }
 
@@ -286,11 +383,8 @@ void WatchView::showMenu(const QPoint& position) {
         connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
                 [this, item] { emit traceRequested(expressionOf(item)); });
         menu.addSeparator();
-        connect(menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove")), &QAction::triggered, this, [this] {
-            for (QTreeWidgetItem* each : m_tree->selectedItems())
-                if (!each->parent()) delete each;
-            emit expressionsChanged();
-        });
+        connect(menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove")), &QAction::triggered, this,
+                &WatchView::removeSelected);
     }
     connect(menu.addAction(kit::icon(kit::Icon::Clear), tr("Remove all")), &QAction::triggered, this, [this] {
         m_tree->clear();

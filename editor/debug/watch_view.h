@@ -47,6 +47,12 @@ private:
     enum Column { Name, Value, Type, Prepared, Comment, Count };
     void fillRow(QTreeWidgetItem* item);
     void unfold(QTreeWidgetItem* item);
+    void unfoldArray(QTreeWidgetItem* item, const types::Type& type, const QString& base, uint64_t from);
+    QTreeWidgetItem* addPart(QTreeWidgetItem* parent, const QString& name, const QString& expression,
+                             types::TypeId type);
+    void prepare(QTreeWidgetItem* item); // by a double click on the value
+    void checkPrepared(QTreeWidgetItem* item);
+    void removeSelected();
     void applyPrepared(bool force);
     void showMenu(const QPoint& position);
 

@@ -373,7 +373,16 @@ QString StEditor::wordUnderCursor() const {
 void StEditor::setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled) {
     markerDeleteAll(kBreakpoint);
     markerDeleteAll(kBreakpointOff);
-    for (const int line : lines) markerAdd(line - 1, disabled.contains(line) ? kBreakpointOff : kBreakpoint);
+    m_breakpointMarks.clear();
+    for (const int line : lines)
+        m_breakpointMarks[markerAdd(line - 1, disabled.contains(line) ? kBreakpointOff : kBreakpoint)] = line;
+}
+
+std::map<int, int> StEditor::movedBreakpoints() const {
+    std::map<int, int> moved;
+    for (const auto& [mark, line] : m_breakpointMarks)
+        if (const int now = markerLine(mark) + 1; now > 0 && now != line) moved[line] = now;
+    return moved;
 }
 
 void StEditor::setExecutedLine(int line) {

@@ -10,6 +10,7 @@
 #include <Qsci/qsciscintilla.h>
 
 #include <functional>
+#include <map>
 #include <set>
 
 namespace plc::editor {
@@ -72,7 +73,9 @@ public:
     [[nodiscard]] QString wordUnderCursor() const;
 
     void setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled = {}); // 1-based
-    void setExecutedLine(int line);                                                      // 0 = none
+    /// Where edits have moved them since: old line → new line, of those that moved.
+    [[nodiscard]] std::map<int, int> movedBreakpoints() const;
+    void setExecutedLine(int line); // 0 = none
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
     /// What stands beside the lines now, by line from 0.
@@ -144,6 +147,7 @@ private:
     std::string m_savedText;
     analysis::Completion m_completion;
     OnlineValues m_onlineValues;
+    std::map<int, int> m_breakpointMarks; // handle of the mark → line where it was set, from 1
     std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line
     std::vector<analysis::AccumulatorPlace> m_accumulators;              // of the analysed text
     QTimer m_afterEdit;

@@ -18,6 +18,42 @@ void StEditor::setOnlineValues(OnlineValues values) {
     refreshOnlineValues();
 }
 
+namespace {
+
+/// a.b[i].c is one value: the chain that ends with this name and its indices, unless another member follows. Where it
+/// begins, and its length.
+std::optional<std::pair<uint32_t, uint32_t>> valueChain(const std::string& text, SourceRange name, uint32_t lineBegin,
+                                                        uint32_t lineEnd) {
+    const auto isWord = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); };
+    uint32_t from = name.begin;
+    while (from > lineBegin) {
+        const char before = text[from - 1];
+        if (before == ']') { // over the indices
+            uint32_t at = from - 1;
+            for (int depth = 1; at > lineBegin && depth > 0;) {
+                --at;
+                depth += text[at] == ']' ? 1 : text[at] == '[' ? -1 : 0;
+            }
+            from = at;
+        } else if (before == '.' || before == '^' || isWord(before)) {
+            --from;
+        } else {
+            break;
+        }
+    }
+    uint32_t to = name.end;
+    while (to < lineEnd && (text[to] == '[' || text[to] == '^')) {
+        int depth = 0;
+        do depth += text[to] == '[' ? 1 : text[to] == ']' ? -1 : 0;
+        while (++to < lineEnd && depth > 0);
+        if (depth > 0) return std::nullopt; // goes on in the next line
+    }
+    if (to < text.size() && text[to] == '.') return std::nullopt;
+    return std::pair(from, to - from);
+}
+
+} // namespace
+
 void StEditor::refreshOnlineValues() {
     auto before = std::exchange(m_shownValues, {});
     const auto file = fileId();
@@ -40,13 +76,9 @@ void StEditor::refreshOnlineValues() {
                 if (symbol.kind != sema::SymbolKind::Variable || symbol.isConstant || symbol.name.starts_with("__"))
                     continue;
                 // a.b.c is one value: the chain that ends here, unless another member follows.
-                uint32_t from = it->range.begin;
-                while (from > begin && (m_analysedText[from - 1] == '.' ||
-                                        std::isalnum(static_cast<unsigned char>(m_analysedText[from - 1])) ||
-                                        m_analysedText[from - 1] == '_'))
-                    --from;
-                if (it->range.end < m_analysedText.size() && m_analysedText[it->range.end] == '.') continue;
-                const std::pair entry(QString::fromStdString(m_analysedText.substr(from, it->range.end - from)),
+                const auto chain = valueChain(m_analysedText, it->range, begin, end);
+                if (!chain) continue;
+                const std::pair entry(QString::fromStdString(m_analysedText.substr(chain->first, chain->second)),
                                       QString::fromStdString(m_model->pouAt(*file, it->range.begin)));
                 if (std::find(wanted.begin(), wanted.end(), entry) == wanted.end()) wanted.push_back(entry);
             }
@@ -91,6 +123,18 @@ void StEditor::paintEvent(QPaintEvent* event) {
     drawOnlineValues(painter);
 }
 
+namespace {
+/// The last member, with its indices whole.
+QString shortName(const QString& chain) {
+    int depth = 0;
+    for (qsizetype i = chain.size(); i-- > 0;) {
+        depth += chain[i] == ']' ? 1 : chain[i] == '[' ? -1 : 0;
+        if (depth == 0 && chain[i] == '.') return chain.mid(i + 1);
+    }
+    return chain;
+}
+} // namespace
+
 void StEditor::drawOnlineValues(QPainter& painter) {
     const kit::ThemeColors& c = kit::colors();
     QFont font = m_lexer->defaultFont(0);
@@ -123,8 +167,7 @@ void StEditor::drawOnlineValues(QPainter& painter) {
         const int y = static_cast<int>(SendScintilla(S::SCI_POINTYFROMPOSITION, 0ul, end)),
                   height = static_cast<int>(SendScintilla(S::SCI_TEXTHEIGHT, static_cast<unsigned long>(line)));
         for (const OnlineValue& value : values) {
-            const QString name =
-                values.size() > 1 || value.isAccumulator ? value.name.section('.', -1) + " " : QString();
+            const QString name = values.size() > 1 || value.isAccumulator ? shortName(value.name) + " " : QString();
             const int nameWidth = metrics.horizontalAdvance(name), valueWidth = metrics.horizontalAdvance(value.value);
             const QRectF box(x, y + 1.5, nameWidth + valueWidth + 10, height - 3);
             QColor ground = value.isForced ? c.forced : value.isBool ? (value.isTrue ? c.good : c.muted) : c.online;

@@ -92,6 +92,16 @@ void AlarmBook::acknowledgeAll(const AlarmInstant& at, const QStringList& classe
     record(events, {}, user);
 }
 
+std::vector<AlarmRecord> AlarmBook::takeAcknowledged() {
+    std::vector<AlarmRecord> acknowledged;
+    for (AlarmRecord& record : m_records)
+        if (record.kind == AlarmEventKind::Acknowledged) acknowledged.push_back(std::move(record));
+    m_records.clear();
+    m_events.clear();
+    m_lifeCycle.restore({}, 0);
+    return acknowledged;
+}
+
 void AlarmBook::rewind(quint64 position) {
     std::vector<AlarmEvent> kept;
     std::vector<AlarmRecord> keptRecords;

@@ -50,6 +50,8 @@ public:
     void take(std::span<const AlarmRecord> records);
     void acknowledge(size_t alarm, const AlarmInstant& at, const QString& user = {});
     void acknowledgeAll(const AlarmInstant& at, const QStringList& classes = {}, const QString& user = {});
+    /// What was acknowledged in this run, oldest first; the watch that begins anew finds the rest in the recording.
+    std::vector<AlarmRecord> takeAcknowledged();
     /// After going back in time: what happened later is no longer of this branch.
     void rewind(quint64 position);
     void clear();

@@ -21,6 +21,19 @@ void DesignContext::setSession(session::Session* session) {
     emit programChanged();
 }
 
+void DesignContext::setRecording(std::optional<PanelRecording> recording) {
+    if (!recording && !m_recording) return;
+    m_recording = std::move(recording);
+    m_position.reset();
+    emit recordingChanged();
+}
+
+void DesignContext::setPosition(std::optional<history::Position> position) {
+    if (position == m_position) return;
+    m_position = position;
+    emit positionChanged();
+}
+
 void DesignContext::setLanguage(const QString& tag) {
     if (tag == m_language || tag.isEmpty()) return;
     m_language = tag;

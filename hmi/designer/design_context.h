@@ -5,6 +5,7 @@
 #include "editor/kit/variable_picker.h"
 #include "hmi/model/document.h"
 #include "hmi/player/panel_commands.h"
+#include "hmi/player/plc_values.h"
 
 #include <QObject>
 
@@ -22,6 +23,11 @@ public:
     void setChecked(driver::Checked checked);
     session::Session* session() const { return m_session; }
     void setSession(session::Session* session);
+    /// What previews show: the controller now or at a recorded scan, or a recording from a file in its place.
+    void setRecording(std::optional<PanelRecording> recording);
+    void setPosition(std::optional<history::Position> position);
+    const std::optional<PanelRecording>& recording() const { return m_recording; }
+    const std::optional<history::Position>& position() const { return m_position; }
     void setCompletions(kit::CompletionSource completions) { m_completions = std::move(completions); }
     const kit::CompletionSource& completions() const { return m_completions; }
     /// The variables to choose from and to drag onto a panel; asked anew each time, the object must stay.
@@ -67,11 +73,15 @@ signals:
     void alarmsChanged();
     void languageChanged();
     void programChanged();
+    void recordingChanged();
+    void positionChanged();
 
 private:
     PanelProject& m_project;
     driver::Checked m_checked;
     session::Session* m_session = nullptr;
+    std::optional<PanelRecording> m_recording;
+    std::optional<history::Position> m_position;
     kit::CompletionSource m_completions;
     Variables m_variables;
     std::function<std::optional<QString>(const QString&)> m_picker;

@@ -103,8 +103,15 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
         if (m_player) m_player->setLanguage(m_context.language());
     });
     connect(&m_context, &DesignContext::programChanged, this, [this] {
-        if (m_player) m_player->setSession(m_context.session());
+        if (m_player && m_player->session() != m_context.session()) {
+            m_player->setSession(m_context.session());
+            showInPreview();
+        }
         m_checkTimer.start();
+    });
+    connect(&m_context, &DesignContext::recordingChanged, this, &PanelDesigner::showInPreview);
+    connect(&m_context, &DesignContext::positionChanged, this, [this] {
+        if (m_player) m_player->setPosition(m_context.position());
     });
     connect(&m_selection, &Selection::changed, this, &PanelDesigner::updateActions);
     m_checkTimer.setSingleShot(true);
@@ -408,9 +415,17 @@ void PanelDesigner::setLive(bool live) {
     m_player = std::make_unique<PanelPlayer>(m_context.project(), m_context.session());
     m_player->showPanel(m_name, m_document.panel());
     m_player->setLanguage(m_context.language());
+    showInPreview();
     connect(m_player.get(), &PanelPlayer::languageChanged, &m_context, &DesignContext::setLanguage);
     m_pages->addWidget(m_player.get());
     m_pages->setCurrentWidget(m_player.get());
+}
+
+/// The preview shows what the rest of the studio shows.
+void PanelDesigner::showInPreview() {
+    if (!m_player) return;
+    m_player->setRecording(m_context.recording());
+    m_player->setPosition(m_context.position());
 }
 
 void PanelDesigner::checkNow() {

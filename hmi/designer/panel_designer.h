@@ -72,6 +72,7 @@ private:
     QToolBar* makeToolBar();
     void showMenu(QPoint at);
     void showFindings();
+    void showInPreview();
     void updateActions();
 
     DesignContext& m_context;

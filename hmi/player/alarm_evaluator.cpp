@@ -137,8 +137,27 @@ void AlarmEvaluator::processRange(history::Position from, history::Position to, 
             any |= i > 0 && conditions[alarm][i] != conditions[alarm][i - 1];
         }
         if (any) m_lifeCycle.step(instants[i], present, events);
+        if (m_acknowledged.contains(instants[i].position)) {
+            append(std::exchange(events, {}), {}, out);
+            acknowledgeAgain(instants[i], out);
+        }
     }
     append(events, {}, out);
+}
+
+void AlarmEvaluator::setAcknowledged(const std::vector<AlarmRecord>& records) {
+    for (const AlarmRecord& record : records) m_acknowledged.emplace(record.at.position, record);
+}
+
+void AlarmEvaluator::acknowledgeAgain(const AlarmInstant& at, AlarmFindings& out) {
+    const auto [first, last] = m_acknowledged.equal_range(at.position);
+    for (auto it = first; it != last; ++it)
+        for (size_t alarm = 0; alarm < m_definitions.size(); ++alarm) {
+            if (m_definitions[alarm].id != it->second.alarm) continue;
+            std::vector<AlarmEvent> events;
+            m_lifeCycle.acknowledge(alarm, at, events);
+            append(events, it->second.user, out);
+        }
 }
 
 void AlarmEvaluator::acknowledge(size_t alarm, const QString& user, std::vector<AlarmFindings>& findings) {
@@ -160,7 +179,9 @@ void AlarmEvaluator::acknowledgeAll(const QStringList& classes, const QString& u
 
 AlarmWatch::AlarmWatch(const session::Session& session, AlarmBook& book, QObject* parent)
     : QObject(parent), m_session(session), m_book(book) {
-    m_thread = std::thread([this, definitions = book.definitions()]() mutable { run(std::move(definitions)); });
+    m_thread = std::thread([this, definitions = book.definitions(), acknowledged = book.takeAcknowledged()]() mutable {
+        run(std::move(definitions), acknowledged);
+    });
 }
 
 AlarmWatch::~AlarmWatch() {
@@ -172,8 +193,9 @@ AlarmWatch::~AlarmWatch() {
     m_thread.join();
 }
 
-void AlarmWatch::run(std::vector<AlarmDefinition> definitions) {
+void AlarmWatch::run(std::vector<AlarmDefinition> definitions, const std::vector<AlarmRecord>& acknowledged) {
     AlarmEvaluator evaluator(m_session, std::move(definitions));
+    evaluator.setAcknowledged(acknowledged);
     std::unique_lock lock(m_mutex);
     while (!m_stop) {
         const std::vector<Command> commands = std::exchange(m_commands, {});

@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -36,6 +37,8 @@ public:
 
     /// Evaluates recorded scans up to the newest one, at most `limit` of them; true while some are left.
     bool process(std::vector<AlarmFindings>& findings, size_t limit = 1 << 14);
+    /// What was acknowledged when these scans were evaluated before.
+    void setAcknowledged(const std::vector<AlarmRecord>& records);
     void acknowledge(size_t alarm, const QString& user, std::vector<AlarmFindings>& findings);
     void acknowledgeAll(const QStringList& classes, const QString& user, std::vector<AlarmFindings>& findings);
     const AlarmLifeCycle& lifeCycle() const { return m_lifeCycle; }
@@ -47,6 +50,7 @@ private:
     void processRange(history::Position from, history::Position to, AlarmFindings& out);
     AlarmRecord recordOf(const AlarmEvent& event) const;
     AlarmInstant now() const;
+    void acknowledgeAgain(const AlarmInstant& at, AlarmFindings& out);
     void append(std::span<const AlarmEvent> events, const QString& user, AlarmFindings& out);
 
     AlarmSource m_source;
@@ -55,6 +59,7 @@ private:
     std::vector<expression::Expression> m_conditions, m_inhibits;
     AlarmLifeCycle m_lifeCycle;
     std::vector<AlarmEvent> m_events;
+    std::multimap<history::Position, AlarmRecord> m_acknowledged;
     history::Position m_next = 0;
     size_t m_branch = 0;
 };
@@ -62,7 +67,7 @@ private:
 class AlarmWatch final : public QObject {
     Q_OBJECT
 public:
-    /// Both must outlive the watch.
+    /// Both must outlive the watch. What the book knows is found anew, but for what was acknowledged.
     AlarmWatch(const session::Session& session, AlarmBook& book, QObject* parent = nullptr);
     ~AlarmWatch() override;
 
@@ -78,7 +83,7 @@ private:
         QStringList classes;
         QString user;
     };
-    void run(std::vector<AlarmDefinition> definitions);
+    void run(std::vector<AlarmDefinition> definitions, const std::vector<AlarmRecord>& acknowledged);
     void deliver();
 
     const session::Session& m_session;

@@ -13,6 +13,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
       m_status(new PlayerStatus(this)) {
     setFocusPolicy(Qt::StrongFocus);
     m_alarms.setFile(project.alarms);
+    m_alarmFile = project.alarms.write();
     if (project.hasAlarms) (void)m_alarms.openStore(QStringLiteral(":memory:"));
     connectScene();
     scene().setFolder(project.folder);
@@ -122,8 +123,9 @@ void PanelPlayer::follow(const Panel& panel, const Touched& touched) { scene().f
 
 void PanelPlayer::projectChanged() {
     scene().setTexts(&m_project.texts);
-    if (m_project.alarms.write() != AlarmFile().write() || !m_alarms.definitions().empty()) {
+    if (m_project.alarms.write() != m_alarmFile) {
         m_watch.reset();
+        m_alarmFile = m_project.alarms.write();
         m_alarms.setFile(m_project.alarms);
         if (m_session && !m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*m_session, m_alarms);
     }

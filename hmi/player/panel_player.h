@@ -31,6 +31,7 @@ public:
     QString language() const { return m_view->scene().language(); }
     /// Another controller (after a new build), or none.
     void setSession(session::Session* session);
+    session::Session* session() const { return m_session; }
     /// The time slider: a recorded position, or none for the present.
     void setPosition(std::optional<history::Position> position);
     /// A recording from a file in the place of the controller, as its past: nothing can be written. None goes back.
@@ -78,6 +79,7 @@ private:
     struct Look;
     const PanelProject& m_project;
     session::Session* m_session;
+    std::string m_alarmFile; // what the watch was made of
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;
     std::unique_ptr<AlarmWatch> m_watch;

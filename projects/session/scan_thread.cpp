@@ -51,6 +51,7 @@ void Session::State::run() {
     ::prctl(PR_SET_TIMERSLACK, 1000);
     while (!isQuitting.load(std::memory_order_acquire)) {
         drain();
+        keepFaultImage();
         if (!scansAreWanted()) {
             reportSkipped(wallNow());
             publish();
@@ -141,7 +142,21 @@ void Session::State::reportSkipped(int64_t now) {
     skippedReportedAt = now;
 }
 
+void Session::State::keepFaultImage() {
+    if (controller.state() != PlcState::Fault) {
+        if (!faultImage) return;
+        faultImage.reset();
+        sharedIsStale = true;
+    } else if (!faultImage) {
+        const std::span<const std::byte> image = controller.image();
+        faultImage =
+            std::make_shared<const FaultImage>(FaultImage{{image.begin(), image.end()}, controller.sharedProgram()});
+        share(true); // before anybody sees the state
+    }
+}
+
 void Session::State::afterScans(int64_t begin, int64_t end) {
+    keepFaultImage();
     if (pausesAfterScan) {
         pausesAfterScan = false;
         controller.pause();
@@ -169,7 +184,7 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
     haltFrames = halt.frames;
     haltProblem = halt.problem;
     state.store(PlcState::Halted, std::memory_order_relaxed);
-    bool isFresh = false;
+    bool isFresh = false, isCounted = false;
     while (!goesOn && !leavesScan) {
         if (isQuitting.load(std::memory_order_acquire)) leavesScan = true;
         while (std::optional<Command> command = goesOn || leavesScan ? std::nullopt : commands.pop()) {
@@ -191,6 +206,7 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
             sharedIsStale = true;
             share(true);
             isFresh = true;
+            if (!std::exchange(isCounted, true)) halts.fetch_add(1, std::memory_order_release);
         }
         wakeUp.wait(1'000'000'000);
     }
@@ -236,6 +252,7 @@ void Session::State::share(bool mayWait) {
 
 void Session::State::putShared() {
     shared.fault = controller.fault();
+    shared.faultImage = faultImage;
     shared.simulationFault = controller.simulationFault();
     shared.forces = controller.forces();
     shared.frames = haltFrames;

@@ -12,6 +12,17 @@ namespace plc::session {
 using controller::EventKind;
 using PlcState = controller::State;
 
+namespace {
+
+std::vector<debug::Breakpoint> debuggerBreakpoints(const std::vector<Breakpoint>& breakpoints) {
+    std::vector<debug::Breakpoint> wanted;
+    for (const Breakpoint& b : breakpoints)
+        wanted.push_back({b.file, b.line, b.condition, b.hitCount, b.instance, b.isEnabled});
+    return wanted;
+}
+
+} // namespace
+
 Session::State::State(driver::Built first, Settings s)
     : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
     adopt(std::make_shared<const driver::Built>(std::move(first)));
@@ -70,6 +81,7 @@ const history::History& Session::history() const { return m->history; }
 
 Status Session::status() const {
     Status status;
+    status.halts = m->halts.load(std::memory_order_acquire); // before the state: a later halt is seen the next time
     status.state = m->state.load(std::memory_order_relaxed);
     status.scans = m->scans.load(std::memory_order_relaxed);
     status.time = Nanoseconds(m->time.load(std::memory_order_relaxed));
@@ -112,10 +124,11 @@ void Session::runHere(const std::function<bool(const controller::Controller&)>& 
 
 // ---------------------------------------------------------------- the scan thread
 
-void Session::startThread(RunMode mode) {
+void Session::startThread(RunMode mode, bool paused) {
     if (m->thread.joinable()) {
         setMode(mode);
         start();
+        if (paused) pause();
         return;
     }
     m->mode = mode;
@@ -131,6 +144,7 @@ void Session::startThread(RunMode mode) {
     m->lastRetainSave = wallNow();
     m->optimise(m->versions->of(built().program.get()));
     m->controller.start();
+    if (paused) m->controller.pause();
     m->publish();
     m->share(true);
     m->isQueueing.store(true, std::memory_order_release);
@@ -290,7 +304,8 @@ std::vector<std::byte> Session::snapshot(uint64_t* scan) const {
 
 // ---------------------------------------------------------------- other programs, other times
 
-void Session::changeProgram(driver::Built next, std::function<void(const controller::OnlineChangeReport&)> done) {
+void Session::changeProgram(driver::Built next, std::function<void(const controller::OnlineChangeReport&)> done,
+                            std::optional<std::vector<Breakpoint>> breakpoints) {
     auto built = std::make_shared<const driver::Built>(std::move(next));
     if (!built->program) {
         controller::OnlineChangeReport refused;
@@ -298,21 +313,26 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
         if (done) done(refused);
         return;
     }
-    m->post(When::Boundary, [s = m.get(), built = std::move(built), done = std::move(done)] {
-        const driver::Built* before = s->current.load();
-        s->adopt(built); // before the controller tells its observers
-        const controller::OnlineChangeReport report = s->controller.changeProgram(built->program);
-        if (!report.refusal.empty()) {
-            s->current.store(before);
-            s->newRefusals.push_back(report.refusal);
-        } else {
-            if (s->debugger) s->debugger->programChanged();
-            s->optimise(built);
-        }
-        s->needsAnchor = true;
-        s->publish();
-        if (done) done(report);
-    });
+    m->post(When::Boundary,
+            [s = m.get(), built = std::move(built), done = std::move(done), breakpoints = std::move(breakpoints)] {
+                const driver::Built* before = s->current.load();
+                s->adopt(built); // before the controller tells its observers
+                const controller::OnlineChangeReport report = s->controller.changeProgram(built->program);
+                if (!report.refusal.empty()) {
+                    s->current.store(before);
+                    s->newRefusals.push_back(report.refusal);
+                } else {
+                    if (breakpoints) s->breakpoints = debuggerBreakpoints(*breakpoints);
+                    if (s->debugger && breakpoints)
+                        s->debugger->setBreakpoints(s->breakpoints);
+                    else if (s->debugger)
+                        s->debugger->programChanged();
+                    s->optimise(built);
+                }
+                s->needsAnchor = true;
+                s->publish();
+                if (done) done(report);
+            });
 }
 
 Result<void> Session::resumeFrom(history::Position position) {
@@ -342,10 +362,7 @@ Result<void> Session::resumeFrom(history::Position position) {
 // ---------------------------------------------------------------- debugging
 
 void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
-    std::vector<debug::Breakpoint> wanted;
-    for (Breakpoint& b : breakpoints)
-        wanted.push_back({b.file, b.line, std::move(b.condition), b.hitCount, std::move(b.instance), b.isEnabled});
-    m->post(When::Now, [s = m.get(), wanted = std::move(wanted)]() mutable {
+    m->post(When::Now, [s = m.get(), wanted = debuggerBreakpoints(breakpoints)]() mutable {
         s->breakpoints = wanted; // kept for the debugger that startThread makes
         if (s->debugger) s->debugger->setBreakpoints(std::move(wanted));
     });
@@ -397,18 +414,29 @@ std::string Session::haltProblem() const {
 }
 
 std::vector<std::pair<std::string, types::Value>> Session::frameVariables(size_t frame) const {
+    std::vector<std::pair<std::string, types::Value>> variables;
+    const auto read = [&](const image::CompiledProgram& program, std::span<const std::byte> image,
+                          const controller::FaultFrame& wanted) {
+        for (debug::FrameVariable& variable : debug::frameVariables(program, image, wanted))
+            variables.emplace_back(std::move(variable.name), std::move(variable.value));
+    };
     controller::FaultFrame wanted;
+    std::shared_ptr<const State::FaultImage> fault;
     {
         const std::lock_guard lock(m->mutex);
-        if (frame >= m->shared.frames.size()) return {};
-        wanted = m->shared.frames[frame];
+        const Session::State::Shared& shared = m->shared;
+        if (shared.frames.empty() && shared.fault) fault = shared.faultImage;
+        const std::vector<controller::FaultFrame>& frames = fault ? shared.fault->calls : shared.frames;
+        if (frame >= frames.size()) return {};
+        wanted = frames[frame];
+    }
+    if (fault) {
+        read(*fault->program, fault->image, wanted);
+        return variables;
     }
     Snapshot now;
     latest(now);
-    if (!now.isHalted || !now.program) return {};
-    std::vector<std::pair<std::string, types::Value>> variables;
-    for (debug::FrameVariable& variable : debug::frameVariables(*now.program, now.image, wanted))
-        variables.emplace_back(std::move(variable.name), std::move(variable.value));
+    if (now.isHalted && now.program) read(*now.program, now.image, wanted);
     return variables;
 }
 

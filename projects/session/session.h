@@ -28,6 +28,7 @@ struct Status {
     int64_t lastScanNs = 0;
     std::optional<controller::Fault> fault, simulationFault;
     history::Position position = 0; // newest recorded
+    uint64_t halts = 0;             // how often the scan came to stand; its frames are at hand
     uint64_t skippedScans = 0;
     std::string retainProblem;
 };
@@ -87,7 +88,8 @@ public:
     void runHere(const std::function<bool(const controller::Controller&)>& stop);
 
     // --- scan thread (studio, panel)
-    void startThread(RunMode mode); // start() included
+    /// start() included; `paused`: it waits before the first scan.
+    void startThread(RunMode mode, bool paused = false);
     void setMode(RunMode mode);
     void start();
     void pause();
@@ -115,8 +117,10 @@ public:
     [[nodiscard]] std::vector<std::byte> snapshot(uint64_t* scan = nullptr) const;
     /// The same with all that belongs to it; `into` keeps its memory from call to call.
     void latest(Snapshot& into) const;
-    /// Takes effect at the next scan boundary; `done` runs on the scan thread.
-    void changeProgram(driver::Built built, std::function<void(const controller::OnlineChangeReport&)> done);
+    /// Takes effect at the next scan boundary; `done` runs on the scan thread. `breakpoints`: those of the new program,
+    /// in the place of the present ones.
+    void changeProgram(driver::Built built, std::function<void(const controller::OnlineChangeReport&)> done,
+                       std::optional<std::vector<Breakpoint>> breakpoints = std::nullopt);
     /// Continue from a recorded scan on a new branch (state Paused until start()).
     Result<void> resumeFrom(history::Position position);
 
@@ -128,7 +132,7 @@ public:
     [[nodiscard]] std::vector<HaltFrame> haltFrames() const;
     /// Why it stands: a condition that can not be evaluated, else empty.
     [[nodiscard]] std::string haltProblem() const;
-    /// Name and value of the locals of a frame of haltFrames().
+    /// Name and value of the locals of a frame of haltFrames(); after a fault, of the fault's call path as it was then.
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
 
     /// Cached by text, scope and program version; any thread.

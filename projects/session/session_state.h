@@ -45,10 +45,14 @@ struct Session::State final : controller::ScanObserver {
     // --- published
     Published<Snapshot> published;
     std::atomic<controller::State> state{controller::State::Stopped};
-    std::atomic<uint64_t> scans{0}, skipped{0};
+    std::atomic<uint64_t> scans{0}, skipped{0}, halts{0};
     std::atomic<int64_t> time{0}, lastScanNs{0};
     std::atomic<double> load{0};
     std::atomic<bool> wantsRetainSaved{false};
+    struct FaultImage {
+        std::vector<std::byte> image;
+        std::shared_ptr<const image::CompiledProgram> program;
+    };
     struct Shared {
         std::optional<controller::Fault> fault, simulationFault;
         std::vector<controller::Forced> forces;
@@ -58,6 +62,7 @@ struct Session::State final : controller::ScanObserver {
         std::vector<std::string> refusals;
         std::vector<controller::FaultFrame> frames; // while halted, innermost first
         std::string haltProblem, retainProblem;
+        std::shared_ptr<const FaultImage> faultImage; // while there is a fault
     };
     mutable std::mutex mutex;
     Shared shared;
@@ -80,6 +85,7 @@ struct Session::State final : controller::ScanObserver {
     std::vector<std::string> newRefusals;
     std::vector<controller::FaultFrame> haltFrames;
     std::string haltProblem;
+    std::shared_ptr<const FaultImage> faultImage;
     int64_t lastPublish = 0, lastShare = 0, busyNs = 0, loadSince = 0;
     uint64_t skippedReported = 0;
     int64_t skippedReportedAt = 0;
@@ -94,6 +100,8 @@ struct Session::State final : controller::ScanObserver {
     void scanFast();
     void afterScans(int64_t begin, int64_t end);
     void reportSkipped(int64_t now);
+    /// The locals lie in the image only until the plant runs the next time.
+    void keepFaultImage();
     void anchor(int64_t now);
     [[nodiscard]] bool scansAreWanted() const;
     debug::Going serveHalt(const debug::Halt& halt);

@@ -29,7 +29,8 @@ struct Value {
 void writeValue(const TypeTable& types, TypeId type, const Value& value, std::span<std::byte> bytes, int bit = -1);
 
 /// How numbers are shown.
-enum class NumberFormat { Decimal, Hex, Binary };
+/// Time: integers as a duration in milliseconds.
+enum class NumberFormat { Decimal, Hex, Binary, Time };
 /// As the command line and CSV show it: TRUE, 5, 1.5, T#1s500ms, Red, 'text', [1, 2], (a := 1, b := 2), NULL.
 [[nodiscard]] std::string toText(const TypeTable& types, const Value& value,
                                  NumberFormat format = NumberFormat::Decimal);

@@ -25,8 +25,11 @@ std::string basedText(TypeKind kind, int64_t value, NumberFormat format) {
 }
 
 std::string integerText(TypeKind kind, int64_t value, NumberFormat format) {
-    if (format != NumberFormat::Decimal) return basedText(kind, value, format);
     const bool isUnsigned64 = kind == TypeKind::Ulint || kind == TypeKind::Lword;
+    constexpr int64_t most = INT64_MAX / 1'000'000; // milliseconds that a duration holds
+    if (format == NumberFormat::Time && value <= most && value >= -most && !(isUnsigned64 && value < 0))
+        return durationText(value * 1'000'000);
+    if (format == NumberFormat::Hex || format == NumberFormat::Binary) return basedText(kind, value, format);
     return isUnsigned64 ? std::to_string(static_cast<uint64_t>(value)) : std::to_string(value);
 }
 

@@ -178,6 +178,36 @@ TEST(Player, AnAlarmOfOneScanIsNotLostAndAcknowledgingEndsIt) {
     EXPECT_EQ(machine.player->alarms().present({}, AlarmOrder::Time).size(), 1u); // overload is still there
 }
 
+TEST(Player, WhatWasAcknowledgedStaysSoWhenAlarmsAreEdited) {
+    Machine machine(R"({"id":"a","kind":"alarmList","rect":[10,10,600,300]})");
+    ASSERT_TRUE(machine.waitFor("Main.count > 120"));
+    machine.write("Main.overload", Value::ofBool(true));
+    AlarmBook& alarms = machine.player->alarms();
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return alarms.present({}, AlarmOrder::Time).size() == 2; }));
+    machine.player->alarmWatch()->acknowledgeAll({}, QStringLiteral("shift 2"));
+    ASSERT_TRUE(waitFor(*machine.player, [&] { return alarms.unacknowledgedCount() == 0; }));
+    const std::vector<AlarmEntry> before = alarms.present({}, AlarmOrder::Time);
+    ASSERT_EQ(before.size(), 1u);
+
+    machine.player->projectChanged(); // texts only: the watch goes on
+    EXPECT_EQ(alarms.unacknowledgedCount(), 0);
+    EXPECT_EQ(alarms.present({}, AlarmOrder::Time).size(), 1u);
+
+    std::string more = machine.project.alarms.write();
+    more.insert(more.find("\"alarms\"") + more.substr(more.find("\"alarms\"")).find('[') + 1,
+                R"({"id":"first","condition":"Main.count > 1000000","text":"none"},)");
+    machine.project.alarms = *AlarmFile::parse(more, QString());
+    machine.player->projectChanged();
+    machine.player->alarmWatch()->catchUp();
+    const std::vector<AlarmEntry> after = alarms.present({}, AlarmOrder::Time);
+    ASSERT_EQ(after.size(), 1u) << "what had returned and was acknowledged is gone for good";
+    EXPECT_EQ(after[0].id, before[0].id);
+    EXPECT_EQ(after[0].state, AlarmState::Acknowledged);
+    EXPECT_EQ(after[0].raised.scan, before[0].raised.scan);
+    const std::vector<AlarmEntry> history = alarms.history({}, 100);
+    EXPECT_EQ(history.size(), 2u) << "nothing is in the history twice";
+}
+
 TEST(Player, TheAlarmListIsSortedFilteredAndAcknowledgedByTouch) {
     Machine machine(R"({"id":"a","kind":"alarmList","rect":[10,10,600,300]})", false);
     machine.project.alarms =
