@@ -139,7 +139,7 @@ TEST_F(SteppingTest, StepsIntoCallsMethodsAndActionsWithTheCallPathInStep) {
     stepTo(Qt::Key_F10, Qt::ShiftModifier, "pulse(IN");
     // Into the library's block: its source opens.
     QTest::keyClick(window.get(), Qt::Key_F8);
-    EXPECT_TRUE(waitFor([&] { return frames() == "TON < Main"; }, 2000)) << frames();
+    EXPECT_TRUE(waitFor([&] { return frames() == "Standard.TON < Main"; }, 2000)) << frames();
     EXPECT_TRUE(waitFor([&] { return editor().file() != "src/main.st" && marked() > 0; }, 2000));
     QTest::keyClick(window.get(), Qt::Key_F10, Qt::ShiftModifier);
     EXPECT_TRUE(waitFor([&] { return frames() == "Main" && editor().file() == "src/main.st"; }, 2000)) << frames();
