@@ -2649,28 +2649,12 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Realtid</translation>
     </message>
     <message>
-        <source>2 ×</source>
-        <translation>2 ×</translation>
-    </message>
-    <message>
-        <source>10 ×</source>
-        <translation>10 ×</translation>
-    </message>
-    <message>
-        <source>100 ×</source>
-        <translation>100 ×</translation>
-    </message>
-    <message>
         <source>As fast as possible</source>
         <translation>Så hurtigt som muligt</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Hastighed</translation>
-    </message>
-    <message>
-        <source>Speed of the controller:</source>
-        <translation>Styringens hastighed:</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -3231,6 +3215,30 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The language changes when the tests have ended</source>
         <translation>Sproget skifter, når testene er færdige</translation>
     </message>
+    <message>
+        <source>Fault of the controller</source>
+        <translation>Styringens fejl</translation>
+    </message>
+    <message>
+        <source>RUN %1</source>
+        <translation>RUN %1</translation>
+    </message>
+    <message>
+        <source>at full speed</source>
+        <translation>for fuld kraft</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Speed of the controller; any factor can be typed:</source>
+        <translation>Styringens hastighed; enhver faktor kan skrives:</translation>
+    </message>
+    <message>
+        <source>The speed is a factor from 0.001 to 10000</source>
+        <translation>Hastigheden er en faktor fra 0,001 til 10000</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -3746,6 +3754,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Another action has the same shortcut</source>
         <translation>En anden handling har samme genvej</translation>
     </message>
+    <message>
+        <source>Shortcut of %1</source>
+        <translation>Genvej for %1</translation>
+    </message>
+    <message>
+        <source>Filter of the actions</source>
+        <translation>Filter for kommandoerne</translation>
+    </message>
+    <message>
+        <source>All Defaults</source>
+        <translation>Alle standarder</translation>
+    </message>
+    <message>
+        <source>%1 now belongs to “%2”; “%3” loses it.</source>
+        <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::StartPage</name>
@@ -3842,6 +3866,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Remove all</source>
         <translation>Fjern alle</translation>
+    </message>
+    <message>
+        <source>The program that runs has no code at this line or below it</source>
+        <translation>Programmet, der kører, har ingen kode i denne linje eller under den</translation>
     </message>
 </context>
 <context>
@@ -4175,6 +4203,26 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Clear</source>
         <translation>Ryd</translation>
     </message>
+    <message>
+        <source>Copy the selected rows, else all</source>
+        <translation>Kopiér de valgte rækker, ellers alle</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiér</translation>
+    </message>
+    <message>
+        <source>Only faults and refusals</source>
+        <translation>Kun fejl og afvisninger</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the events</source>
+        <translation>Filter for hændelserne</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::FindBar</name>
@@ -4324,6 +4372,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Optimising</source>
         <translation>Optimerer</translation>
+    </message>
+    <message>
+        <source>There is no code at or below line %1 of %2</source>
+        <translation>I %2 er der ingen kode i eller under linje %1</translation>
+    </message>
+    <message>
+        <source>The condition of the breakpoint: %1</source>
+        <translation>Stoppunktets betingelse: %1</translation>
+    </message>
+    <message>
+        <source>The past can not be forced; resume from here or go back to live first</source>
+        <translation>Fortiden kan ikke tvinges; fortsæt herfra eller gå tilbage til nutiden først</translation>
     </message>
 </context>
 <context>
@@ -4522,6 +4582,20 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Remove all</source>
         <translation>Fjern alle</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <comment>number format</comment>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
+        <translation>Tal som decimaler, hexadecimalt eller binært, eller millisekunder som tid</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>stretch of an array</comment>
+        <translation>%1 … %2</translation>
     </message>
 </context>
 <context>

@@ -2649,28 +2649,12 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Echtzeit</translation>
     </message>
     <message>
-        <source>2 ×</source>
-        <translation>2 ×</translation>
-    </message>
-    <message>
-        <source>10 ×</source>
-        <translation>10 ×</translation>
-    </message>
-    <message>
-        <source>100 ×</source>
-        <translation>100 ×</translation>
-    </message>
-    <message>
         <source>As fast as possible</source>
         <translation>So schnell wie möglich</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Speed of the controller:</source>
-        <translation>Geschwindigkeit der Steuerung:</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -3231,6 +3215,30 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The language changes when the tests have ended</source>
         <translation>Die Sprache wechselt, wenn die Tests zu Ende sind</translation>
     </message>
+    <message>
+        <source>Fault of the controller</source>
+        <translation>Fehler der Steuerung</translation>
+    </message>
+    <message>
+        <source>RUN %1</source>
+        <translation>RUN %1</translation>
+    </message>
+    <message>
+        <source>at full speed</source>
+        <translation>so schnell es geht</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Speed of the controller; any factor can be typed:</source>
+        <translation>Geschwindigkeit der Steuerung; jeder Faktor kann eingegeben werden:</translation>
+    </message>
+    <message>
+        <source>The speed is a factor from 0.001 to 10000</source>
+        <translation>Die Geschwindigkeit ist ein Faktor von 0,001 bis 10000</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -3746,6 +3754,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Another action has the same shortcut</source>
         <translation>Eine andere Aktion hat dasselbe Kürzel</translation>
     </message>
+    <message>
+        <source>Shortcut of %1</source>
+        <translation>Tastenkürzel von %1</translation>
+    </message>
+    <message>
+        <source>Filter of the actions</source>
+        <translation>Filter der Befehle</translation>
+    </message>
+    <message>
+        <source>All Defaults</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 now belongs to “%2”; “%3” loses it.</source>
+        <translation>%1 gehört jetzt zu „%2“; „%3“ verliert es.</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::StartPage</name>
@@ -3842,6 +3866,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Remove all</source>
         <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>The program that runs has no code at this line or below it</source>
+        <translation>Das laufende Programm hat in dieser Zeile und darunter keinen Code</translation>
     </message>
 </context>
 <context>
@@ -4175,6 +4203,26 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Clear</source>
         <translation>Leeren</translation>
     </message>
+    <message>
+        <source>Copy the selected rows, else all</source>
+        <translation>Die ausgewählten Zeilen kopieren, sonst alle</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Only faults and refusals</source>
+        <translation>Nur Fehler und Ablehnungen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the events</source>
+        <translation>Filter der Ereignisse</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::FindBar</name>
@@ -4324,6 +4372,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Optimising</source>
         <translation>Optimieren</translation>
+    </message>
+    <message>
+        <source>There is no code at or below line %1 of %2</source>
+        <translation>In %2 steht in und unter Zeile %1 kein Code</translation>
+    </message>
+    <message>
+        <source>The condition of the breakpoint: %1</source>
+        <translation>Die Bedingung des Haltepunkts: %1</translation>
+    </message>
+    <message>
+        <source>The past can not be forced; resume from here or go back to live first</source>
+        <translation>Vergangenes kann nicht geforct werden; erst von hier fortsetzen oder zur Gegenwart zurückkehren</translation>
     </message>
 </context>
 <context>
@@ -4522,6 +4582,20 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Remove all</source>
         <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <comment>number format</comment>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Numbers as decimals, in hexadecimal or binary, or milliseconds as a time</source>
+        <translation>Zahlen dezimal, hexadezimal oder binär, oder Millisekunden als Zeit</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>stretch of an array</comment>
+        <translation>%1 … %2</translation>
     </message>
 </context>
 <context>
