@@ -561,7 +561,7 @@ void EditorTabs::swapGroup(Group& group) {
         if (!m_workspace.files().contains(file)) { // it left with the last unit in it
             if (back && !to.empty())
                 if (auto added = m_workspace.addFile(file, to); !added)
-                    emit message(QString::fromStdString(added.error().text()), true);
+                    emit message(kit::messageText(added.error()), true);
             continue;
         }
         if (m_workspace.text(file) != from) { // edited since

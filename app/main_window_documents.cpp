@@ -116,8 +116,7 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
         question += "\n" + tr("These panels lead to it; their buttons will be problems: %1").arg(users.join(", "));
     if (QMessageBox::question(this, tr("Delete"), question) != QMessageBox::Yes) return;
     if (kind == "test" || kind == "source") {
-        if (auto removed = m_workspace->removeFile(name); !removed)
-            say(QString::fromStdString(removed.error().text()), true);
+        if (auto removed = m_workspace->removeFile(name); !removed) say(kit::messageText(removed.error()), true);
         return;
     }
     if (kind == "panel" && !closeDesigns()) return;

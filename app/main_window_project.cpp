@@ -188,7 +188,7 @@ bool MainWindow::openExample(const QString& example, bool fresh) {
     const bool isNew = !QFile::exists(copy + "/project.json");
     if (isNew)
         if (auto copied = copyProject(example.toStdString(), copy.toStdString()); !copied) {
-            say(QString::fromStdString(copied.error().text()), true);
+            say(kit::messageText(copied.error()), true);
             return false;
         }
     if (!openProject(copy)) return false;

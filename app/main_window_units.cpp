@@ -167,7 +167,7 @@ void MainWindow::renameTo(const QString& file, uint32_t offset, const QString& n
     const sema::Symbol& renamedSymbol = model->symbol(*symbol);
     const QString old = QString::fromStdString(renamedSymbol.name), path = QString::fromStdString(renamedSymbol.path);
     const auto found = model->rename(*id, offset, name.toStdString());
-    if (!found) return say(QString::fromStdString(found.error().text()), true);
+    if (!found) return say(kit::messageText(found.error()), true);
     std::map<QString, std::vector<diagnostics::TextEdit>> edits;
     for (const analysis::FileEdits& each : *found)
         edits[QString::fromStdString(model->sources()[each.file].path())] = each.edits;
@@ -222,10 +222,8 @@ void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, c
 void MainWindow::renameSource(const QString& from, const QString& to) {
     const bool wasOpen = m_tabs->pageOf(from) != nullptr;
     if (wasOpen && m_workspace->isModified(from))
-        if (auto saved = m_workspace->save(from); !saved)
-            return say(QString::fromStdString(saved.error().text()), true);
-    if (auto renamed = m_workspace->renameFile(from, to); !renamed)
-        return say(QString::fromStdString(renamed.error().text()), true);
+        if (auto saved = m_workspace->save(from); !saved) return say(kit::messageText(saved.error()), true);
+    if (auto renamed = m_workspace->renameFile(from, to); !renamed) return say(kit::messageText(renamed.error()), true);
     std::vector<editor::EditorBreakpoint> breakpoints = m_control->breakpoints();
     for (editor::EditorBreakpoint& each : breakpoints)
         if (each.file == from) each.file = to;

@@ -1,6 +1,6 @@
 #include "editor/debug/run_control.h"
-#include "editor/kit/message_text.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"

@@ -353,7 +353,7 @@ void WatchView::checkPrepared(QTreeWidgetItem* item) {
     const bool isChecked = m_control.session() && !prepared.isEmpty();
     const auto value = isChecked ? m_control.parse(expressionOf(item), prepared) : Result<types::Value>(types::Value());
     const QSignalBlocker blocker(m_tree);
-    item->setToolTip(Prepared, value ? QString() : QString::fromStdString(value.error().text()));
+    item->setToolTip(Prepared, value ? QString() : kit::messageText(value.error()));
     item->setForeground(Prepared, value ? kit::colors().text : kit::colors().bad);
 }
 
