@@ -158,8 +158,6 @@ private:
     void offerRecovery();
     void findDefinition(const QString& file, uint32_t offset);
     void findUses(const QString& file, uint32_t offset);
-    [[nodiscard]] std::map<QString, std::vector<SourceRange>> placesInTests(const analysis::CodeModel& model,
-                                                                            sema::SymbolId symbol) const;
     void renameSource(const QString& from, const QString& to);
     void fillRecentMenu();
     void addDesignPage(QWidget* page, const QString& title, int icon, const QString& key);

@@ -118,36 +118,20 @@ void MainWindow::showConverted(analysis::TextLanguage to) {
     dialog->open();
 }
 
-/// Where the tests, which the model does not hold, mean the symbol.
-std::map<QString, std::vector<SourceRange>> MainWindow::placesInTests(const analysis::CodeModel& model,
-                                                                      sema::SymbolId symbol) const {
-    std::map<QString, std::vector<SourceRange>> out;
-    for (const QString& file : m_workspace->files()) {
-        if (!editor::Workspace::isTestFile(file)) continue;
-        for (const auto& [begin, end] : model.placesInTest(symbol, m_workspace->text(file)))
-            out[file].push_back({FileId(0), begin, end});
-    }
-    return out;
-}
-
 void MainWindow::findUses(const QString& file, uint32_t offset) {
     const auto model = m_workspace->presentModel();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     if (!id) return;
     const auto symbol = model->symbolAt(*id, offset);
     if (!symbol) return say(tr("There is no name at the cursor"));
-    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources(),
-                       placesInTests(*model, *symbol));
+    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources());
     showDock("search");
 }
 
 void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
     const auto model = m_workspace->presentModel();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
-    if (!id)
-        return say(editor::Workspace::isTestFile(file)
-                       ? tr("Rename it where it is declared: the tests follow")
-                       : tr("The project is still being checked; try again in a moment"));
+    if (!id) return say(tr("The project is still being checked; try again in a moment"));
     const auto symbol = model->symbolAt(*id, offset);
     if (!symbol) return say(tr("There is no name at the cursor"));
     const QString old = QString::fromStdString(model->symbol(*symbol).name);
@@ -171,8 +155,6 @@ void MainWindow::renameTo(const QString& file, uint32_t offset, const QString& n
     std::map<QString, std::vector<diagnostics::TextEdit>> edits;
     for (const analysis::FileEdits& each : *found)
         edits[QString::fromStdString(model->sources()[each.file].path())] = each.edits;
-    for (const auto& [test, ranges] : placesInTests(*model, *symbol))
-        for (const SourceRange& range : ranges) edits[test].push_back({range, name.toStdString()});
     size_t places = 0;
     for (const auto& [each, list] : edits) places += list.size();
     // Panels follow, also when the rename is taken back.
@@ -181,7 +163,8 @@ void MainWindow::renameTo(const QString& file, uint32_t offset, const QString& n
         if (m_live->design() && m_live->design()->renameVariable(back ? newPath : path, back ? path : newPath))
             (void)m_live->design()->save();
     };
-    const bool hasPath = path.endsWith(old, Qt::CaseInsensitive);
+    const bool hasPath = path.endsWith(old, Qt::CaseInsensitive) &&
+                         (renamedSymbol.owner.empty() || path != old); // panels name nothing inside a block
     m_tabs->applyEdits(edits, hasPath ? std::function<void(bool)>(renamePanels) : nullptr);
     if (hasPath) renamePanels(false);
     emit renamed(path, old, name);
@@ -195,21 +178,18 @@ void MainWindow::deleteUnit(const QString& file, uint32_t begin, uint32_t end, c
     int others = 0;
     for (const analysis::Use& use : model->uses(*id, begin))
         others += !use.isDeclaration && !(use.range.file == *id && use.range.begin >= begin && use.range.end <= end);
-    int inTests = 0;
-    if (const auto symbol = model->symbolAt(*id, begin))
-        for (const auto& [test, ranges] : placesInTests(*model, *symbol)) inTests += static_cast<int>(ranges.size());
     QString question = tr("Delete %1?").arg(name);
-    if (others + inTests) question += "\n" + tr("It is used in %n other place(s).", nullptr, others + inTests);
+    if (others) question += "\n" + tr("It is used in %n other place(s).", nullptr, others);
     QMessageBox box(QMessageBox::Question, tr("Delete"), question, QMessageBox::Cancel, this);
     QPushButton* plain = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
     QPushButton* commentOut =
         others ? box.addButton(tr("Delete and Comment Out the Uses"), QMessageBox::DestructiveRole) : nullptr;
-    QPushButton* show = others + inTests ? box.addButton(tr("Show the Uses"), QMessageBox::ActionRole) : nullptr;
+    QPushButton* show = others ? box.addButton(tr("Show the Uses"), QMessageBox::ActionRole) : nullptr;
     box.exec();
     if (show && box.clickedButton() == show) return findUses(file, begin);
     const bool comments = commentOut && box.clickedButton() == commentOut;
     if (!comments && box.clickedButton() != plain) return;
-    if (others + inTests) findUses(file, begin);
+    if (others) findUses(file, begin);
     m_tabs->applyEdits(model->removal(*id, begin, comments), model->sources());
     // A file that held nothing else goes with it.
     const std::string rest = m_workspace->text(file);

@@ -153,8 +153,7 @@ int SearchView::replaceAll() {
     return count;
 }
 
-void SearchView::showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources,
-                          const std::map<QString, std::vector<SourceRange>>& inTests) {
+void SearchView::showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources) {
     m_results->clear();
     int reads = 0, writes = 0;
     for (const analysis::Use& use : uses) {
@@ -166,10 +165,6 @@ void SearchView::showUses(const QString& name, const std::vector<analysis::Use>&
                 : use.isWrite && use.isRead ? tr("read, write")
                 : use.isWrite               ? tr("write")
                                             : tr("read"));
-    }
-    for (const auto& [file, ranges] : inTests) {
-        const SourceText source(file.toStdString(), m_workspace.text(file));
-        for (const SourceRange& range : ranges) addLine(file, source, range, tr("in a test"));
     }
     m_summary->setText(tr("%1: %2 read, %3 written").arg(name).arg(reads).arg(writes));
 }

@@ -21,8 +21,7 @@ public:
     void openSearch(const QString& text);
     void search();
     int replaceAll();
-    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources,
-                  const std::map<QString, std::vector<SourceRange>>& inTests = {});
+    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources);
     [[nodiscard]] QTreeWidget& results() { return *m_results; }
 
 signals:

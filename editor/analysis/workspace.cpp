@@ -357,9 +357,12 @@ void Workspace::startCheck() {
     if (!m_project) return;
     if (!m_project->folder.empty())
         m_project->companions = projects::readCompanions(m_project->folder); // a panel may have been saved since
+    driver::BuildInput input = buildInput();
+    for (const auto& [file, content] : m_files) // the program never holds them, the editor knows them
+        if (isTestFile(file)) input.files.push_back({toStd(file), content.text});
     {
         const std::lock_guard lock(m_mutex);
-        m_job = {buildInput(), ++m_revision};
+        m_job = {std::move(input), ++m_revision};
     }
     m_wake.notify_one();
 }

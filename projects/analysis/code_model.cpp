@@ -1,6 +1,7 @@
 #include "projects/analysis/code_model.h"
 
 #include "runtime/base/text.h"
+#include "runtime/compiler/sema/tests.h"
 
 #include <algorithm>
 
@@ -222,6 +223,8 @@ std::string CodeModel::pouAt(FileId file, uint32_t offset) const {
     const auto walk = [&](auto&& self, const std::vector<syntax::Decl*>& declarations) -> void {
         for (const syntax::Decl* declaration : declarations) {
             if (declaration->kind == syntax::DeclKind::Pou && declaration->pou) inPou(*declaration->pou);
+            if (declaration->test && offset >= declaration->test->range.begin && offset <= declaration->test->range.end)
+                found = sema::testUnitName(*declaration->test);
             if (declaration->kind == syntax::DeclKind::Namespace && declaration->space)
                 self(self, declaration->space->declarations);
         }

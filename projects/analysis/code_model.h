@@ -136,9 +136,6 @@ public:
     /// Takes the unit whose name begins at `offset` out, with the comments and pragmas directly above it; what refers
     /// to it becomes a comment when wanted: the statement, the declaration, never half of one.
     [[nodiscard]] std::vector<FileEdits> removal(FileId file, uint32_t offset, bool commentsOutUses) const;
-    /// Where the text of a test, which the model does not hold, means the symbol: begin and end.
-    [[nodiscard]] std::vector<std::pair<uint32_t, uint32_t>> placesInTest(sema::SymbolId id,
-                                                                          std::string_view text) const;
     [[nodiscard]] std::vector<OutlineItem> outline(FileId file) const;
     [[nodiscard]] Completion complete(FileId file, std::string_view text, uint32_t offset) const;
     /// For watches and bindings: paths from the top.
@@ -163,6 +160,7 @@ private:
     void addMembers(types::TypeId type, std::vector<CompletionItem>& items) const;
     void addScope(const std::string& pou, std::vector<CompletionItem>& items) const;
     void addWords(std::vector<CompletionItem>& items) const;
+    void addTestWords(const std::string& pou, std::vector<CompletionItem>& items) const;
 
     uint64_t m_revision = 0;
     driver::Checked m_checked;

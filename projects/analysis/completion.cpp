@@ -146,8 +146,13 @@ std::optional<types::TypeId> CodeModel::typeOfChain(const std::vector<std::strin
         type = block->type;
     } else if (const Symbol* first = findVisible(names[0], pou)) {
         type = first->type;
-    } else {
-        return std::nullopt;
+    } else { // an instance of a program is no symbol
+        const auto root =
+            std::find_if(program->layout.roots.begin(), program->layout.roots.end(), [&](const image::Root& each) {
+                return each.list.empty() && equalsIgnoringCase(each.name, names[0]);
+            });
+        if (root == program->layout.roots.end()) return std::nullopt;
+        type = root->type;
     }
     for (size_t i = 1;; ++i) {
         for (int guard = 0; guard < 16; ++guard) { // members are those of the element or of what is pointed to
@@ -235,6 +240,25 @@ void CodeModel::addWords(std::vector<CompletionItem>& items) const {
     for (const Snippet& snippet : kSnippets)
         items.push_back({std::string(snippet.text), std::string(snippet.word) + " …", std::string(snippet.detail),
                          ItemKind::Snippet, 8});
+}
+
+/// In a test: its statements, and the instances of programs.
+void CodeModel::addTestWords(const std::string& pou, std::vector<CompletionItem>& items) const {
+    if (pou.empty()) {
+        items.push_back({"TEST '|'\n    \nEND_TEST", "TEST …", "a test", ItemKind::Snippet, 0});
+        return;
+    }
+    for (const auto& [word, summary] :
+         {std::pair("RUN", "lets time pass: RUN T#1s; RUN 3 SCANS; RUN UNTIL a FOR T#5s"),
+          std::pair("ASSERT", "must be TRUE: ASSERT a = b, 'why'"),
+          std::pair("FORCE", "holds a value: FORCE a := TRUE"), std::pair("RELEASE", "ends a FORCE"),
+          std::pair("COMPARE", "with a recording: COMPARE 'name'")})
+        items.push_back({word, "", summary, ItemKind::Keyword, 1});
+    const auto& program = m_checked.analysis->program;
+    if (!program) return;
+    for (const image::Root& root : program->layout.roots)
+        if (!root.isHidden && root.space.empty() && root.list.empty() && root.area == image::Area::Program)
+            items.push_back({root.name, (*program->types)[root.type].name, root.comment, ItemKind::Program, 1});
 }
 
 namespace {
@@ -326,6 +350,7 @@ Completion CodeModel::complete(FileId file, std::string_view text, uint32_t offs
                          parameter.type, parameter.comment, ItemKind::Parameter, 0});
         addScope(pou, out.items);
         addWords(out.items);
+        if (sources()[file].path().starts_with("tests/")) addTestWords(pou, out.items);
     }
     filterAndSort(out.items, typed);
     return out;

@@ -2,6 +2,7 @@
 // member in the block, program or structure it should belong to.
 #include "projects/analysis/code_model.h"
 
+#include "projects/analysis/sections.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -14,56 +15,11 @@ using syntax::SectionKind;
 
 namespace {
 
-std::string_view wordOf(SectionKind kind) {
-    switch (kind) {
-    case SectionKind::Input:
-        return "VAR_INPUT";
-    case SectionKind::Output:
-        return "VAR_OUTPUT";
-    case SectionKind::InOut:
-        return "VAR_IN_OUT";
-    case SectionKind::Temp:
-        return "VAR_TEMP";
-    case SectionKind::Global:
-        return "VAR_GLOBAL";
-    default:
-        return "VAR";
-    }
-}
-
 template <class Visit> void forEach(const std::vector<syntax::Decl*>& declarations, const Visit& visit) {
     for (const syntax::Decl* each : declarations) {
         visit(*each);
         if (each->kind == syntax::DeclKind::Namespace) forEach(each->space->declarations, visit);
     }
-}
-
-std::optional<uint32_t> lineOfEnd(const syntax::VarSection& section, std::string_view text) {
-    const size_t end = text.substr(section.range.begin, section.range.length()).rfind('\n'); // the line of END_VAR
-    if (end == std::string_view::npos) return std::nullopt;
-    return static_cast<uint32_t>(section.range.begin + end + 1);
-}
-
-/// A line in the section of that kind, or in a new one: inputs stand first, all others behind what is there.
-diagnostics::TextEdit declareIn(const syntax::Pou& pou, SectionKind kind, FileId file, std::string_view text,
-                                const std::string& line) {
-    for (const syntax::VarSection* section : pou.sections)
-        if (section->kind == kind && !section->constant)
-            if (const auto at = lineOfEnd(*section, text)) return {{file, *at, *at}, line};
-    uint32_t at = pou.header.end;
-    if (kind != SectionKind::Input || pou.sections.empty())
-        for (const syntax::VarSection* section : pou.sections) at = std::max(at, section->range.end);
-    else
-        at = pou.sections.front()->range.begin;
-    if (kind == SectionKind::Input && !pou.sections.empty())
-        while (at > 0 && text[at - 1] != '\n') --at;
-    else {
-        while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t' || text[at - 1] == '\n' || text[at - 1] == '\r'))
-            --at; // what is between header and first statement may be empty lines
-        while (at < text.size() && text[at] != '\n') ++at;
-        if (at < text.size()) ++at;
-    }
-    return {{file, at, at}, std::string(wordOf(kind)) + "\n" + line + "END_VAR\n"};
 }
 
 } // namespace

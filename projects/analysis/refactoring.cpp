@@ -1,5 +1,4 @@
-// Changes of CodeModel that reach further than a name: a unit leaves with what refers to it, and the tests, which the
-// model does not hold, follow a rename.
+// Changes of CodeModel that reach further than a name: a unit leaves with what refers to it.
 #include "projects/analysis/code_model.h"
 
 #include "runtime/base/text.h"
@@ -93,6 +92,10 @@ private:
                     sections(resource->sections);
                     for (const syntax::ProgramInstance* program : resource->programs) take(program->range);
                 }
+            }
+            if (each->test) {
+                sections(each->test->sections);
+                block(each->test->body);
             }
             if (each->space) walk(each->space->declarations);
         }
@@ -206,68 +209,6 @@ std::vector<FileEdits> CodeModel::removal(FileId file, uint32_t offset, bool com
     for (auto& [where, list] : edits) {
         std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.range.begin < b.range.begin; });
         out.push_back({where, std::move(list)});
-    }
-    return out;
-}
-
-std::vector<std::pair<uint32_t, uint32_t>> CodeModel::placesInTest(sema::SymbolId id, std::string_view text) const {
-    const sema::Symbol& wanted = symbol(id);
-    const auto& program = m_checked.analysis->program;
-    std::vector<std::pair<uint32_t, uint32_t>> out;
-    diagnostics::Sink sink;
-    const lex::TokenList list = lex::tokenize(FileId(size_t(0)), text, sink);
-    const auto word = [&](size_t i) {
-        return text.substr(list.tokens[i].begin, list.tokens[i].end - list.tokens[i].begin);
-    };
-    /// The names before a dot, with indices left out.
-    const auto chainBefore = [&](size_t i) {
-        std::vector<std::string> names;
-        while (i >= 2 && list.tokens[i - 1].kind == TokenKind::Dot) {
-            size_t at = i - 2;
-            if (list.tokens[at].kind == TokenKind::RightBracket)
-                for (int depth = 0; at > 0; --at) {
-                    depth += list.tokens[at].kind == TokenKind::RightBracket;
-                    depth -= list.tokens[at].kind == TokenKind::LeftBracket;
-                    if (depth == 0) {
-                        --at;
-                        break;
-                    }
-                }
-            if (list.tokens[at].kind != TokenKind::Identifier) return std::vector<std::string>();
-            names.insert(names.begin(), std::string(word(at)));
-            i = at;
-        }
-        return names;
-    };
-    const auto typeOf = [&](const std::vector<std::string>& chain) -> std::optional<types::TypeId> {
-        if (!program) return std::nullopt;
-        for (const image::Root& root : program->layout.roots) { // an instance of a program is no symbol
-            if (!equalsIgnoringCase(root.name, chain[0])) continue;
-            types::TypeId type = root.type;
-            for (size_t i = 1; i < chain.size(); ++i) {
-                while ((*program->types)[type].kind == types::TypeKind::Array) type = (*program->types)[type].element;
-                const types::Field* field = (*program->types)[type].findField(chain[i]);
-                if (!field) return std::nullopt;
-                type = field->type;
-            }
-            while ((*program->types)[type].kind == types::TypeKind::Array) type = (*program->types)[type].element;
-            return type;
-        }
-        return typeOfChain(chain, "");
-    };
-    for (size_t i = 0; i < list.tokens.size(); ++i) {
-        if (list.tokens[i].kind != TokenKind::Identifier || !equalsIgnoringCase(word(i), wanted.name)) continue;
-        const std::vector<std::string> chain = chainBefore(i);
-        bool isIt = false;
-        if (chain.empty()) {
-            isIt = wanted.owner.empty() && (i == 0 || list.tokens[i - 1].kind != TokenKind::Dot);
-        } else if (wanted.owner.empty()) {
-            isIt = equalsIgnoringCase(wanted.path, chain.back() + "." + std::string(word(i))); // a list's variable
-        } else if (const auto type = typeOf(chain)) {
-            for (types::TypeId owner = *type; owner.isValid() && !isIt; owner = (*program->types)[owner].base)
-                isIt = equalsIgnoringCase((*program->types)[owner].name, wanted.owner);
-        }
-        if (isIt) out.emplace_back(list.tokens[i].begin, list.tokens[i].end);
     }
     return out;
 }

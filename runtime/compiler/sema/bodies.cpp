@@ -97,6 +97,7 @@ void World::checkBody(Unit& unit) {
     Checker checker(*this, {&unit, unit.space, unit.file}, sink, arena);
     checker.function = &function;
     checker.functionId = unit.function;
+    checker.isTest = unit.isTest;
     if (unit.isInstanced())
         emitEdges(checker, unit, function.body);
     else
@@ -109,6 +110,7 @@ void World::checkBody(Unit& unit) {
     }
     checker.declareLabels(body->statements);
     checker.statements(body->statements, function.body);
+    if (unit.isTest) function.body.clear();
     if (unit.resultVariable && types.kind(unit.result) != TypeKind::Void &&
         types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {
         const bool atEnd = !checker.flow.isReachable || checker.flow.isResultSet;

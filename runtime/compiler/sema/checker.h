@@ -205,6 +205,7 @@ public:
     void statements(const syntax::Block& block, std::vector<tree::Stmt*>& out);
     void statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     bool isAssociable(const syntax::Stmt& stmt);
+    void testStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out); // tests.cpp
     void assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out);
     void assignTo(const Denoted& target, Operand value, SourceRange range, std::vector<tree::Stmt*>& out,
                   bool isHidden = false);
@@ -255,6 +256,7 @@ public:
     tree::FunctionId functionId;
     bool isMuted = false;                 // no references, no counting
     bool isExpression = false;            // D7: no side effects; instance-relative places become absolute
+    bool isTest = false;                  // the body of a TEST: sees and writes everything, as a watch does
     bool isInitialiser = false;           // places are allowed although there is no function yet
     std::optional<uint32_t> instanceBase; // of THIS, in an expression
     std::string_view expressionText;      // for messages about it

@@ -134,7 +134,7 @@ void World::declare(const syntax::Decl& decl, Space& space, const syntax::Syntax
         if (decl.configuration) configurations.push_back({decl.configuration, &file, &space});
         return;
     case syntax::DeclKind::Test:
-        if (decl.test) tests.push_back(decl.test);
+        if (decl.test) declareTest(*decl.test, space, file);
         return;
     case syntax::DeclKind::Namespace: {
         if (!decl.space) return;

@@ -63,7 +63,7 @@ syntax::Access accessOf(const syntax::VarSection* section) {
 } // namespace
 
 bool Checker::checkAccess(syntax::Access access, const Unit* owner, const std::string& name, SourceRange range) {
-    if (isExpression || world.isAccessible(access, owner, scope)) return true; // a watch sees everything
+    if (isExpression || isTest || world.isAccessible(access, owner, scope)) return true; // a watch sees everything
     emit(range, Kind::NoAccess, {name, std::string(accessWord(access))});
     return false;
 }
@@ -218,6 +218,7 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
         if (const auto place = world.program->layout.find(name.text))
             return placeOf(absolutePlace(place->offset, place->type, place->bit, name.range));
     }
+    if (isTest && world.isAccessName(name.text)) return {};
     const bool isInstruction = scope.unit && scope.unit->pou && isOperatorOf(*scope.unit->pou, name.range);
     std::vector<std::string> candidates = world.visibleNames(scope);
     if (isInstruction)
@@ -309,7 +310,7 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
     if (variable.isConstant || (variable.section && variable.section->constant && !instance)) {
         out.isReadOnly = true;
         out.whyReadOnly = variable.name + " (a constant)";
-    } else if (instance && !isExpression) {
+    } else if (instance && !isExpression && !isTest) {
         if (variable.kind == SectionKind::Output && !variable.isProgramInstance && variable.owner &&
             variable.owner->kind == UnitKind::Block) {
             out.isReadOnly = true;

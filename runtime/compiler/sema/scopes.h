@@ -123,6 +123,7 @@ struct Unit {
     Property* property = nullptr;
     syntax::Access access = syntax::Access::Default;
     bool isAbstract = false, isFinal = false, isOverride = false, isSimulation = false;
+    bool isTest = false;     // the hidden block of a TEST
     bool hasHeader = false;  // instances begin with the block number
     bool isExtended = false; // some block extends it
     bool hasImplicitEno = false;

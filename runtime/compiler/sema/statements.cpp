@@ -92,6 +92,7 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
     case StmtKind::Force:
     case StmtKind::Release:
     case StmtKind::Compare: {
+        if (isTest) return testStatement(stmt, out);
         static constexpr const char* kWords[] = {"RUN", "ASSERT", "FORCE", "RELEASE", "COMPARE"};
         emit(stmt.range, Kind::TestUnknownStatement,
              {kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)]});

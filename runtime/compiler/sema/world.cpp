@@ -87,6 +87,7 @@ void World::build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
     buildInitialiser();
     buildDispatch();
     checkUsage();
+    checkTestNames();
     checkRecursion();
     finishLayout();
     program->functions.assign(std::make_move_iterator(functions.begin()), std::make_move_iterator(functions.end()));
@@ -120,6 +121,14 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
     if (!options.wantProgram)
         for (tree::Function& function : analysis->program->functions) function.body.clear();
     analysis->symbols = std::move(world->symbols);
+    // Of "a.b.c" the reference to c is the name alone.
+    for (Reference& reference : world->references) {
+        const std::string_view text = sources[reference.range.file].slice(reference.range);
+        const std::string& name = analysis->symbols[reference.symbol.index()].name;
+        if (text.size() <= name.size() || text[text.size() - name.size() - 1] != '.') continue;
+        if (equalsIgnoringCase(text.substr(text.size() - name.size()), name))
+            reference.range.begin = reference.range.end - static_cast<uint32_t>(name.size());
+    }
     std::stable_sort(world->references.begin(), world->references.end(), [](const Reference& a, const Reference& b) {
         return std::tuple(a.range.file, a.range.begin, a.range.end) <
                std::tuple(b.range.file, b.range.begin, b.range.end);

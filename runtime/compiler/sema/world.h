@@ -92,6 +92,11 @@ public:
     Space& childSpace(Space& parent, std::string_view name);
     void resolveUsings();
 
+    // tests.cpp
+    void declareTest(const syntax::TestDecl& test, Space& space, const syntax::SyntaxFile& file);
+    void checkTestNames();
+    [[nodiscard]] bool isAccessName(std::string_view name) const; // of a VAR_ACCESS
+
     // lookup.cpp
     struct Found {
         Entity entity;
@@ -273,7 +278,6 @@ public:
     };
     std::vector<Copy> copies;
     std::vector<DynamicInit> programInits; // absolute offsets, in order
-    std::vector<const syntax::TestDecl*> tests;
     std::vector<SourceRange> syntaxErrors;
     size_t suggestions = 0; // so many near names were looked for; at some point a reader has enough
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
