@@ -3,93 +3,18 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
-#include "projects/analysis/conversion.h"
 #include "runtime/compiler/driver/driver.h"
-#include "runtime/compiler/parse/parser.h"
 
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTabBar>
 #include <QToolTip>
-#include <QVBoxLayout>
 
 namespace plc::app {
 
 using editor::StEditor;
-
-// ------------------------------------------------------------------ a page
-
-StPage::StPage(const QString& file, QWidget* parent) : QWidget(parent), m_file(file) {
-    m_sides = new QSplitter(Qt::Horizontal, this);
-    m_splitter = new QSplitter(Qt::Vertical, m_sides);
-    m_first = new StEditor(m_splitter);
-    m_first->setFile(file);
-    m_find = new editor::FindBar(*m_first, this);
-    m_table = new editor::DeclarationTable(*m_first, m_splitter);
-    m_splitter->addWidget(m_table);
-    m_splitter->addWidget(m_first);
-    m_splitter->setStretchFactor(1, 3);
-    m_table->hide();
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_sides);
-    layout->addWidget(m_find);
-    setFocusProxy(m_first);
-}
-
-void StPage::toggleSplit() {
-    if (m_second) {
-        m_second->deleteLater();
-        m_second = nullptr;
-        m_first->setFocus();
-        return;
-    }
-    m_second = new StEditor(m_splitter);
-    m_second->shareDocumentOf(*m_first);
-    m_splitter->addWidget(m_second);
-    emit editorMade(m_second);
-    m_second->setFocus();
-}
-
-void StPage::toggleTable() { m_table->setVisible(!m_table->isVisible()); }
-
-editor::ChartView* StPage::showChart(const QString& unit) {
-    if (unit.isEmpty() && m_chart && m_chart->isVisible()) {
-        m_chart->hide();
-        return nullptr;
-    }
-    if (!m_chart) {
-        m_chart = new editor::ChartView(m_sides);
-        m_sides->addWidget(m_chart);
-        m_sides->setSizes({500, 500});
-        emit chartMade(m_chart);
-    }
-    if (!unit.isEmpty()) m_chart->setUnit(unit);
-    m_chart->show();
-    m_chart->setText(m_first->utf8());
-    return m_chart;
-}
-
-QString StPage::chartAtCursor() {
-    const std::string text = active().utf8();
-    const uint32_t at = active().cursorOffset();
-    diagnostics::Sink sink;
-    const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
-    const std::string around = editor::chartAt(*file, at);
-    if (!around.empty()) return QString::fromStdString(around);
-    for (const analysis::BodyPlace& place : analysis::bodiesOf(text))
-        if (at >= place.range.begin && at <= place.range.end)
-            return QString::fromStdString(place.unit).section('.', 0, 0);
-    return {};
-}
-
-std::vector<StEditor*> StPage::editors() {
-    std::vector<StEditor*> out{m_first};
-    if (m_second) out.push_back(m_second);
-    return out;
-}
 
 // ------------------------------------------------------------------ the tabs
 
@@ -120,8 +45,6 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
                         for (StEditor* editor : page->editors()) editor->setModel(model);
                         page->table().setModel(model);
                         if (page->chart()) page->chart()->setModel(model, page->file());
-                    } else if (auto* text = qobject_cast<StEditor*>(widget(i))) {
-                        text->setModel(model);
                     }
             });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
@@ -141,11 +64,15 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         if (StPage* page = pageOf(file))
             for (StEditor* each : page->editors()) each->setSavedText(m_workspace.text(file));
     });
+    connect(&workspace, &editor::Workspace::accessChanged, this, [this](const QString& file, bool isReadOnly) {
+        if (StPage* page = pageOf(file)) page->showReadOnly(isReadOnly);
+    });
     connect(&workspace, &editor::Workspace::changedOnDiskAndHere, this, &EditorTabs::askAboutDiskChange);
     connect(&workspace, &editor::Workspace::filesChanged, this, [this] {
         const QStringList files = m_workspace.files();
         for (int i = count() - 1; i >= 0; --i)
-            if (auto* page = qobject_cast<StPage*>(widget(i)); page && !files.contains(page->file())) {
+            if (auto* page = qobject_cast<StPage*>(widget(i));
+                page && !page->isLibrary() && !files.contains(page->file())) {
                 removeTab(i);
                 page->deleteLater();
             }
@@ -167,7 +94,6 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         // Ten times a second while it runs: more nobody reads.
         if (m_control.status().state == controller::State::Running && !m_control.viewed() && ++m_frames % 3 != 0)
             return;
-        if (auto* text = qobject_cast<StEditor*>(currentWidget())) text->refreshOnlineValues();
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();
@@ -188,7 +114,7 @@ StPage* EditorTabs::pageOf(const QString& file) const {
 QStringList EditorTabs::openFiles() const {
     QStringList out;
     for (int i = 0; i < count(); ++i)
-        if (auto* page = qobject_cast<StPage*>(widget(i))) out << page->file();
+        if (auto* page = qobject_cast<StPage*>(widget(i)); page && !page->isLibrary()) out << page->file();
     return out;
 }
 
@@ -201,11 +127,7 @@ StPage* EditorTabs::openFile(const QString& file) {
     auto* page = new StPage(file, this);
     page->first().load(m_workspace.text(file));
     page->first().setSavedText(m_workspace.savedText(file));
-    connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
-    connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
-    connectEditor(&page->first());
-    page->table().setOnlineValues(onlineValues());
-    page->table().setModel(m_workspace.model());
+    connectPage(page);
     connect(&page->table(), &editor::DeclarationTable::renameRequested, this,
             [this, file](uint32_t offset, const QString& name) { emit renameRequested(file, offset, name); });
     const int index = addTab(page, kit::icon(m_workspace.isTestFile(file) ? kit::Icon::Test : kit::Icon::File),
@@ -213,30 +135,40 @@ StPage* EditorTabs::openFile(const QString& file) {
     setTabToolTip(index, m_workspace.absolutePath(file));
     setCurrentIndex(index);
     markModified(file, m_workspace.isModified(file));
+    page->showReadOnly(m_workspace.isReadOnly(file));
+    connect(page, &StPage::writableRequested, this, &EditorTabs::makeWritable);
     showBreakpoints();
     return page;
+}
+
+void EditorTabs::connectPage(StPage* page) {
+    connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
+    connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
+    connectEditor(&page->first());
+    page->table().setOnlineValues(onlineValues());
+    page->table().setModel(m_workspace.model());
 }
 
 StEditor* EditorTabs::openSource(const QString& file) {
     if (StPage* page = openFile(file)) return &page->active();
     const QString key = "library:" + file;
-    if (QWidget* open = pageByKey(key)) {
+    if (auto* open = qobject_cast<StPage*>(pageByKey(key))) {
         setCurrentWidget(open);
-        return static_cast<StEditor*>(open);
+        return &open->active();
     }
     // A library's source opens read-only beside the project's; breakpoints, values and steps work in it as anywhere.
     const auto model = m_workspace.model();
     const auto id = model ? model->fileOf(file.toStdString()) : std::nullopt;
     if (!id) return nullptr;
-    auto* text = new StEditor(this);
-    text->setFile(file);
-    text->load(std::string(model->sources()[*id].text()));
-    text->setReadOnly(true);
-    connectEditor(text);
-    addPage(text, file.section('/', -1), kit::icon(kit::Icon::Library), key);
-    setTabToolTip(indexOf(text), file);
+    auto* page = new StPage(file, this, StPage::Kind::Library);
+    page->first().setReadOnly(false);
+    page->first().load(std::string(model->sources()[*id].text()));
+    page->first().setReadOnly(true);
+    connectPage(page);
+    addPage(page, file.section('/', -1), kit::icon(kit::Icon::Library), key);
+    setTabToolTip(indexOf(page), file);
     showBreakpoints();
-    return text;
+    return &page->first();
 }
 
 std::vector<StEditor*> EditorTabs::allEditors() const {
@@ -244,8 +176,6 @@ std::vector<StEditor*> EditorTabs::allEditors() const {
     for (int i = 0; i < count(); ++i) {
         if (auto* page = qobject_cast<StPage*>(widget(i)))
             for (StEditor* each : page->editors()) out.push_back(each);
-        else if (auto* text = qobject_cast<StEditor*>(widget(i)))
-            out.push_back(text);
     }
     return out;
 }
@@ -415,17 +345,46 @@ void EditorTabs::markModified(const QString& file, bool modified) {
             setTabText(i, QFileInfo(file).fileName() + (modified ? " ●" : ""));
 }
 
+/// False: not saved, and why was said.
+bool EditorTabs::saveAsking(const QString& file) {
+    auto wanted = editor::Workspace::ReadOnly::Keep;
+    if (m_workspace.isReadOnly(file) && m_workspace.text(file) != m_workspace.savedText(file)) {
+        QMessageBox box(QMessageBox::Warning, tr("Read-only file"),
+                        tr("%1 is read-only. Replace it all the same? It stays read-only.").arg(file),
+                        QMessageBox::Cancel, this);
+        QPushButton* replace = box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+        box.setDefaultButton(QMessageBox::Cancel);
+        box.exec();
+        if (box.clickedButton() != replace) {
+            emit message(tr("%1 was not saved").arg(file), true);
+            return false;
+        }
+        wanted = editor::Workspace::ReadOnly::Replace;
+    }
+    const auto done = m_workspace.save(file, wanted);
+    if (!done) emit message(kit::messageText(done.error()), true);
+    return static_cast<bool>(done);
+}
+
+bool EditorTabs::saveModified() {
+    bool all = true;
+    for (const QString& file : m_workspace.modifiedFiles()) all = saveAsking(file) && all;
+    return all;
+}
+
+void EditorTabs::makeWritable(const QString& file) {
+    if (auto done = m_workspace.makeWritable(file); !done) emit message(kit::messageText(done.error()), true);
+}
+
 void EditorTabs::saveCurrent() {
     StPage* page = currentPage();
-    if (!page) return emit saved();
+    if (!page || page->isLibrary()) return emit saved();
     if (m_settings.formatOnSave()) page->active().formatText();
-    if (auto done = m_workspace.save(page->file()); !done) return emit message(kit::messageText(done.error()), true);
-    emit saved();
+    if (saveAsking(page->file())) emit saved();
 }
 
 void EditorTabs::saveAll() {
-    if (auto done = m_workspace.saveAll(); !done) return emit message(kit::messageText(done.error()), true);
-    emit saved();
+    if (saveModified()) emit saved();
 }
 
 bool EditorTabs::closePage(int index) {
@@ -436,10 +395,7 @@ bool EditorTabs::closePage(int index) {
                                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
         if (answer == QMessageBox::Cancel) return false;
         if (answer == QMessageBox::Save) {
-            if (auto done = m_workspace.save(page->file()); !done) {
-                emit message(kit::messageText(done.error()), true);
-                return false;
-            }
+            if (!saveAsking(page->file())) return false;
         } else {
             m_workspace.revert(page->file());
         }
@@ -461,12 +417,7 @@ bool EditorTabs::closeAll() {
                 .arg(modified.join(", ")),
             QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel);
         if (answer == QMessageBox::Cancel) return false;
-        if (answer == QMessageBox::SaveAll) {
-            if (auto done = m_workspace.saveAll(); !done) {
-                emit message(kit::messageText(done.error()), true);
-                return false;
-            }
-        }
+        if (answer == QMessageBox::SaveAll && !saveModified()) return false;
     }
     for (int i = 0; i < count(); ++i)
         if (!qobject_cast<StPage*>(widget(i)) && m_mayClose && !m_mayClose(widget(i))) return false;

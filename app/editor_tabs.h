@@ -2,14 +2,11 @@
 // adds (panels, charts, traces). Keeps editors and workspace in step. Owned by the main window; GUI thread.
 #pragma once
 #include "app/settings.h"
+#include "app/st_page.h"
 #include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
-#include "editor/graph/chart_view.h"
-#include "editor/text/declaration_table.h"
-#include "editor/text/find_bar.h"
 #include "editor/text/st_editor.h"
 
-#include <QSplitter>
 #include <QTabWidget>
 
 #include <deque>
@@ -18,41 +15,6 @@
 #include <set>
 
 namespace plc::app {
-
-/// One ST file: editor, second view when split, find bar, table of declarations.
-class StPage : public QWidget {
-    Q_OBJECT
-public:
-    StPage(const QString& file, QWidget* parent);
-    [[nodiscard]] editor::StEditor& active() { return m_second && m_second->hasFocus() ? *m_second : *m_first; }
-    [[nodiscard]] editor::StEditor& first() { return *m_first; }
-    [[nodiscard]] editor::FindBar& findBar() { return *m_find; }
-    [[nodiscard]] editor::DeclarationTable& table() { return *m_table; }
-    [[nodiscard]] const QString& file() const { return m_file; }
-    void toggleSplit();
-    void toggleTable();
-    /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more
-    /// when it is shown.
-    editor::ChartView* showChart(const QString& unit);
-    [[nodiscard]] editor::ChartView* chart() { return m_chart; }
-    /// The chart around the cursor, of a unit or of an action in it; else the unit at the cursor.
-    [[nodiscard]] QString chartAtCursor();
-    [[nodiscard]] std::vector<editor::StEditor*> editors();
-
-signals:
-    void editorMade(plc::editor::StEditor* editor);
-    void chartMade(plc::editor::ChartView* chart);
-
-private:
-    QString m_file;
-    QSplitter* m_sides;
-    QSplitter* m_splitter;
-    editor::ChartView* m_chart = nullptr;
-    editor::StEditor* m_first;
-    editor::StEditor* m_second = nullptr;
-    editor::FindBar* m_find;
-    editor::DeclarationTable* m_table;
-};
 
 class EditorTabs : public QTabWidget {
     Q_OBJECT
@@ -68,9 +30,7 @@ public:
     void goForward();
     [[nodiscard]] StPage* currentPage() const { return qobject_cast<StPage*>(currentWidget()); }
     /// The text in front: of the project, or of a library (read-only).
-    [[nodiscard]] editor::StEditor* currentEditor() const {
-        return currentPage() ? &currentPage()->active() : qobject_cast<editor::StEditor*>(currentWidget());
-    }
+    [[nodiscard]] editor::StEditor* currentEditor() const { return currentPage() ? &currentPage()->active() : nullptr; }
     /// The text of a file of the project or of a library; null when there is none of that name.
     editor::StEditor* openSource(const QString& file);
     [[nodiscard]] StPage* pageOf(const QString& file) const;
@@ -104,9 +64,13 @@ signals:
 
 private:
     [[nodiscard]] std::vector<editor::StEditor*> allEditors() const;
+    void connectPage(StPage* page);
     void connectEditor(editor::StEditor* editor);
     void connectChart(StPage* page, editor::ChartView* chart);
     void markModified(const QString& file, bool modified);
+    bool saveAsking(const QString& file); // a read-only file is asked about
+    bool saveModified();
+    void makeWritable(const QString& file);
     void showBreakpoints();
     void showExecutedLine();
     void rememberPlace();

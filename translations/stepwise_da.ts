@@ -1169,6 +1169,14 @@
         <source>The run differs from the recording {0}</source>
         <translation>Kørslen afviger fra optagelsen {0}</translation>
     </message>
+    <message>
+        <source>The file is read-only and was not replaced</source>
+        <translation>Filen er skrivebeskyttet og blev ikke erstattet</translation>
+    </message>
+    <message>
+        <source>The file&apos;s permissions can not be changed</source>
+        <translation>Filens rettigheder kan ikke ændres</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -2405,6 +2413,22 @@
             <numerusform>Ændret i %n filer</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Read-only file</source>
+        <translation>Skrivebeskyttet fil</translation>
+    </message>
+    <message>
+        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <translation>%1 er skrivebeskyttet. Skal den alligevel erstattes? Den forbliver skrivebeskyttet.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstat</translation>
+    </message>
+    <message>
+        <source>%1 was not saved</source>
+        <translation>%1 blev ikke gemt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::LiveViews</name>
@@ -3200,10 +3224,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Dette er din kopi af eksemplet, i %1</translation>
     </message>
     <message>
-        <source>Rename it where it is declared: the tests follow</source>
-        <translation>Omdøb det, hvor det er erklæret: testene følger med</translation>
-    </message>
-    <message>
         <source>The project is still being checked; try again in a moment</source>
         <translation>Projektet kontrolleres stadig; prøv igen om et øjeblik</translation>
     </message>
@@ -3663,10 +3683,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Cancelled; nothing was replaced</source>
         <translation>Afbrudt; intet blev erstattet</translation>
     </message>
-    <message>
-        <source>in a test</source>
-        <translation>i en test</translation>
-    </message>
 </context>
 <context>
     <name>plc::app::SettingsDialog</name>
@@ -3769,6 +3785,17 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StPage</name>
+    <message>
+        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
+        <translation>Filen er skrivebeskyttet. Der spørges, før den erstattes ved lagring.</translation>
+    </message>
+    <message>
+        <source>Make Writable</source>
+        <translation>Gør skrivbar</translation>
     </message>
 </context>
 <context>

@@ -1169,6 +1169,14 @@
         <source>The run differs from the recording {0}</source>
         <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
     </message>
+    <message>
+        <source>The file is read-only and was not replaced</source>
+        <translation>Die Datei ist schreibgeschützt und wurde nicht ersetzt</translation>
+    </message>
+    <message>
+        <source>The file&apos;s permissions can not be changed</source>
+        <translation>Die Rechte der Datei können nicht geändert werden</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -2405,6 +2413,22 @@
             <numerusform>In %n Dateien geändert</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Read-only file</source>
+        <translation>Schreibgeschützte Datei</translation>
+    </message>
+    <message>
+        <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
+        <translation>%1 ist schreibgeschützt. Trotzdem ersetzen? Die Datei bleibt schreibgeschützt.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 was not saved</source>
+        <translation>%1 wurde nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::LiveViews</name>
@@ -3200,10 +3224,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das ist Ihre Kopie des Beispiels, in %1</translation>
     </message>
     <message>
-        <source>Rename it where it is declared: the tests follow</source>
-        <translation>Benennen Sie es dort um, wo es deklariert ist: Die Tests folgen</translation>
-    </message>
-    <message>
         <source>The project is still being checked; try again in a moment</source>
         <translation>Das Projekt wird noch geprüft; versuchen Sie es gleich noch einmal</translation>
     </message>
@@ -3663,10 +3683,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Cancelled; nothing was replaced</source>
         <translation>Abgebrochen; nichts wurde ersetzt</translation>
     </message>
-    <message>
-        <source>in a test</source>
-        <translation>in einem Test</translation>
-    </message>
 </context>
 <context>
     <name>plc::app::SettingsDialog</name>
@@ -3769,6 +3785,17 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 gehört jetzt zu „%2“; „%3“ verliert es.</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::StPage</name>
+    <message>
+        <source>This file is read-only on disk. Saving asks before it replaces it.</source>
+        <translation>Diese Datei ist schreibgeschützt. Vor dem Ersetzen wird beim Speichern gefragt.</translation>
+    </message>
+    <message>
+        <source>Make Writable</source>
+        <translation>Schreibbar machen</translation>
     </message>
 </context>
 <context>

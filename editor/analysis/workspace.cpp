@@ -30,6 +30,13 @@ std::string windows1252ToUtf8(const std::string& bytes) {
     return out;
 }
 
+/// Root may write everything: the mode says what is meant.
+bool hasNoWrite(const QString& absolute) {
+    const QFileInfo info(absolute);
+    constexpr QFile::Permissions kAny = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
+    return info.exists() && (!info.isWritable() || !(info.permissions() & kAny));
+}
+
 /// As an editor shows it: without a byte order mark, and always UTF-8.
 std::string readable(const std::string& bytes) {
     if (bytes.starts_with("\xEF\xBB\xBF")) return readable(bytes.substr(3));
@@ -37,7 +44,7 @@ std::string readable(const std::string& bytes) {
 }
 } // namespace
 
-Workspace::Workspace(QObject* parent) : QObject(parent) {
+Workspace::Workspace(QObject* parent) : QObject(parent), m_isReadOnly(hasNoWrite) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &Workspace::startCheck);
@@ -156,9 +163,21 @@ QStringList Workspace::modifiedFiles() const {
     return out;
 }
 
-Result<void> Workspace::save(const QString& file) {
+bool Workspace::isReadOnly(const QString& file) const { return m_isReadOnly(absolutePath(file)); }
+
+Result<void> Workspace::makeWritable(const QString& file) {
+    const QString path = absolutePath(file);
+    if (!QFile::setPermissions(path, QFileInfo(path).permissions() | QFile::WriteOwner | QFile::WriteUser))
+        return Error{"The file's permissions can not be changed", toStd(file)};
+    emit accessChanged(file, isReadOnly(file));
+    return {};
+}
+
+Result<void> Workspace::save(const QString& file, ReadOnly readOnly) {
     const auto it = m_files.find(file);
     if (it == m_files.end()) return Error{"There is no such file in the project", toStd(file)};
+    if (readOnly == ReadOnly::Keep && it->second.text != it->second.onDisk && isReadOnly(file))
+        return Error{"The file is read-only and was not replaced", toStd(file)};
     if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), it->second.text); !written)
         return written;
     const bool was = isModified(file);
@@ -254,6 +273,7 @@ void Workspace::readDiskChange(const QString& absolute) {
         return;
     }
     m_watcher.addPath(absolute);
+    emit accessChanged(file, isReadOnly(file));
     std::string now = disk.readAll().toStdString();
     if (now.starts_with("\xEF\xBB\xBF")) now.erase(0, 3);
     if (now == it->second.onDisk) return;

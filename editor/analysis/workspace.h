@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -44,7 +45,14 @@ public:
     void setText(const QString& file, std::string text); // an editor's content; starts a check
     [[nodiscard]] bool isModified(const QString& file) const;
     [[nodiscard]] QStringList modifiedFiles() const;
-    Result<void> save(const QString& file);
+    /// What is done about a file whose mode has no w.
+    enum class ReadOnly : uint8_t { Keep, Replace };
+    Result<void> save(const QString& file, ReadOnly readOnly = ReadOnly::Keep);
+    /// Nobody may write the file (or this user may not); also where the user could all the same, as root can.
+    [[nodiscard]] bool isReadOnly(const QString& file) const;
+    Result<void> makeWritable(const QString& file);
+    /// Of tests: who says whether a file on disk is read-only.
+    void setAccess(std::function<bool(const QString& absolute)> isReadOnly) { m_isReadOnly = std::move(isReadOnly); }
     Result<void> saveAll();
     void revert(const QString& file); // back to what is on disk
     Result<void> addFile(const QString& file, const std::string& text);
@@ -73,6 +81,7 @@ signals:
     void changedOnDiskAndHere(const QString& file); // the user must choose
     void analysed(std::shared_ptr<const plc::analysis::CodeModel> model);
     void saved(const QString& file);
+    void accessChanged(const QString& file, bool isReadOnly);
     /// The file was not UTF-8 and was read as Windows-1252: it counts as changed, saving it writes UTF-8.
     void encodingConverted(const QString& file);
 
@@ -92,6 +101,7 @@ private:
 
     std::optional<projects::Project> m_project;
     std::map<QString, File> m_files;
+    std::function<bool(const QString&)> m_isReadOnly;
     std::shared_ptr<const analysis::CodeModel> m_model;
     QFileSystemWatcher m_watcher;
     QTimer m_pause;

@@ -3,10 +3,15 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
+#include "projects/analysis/sections.h"
 
+#include <QApplication>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QStyledItemDelegate>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -18,6 +23,36 @@
 namespace plc::editor {
 
 namespace {
+using syntax::SectionKind;
+/// What a variable can be moved to.
+constexpr SectionKind kSections[] = {SectionKind::Var,   SectionKind::Input, SectionKind::Output,
+                                     SectionKind::InOut, SectionKind::Temp,  SectionKind::Stat};
+
+/// Chooses the section of a variable from a list.
+class SectionDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override {
+        auto* box = new QComboBox(parent);
+        for (const SectionKind kind : kSections) box->addItem(kit::fromView(analysis::wordOf(kind)));
+        const QString now = index.data().toString();
+        if (box->findText(now) < 0) box->insertItem(0, now); // VAR CONSTANT, VAR RETAIN
+        box->setCurrentText(now);
+        connect(box, &QComboBox::activated, this, [this, box] { // chosen is chosen
+            auto* self = const_cast<SectionDelegate*>(this);
+            emit self->commitData(box);
+            emit self->closeEditor(box);
+        });
+        QTimer::singleShot(0, box, &QComboBox::showPopup);
+        return box;
+    }
+    void setEditorData(QWidget*, const QModelIndex&) const override {}
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+        const QString chosen = static_cast<QComboBox*>(editor)->currentText();
+        if (chosen != index.data().toString()) model->setData(index, chosen);
+    }
+};
+
 QString sectionWord(const syntax::VarSection& section) {
     static const char* const words[] = {"VAR",      "VAR_INPUT",  "VAR_OUTPUT",   "VAR_IN_OUT", "VAR_TEMP",  "VAR_STAT",
                                         "VAR_INST", "VAR_GLOBAL", "VAR_EXTERNAL", "VAR_ACCESS", "VAR_CONFIG"};
@@ -39,6 +74,12 @@ DeclarationTable::DeclarationTable(StEditor& editor, QWidget* parent) : QWidget(
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setAccessibleName(tr("Declarations"));
+    m_table->setItemDelegateForColumn(Section, new SectionDelegate(m_table));
+    // A cell that was being edited kept the rows as they were.
+    for (const QAbstractItemDelegate* each : {m_table->itemDelegate(), m_table->itemDelegateForColumn(Section)})
+        connect(each, &QAbstractItemDelegate::closeEditor, this, [this] {
+            if (m_shown != m_model) fillAgain();
+        });
     auto* bar = new QToolBar(this);
     makeBar(*bar);
     auto* layout = new QVBoxLayout(this);
@@ -80,8 +121,28 @@ void DeclarationTable::makeBar(QToolBar& bar) {
 }
 
 bool DeclarationTable::isUpToDate() const {
-    const auto file = m_model ? m_model->fileOf(m_editor.file().toStdString()) : std::nullopt;
-    return file && m_editor.utf8() == m_model->sources()[*file].text();
+    const auto file = m_shown && m_pou ? m_shown->fileOf(m_editor.file().toStdString()) : std::nullopt;
+    return file && m_editor.utf8() == m_shown->sources()[*file].text();
+}
+
+bool DeclarationTable::isEditing() const {
+    if (QApplication::activePopupWidget() && m_table->viewport()->findChild<QComboBox*>()) return true;
+    const QWidget* focus = QApplication::focusWidget();
+    return focus && focus != m_table && focus != m_table->viewport() && m_table->viewport()->isAncestorOf(focus);
+}
+
+void DeclarationTable::whenUpToDate(std::function<void()> change) {
+    if (isUpToDate()) return change();
+    m_waiting.push_back(std::move(change));
+}
+
+int DeclarationTable::rowOf(const QString& name) const {
+    for (int row = 0; row < m_table->rowCount() && row < static_cast<int>(m_rows.size()); ++row)
+        if (kit::fromView(
+                m_rows[static_cast<size_t>(row)].declaration->names[m_rows[static_cast<size_t>(row)].nameIndex].text)
+                .compare(name, Qt::CaseInsensitive) == 0)
+            return row;
+    return -1;
 }
 
 /// Behind the event that is being handled: its cell is still in use.
@@ -92,14 +153,10 @@ void DeclarationTable::fillAgain() {
 
 void DeclarationTable::setModel(std::shared_ptr<const analysis::CodeModel> model) {
     m_model = std::move(model);
-    m_pou = nullptr;
     fill();
 }
 
-void DeclarationTable::fill() {
-    if (!m_model || !isVisible()) return;
-    const auto file = m_model->fileOf(m_editor.file().toStdString());
-    if (!file || m_editor.utf8() != m_model->sources()[*file].text()) return;
+const syntax::Pou* DeclarationTable::unitAtCursor(const analysis::CodeModel& model, FileId file) const {
     const syntax::Pou* around = nullptr;
     const uint32_t at = m_editor.cursorOffset();
     const auto walk = [&](auto&& self, const std::vector<syntax::Decl*>& declarations) -> void {
@@ -111,11 +168,27 @@ void DeclarationTable::fill() {
                 self(self, declaration->space->declarations);
         }
     };
-    walk(walk, m_model->checked().analysis->files[file->index()]->declarations);
-    if (around == m_pou && around) return;
+    walk(walk, model.checked().analysis->files[file.index()]->declarations);
+    return around;
+}
+
+void DeclarationTable::fill() {
+    if (!m_model || !isVisible() || isEditing()) return; // what is being typed in a cell stays
+    const auto file = m_model->fileOf(m_editor.file().toStdString());
+    if (!file || m_editor.utf8() != m_model->sources()[*file].text()) return;
+    const syntax::Pou* around = unitAtCursor(*m_model, *file);
+    if (around == m_pou && around && m_shown == m_model) return;
+    m_shown = m_model;
     m_pou = around;
+    const QString unit = around ? kit::fromView(around->name.text) : QString();
+    if (m_unit != unit) m_waiting.clear(); // the cursor is in another one now
+    m_unit = unit;
     const int current = m_table->currentRow();
     m_isFilling = true;
+    m_table->setEditTriggers(m_editor.isReadOnly()
+                                 ? QAbstractItemView::NoEditTriggers
+                                 : QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                                       QAbstractItemView::AnyKeyPressed);
     m_rows.clear();
     m_table->setRowCount(0);
     if (around)
@@ -132,6 +205,12 @@ void DeclarationTable::fill() {
     if (std::exchange(m_editsIt, false) && chosen >= 0) m_table->editItem(m_table->item(chosen, Name));
     m_toSelect.clear();
     refreshOnlineValues();
+    // One change at a time: the next one waits for the analysis of this one.
+    if (m_waiting.empty()) return;
+    const std::function<void()> change = std::move(m_waiting.front());
+    m_waiting.erase(m_waiting.begin());
+    QMetaObject::invokeMethod(
+        this, [this, change] { whenUpToDate(change); }, Qt::QueuedConnection);
 }
 
 void DeclarationTable::setRow(const syntax::VarSection& section, const syntax::VarDecl& declaration, size_t name,
@@ -144,7 +223,7 @@ void DeclarationTable::setRow(const syntax::VarSection& section, const syntax::V
         if (!editable) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
         m_table->setItem(row, column, item);
     };
-    set(Section, sectionWord(section), false);
+    set(Section, sectionWord(section), true);
     set(Name, kit::fromView(declaration.names[name].text), true);
     set(Address, kit::fromView(declaration.address), false);
     set(Type, declaration.type ? kit::fromView(source.slice(declaration.type->range)) : QString(), true);
@@ -156,13 +235,13 @@ void DeclarationTable::setRow(const syntax::VarSection& section, const syntax::V
 
 /// Behind the declaration on its line, else directly above.
 std::optional<SourceRange> DeclarationTable::commentOf(const syntax::VarDecl& declaration) const {
-    const auto file = m_model->fileOf(m_editor.file().toStdString());
-    const std::string_view text = m_model->sources()[*file].text();
+    const auto file = m_shown->fileOf(m_editor.file().toStdString());
+    const std::string_view text = m_shown->sources()[*file].text();
     const auto hasNewline = [&](uint32_t begin, uint32_t end) {
         return text.substr(begin, end - begin).find('\n') != std::string_view::npos;
     };
     std::optional<SourceRange> above;
-    for (const lex::Comment& each : m_model->checked().analysis->files[file->index()]->tokens.comments) {
+    for (const lex::Comment& each : m_shown->checked().analysis->files[file->index()]->tokens.comments) {
         if (each.begin >= declaration.range.end && !hasNewline(declaration.range.end, each.begin))
             return SourceRange{*file, each.begin, each.end};
         if (each.end > declaration.range.begin) continue;
@@ -179,8 +258,8 @@ std::optional<SourceRange> DeclarationTable::commentOf(const syntax::VarDecl& de
 
 std::vector<diagnostics::TextEdit> DeclarationTable::commentEdit(const syntax::VarDecl& declaration,
                                                                  const std::string& wanted) const {
-    const auto file = m_model->fileOf(m_editor.file().toStdString());
-    const std::string_view text = m_model->sources()[*file].text();
+    const auto file = m_shown->fileOf(m_editor.file().toStdString());
+    const std::string_view text = m_shown->sources()[*file].text();
     if (const auto old = commentOf(declaration)) {
         SourceRange range = *old;
         if (wanted.empty()) {
@@ -207,7 +286,7 @@ std::vector<diagnostics::TextEdit> DeclarationTable::commentEdit(const syntax::V
 /// Its lines, with the comments directly above.
 SourceRange DeclarationTable::linesOf(const syntax::VarDecl& declaration) const {
     SourceRange range = declaration.range;
-    const std::string_view text = m_model->sources()[range.file].text();
+    const std::string_view text = m_shown->sources()[range.file].text();
     const auto lineBegin = [&](uint32_t at) {
         while (at > 0 && text[at - 1] != '\n') --at;
         return at;
@@ -243,12 +322,23 @@ void DeclarationTable::refreshOnlineValues() {
 }
 
 void DeclarationTable::takeEdit(int row, int column) {
-    if (m_isFilling || row >= static_cast<int>(m_rows.size())) return;
-    if (!isUpToDate()) return fillAgain(); // the analysis is on its way; the places would not fit
+    if (m_isFilling || row >= static_cast<int>(m_rows.size()) || m_editor.isReadOnly()) return;
     const Row& edited = m_rows[static_cast<size_t>(row)];
-    const QString text = m_table->item(row, column)->text().trimmed();
+    const QString name = kit::fromView(edited.declaration->names[edited.nameIndex].text),
+                  text = m_table->item(row, column)->text().trimmed();
+    whenUpToDate([this, name, column, text] { changeCell(rowOf(name), column, text); });
+}
+
+void DeclarationTable::changeCell(int row, int column, const QString& text) {
+    if (row < 0) return fillAgain();
+    const Row& edited = m_rows[static_cast<size_t>(row)];
     const syntax::VarDecl& declaration = *edited.declaration;
     std::vector<diagnostics::TextEdit> edits;
+    if (column == Section) {
+        for (const SectionKind kind : kSections)
+            if (text == kit::fromView(analysis::wordOf(kind))) return moveToSection(row, kind);
+        return fillAgain();
+    }
     if (column == Name) {
         const syntax::Name& name = declaration.names[edited.nameIndex];
         if (text.isEmpty() || text == kit::fromView(name.text)) return fillAgain();
@@ -278,9 +368,22 @@ void DeclarationTable::takeEdit(int row, int column) {
     m_editor.applyEdits(edits);
 }
 
+void DeclarationTable::moveToSection(int row, SectionKind kind) {
+    const Row& moved = m_rows[static_cast<size_t>(row)];
+    const SourceRange lines = linesOf(*moved.declaration);
+    const std::string_view text = m_shown->sources()[lines.file].text();
+    const auto edits =
+        analysis::moveToSection(*m_pou, *moved.section, *moved.declaration, moved.nameIndex, kind, lines, text);
+    if (edits.empty()) return fillAgain();
+    m_toSelect = kit::fromView(moved.declaration->names[moved.nameIndex].text);
+    m_pou = nullptr;
+    m_editor.applyEdits(edits);
+}
+
 void DeclarationTable::addVariable(syntax::SectionKind section) {
-    if (!isUpToDate() || !m_pou) return;
-    const auto file = m_model->fileOf(m_editor.file().toStdString());
+    if (m_editor.isReadOnly()) return;
+    if (!isUpToDate()) return whenUpToDate([this, section] { addVariable(section); });
+    const auto file = m_shown->fileOf(m_editor.file().toStdString());
     std::string name = "newVariable";
     const auto taken = [&](const std::string& wanted) {
         return std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& row) {
@@ -289,7 +392,7 @@ void DeclarationTable::addVariable(syntax::SectionKind section) {
         });
     };
     for (int i = 2; taken(name); ++i) name = "newVariable" + std::to_string(i);
-    const auto edit = m_model->autoDeclare(*file, m_pou->name.range.begin, name, section);
+    const auto edit = m_shown->autoDeclare(*file, m_pou->name.range.begin, name, section);
     if (!edit) return;
     m_pou = nullptr;
     m_toSelect = QString::fromStdString(name); // and its name is typed at once
@@ -297,18 +400,30 @@ void DeclarationTable::addVariable(syntax::SectionKind section) {
     m_editor.applyEdits({*edit});
 }
 
+QStringList DeclarationTable::selectedNames() const {
+    QStringList names;
+    for (const QModelIndex& index : m_table->selectionModel()->selectedRows())
+        if (const auto row = static_cast<size_t>(index.row()); row < m_rows.size())
+            names << kit::fromView(m_rows[row].declaration->names[m_rows[row].nameIndex].text);
+    return names;
+}
+
 void DeclarationTable::removeSelected() {
-    if (!isUpToDate()) return;
+    whenUpToDate([this, names = selectedNames()] { removeNamed(names); });
+}
+
+void DeclarationTable::removeNamed(const QStringList& wanted) {
     std::map<const syntax::VarDecl*, std::set<size_t>> chosen;
-    for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) {
-        const Row& row = m_rows[static_cast<size_t>(index.row())];
-        chosen[row.declaration].insert(row.nameIndex);
-    }
+    for (const QString& name : wanted)
+        if (const int at = rowOf(name); at >= 0) {
+            const Row& row = m_rows[static_cast<size_t>(at)];
+            chosen[row.declaration].insert(row.nameIndex);
+        }
     std::vector<diagnostics::TextEdit> edits;
     for (const auto& [declaration, names] : chosen) {
         if (names.size() == declaration->names.size()) {
             const SourceRange lines = linesOf(*declaration);
-            const std::string_view text = m_model->sources()[lines.file].text();
+            const std::string_view text = m_shown->sources()[lines.file].text();
             const size_t semicolon = text.find(';', declaration->range.end - 1);
             const bool sharesLine = std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& other) {
                 return other.declaration != declaration && other.declaration->range.begin < lines.end &&
@@ -334,7 +449,13 @@ void DeclarationTable::removeSelected() {
 
 void DeclarationTable::moveSelected(int direction) {
     const int row = m_table->currentRow();
-    if (!isUpToDate() || row < 0 || row >= static_cast<int>(m_rows.size())) return;
+    if (row < 0 || row >= static_cast<int>(m_rows.size())) return;
+    if (!isUpToDate())
+        return whenUpToDate([this, direction, names = selectedNames()] {
+            if (names.size() != 1 || rowOf(names[0]) < 0) return;
+            m_table->setCurrentCell(rowOf(names[0]), Name);
+            moveSelected(direction);
+        });
     const Row& moved = m_rows[static_cast<size_t>(row)];
     const auto& declarations = moved.section->declarations;
     const auto here = std::find(declarations.begin(), declarations.end(), moved.declaration) - declarations.begin();
@@ -343,7 +464,7 @@ void DeclarationTable::moveSelected(int direction) {
     const SourceRange first = linesOf(*declarations[static_cast<size_t>(std::min(here, other))]),
                       second = linesOf(*declarations[static_cast<size_t>(std::max(here, other))]);
     if (first.end > second.begin) return; // both on one line
-    const std::string_view text = m_model->sources()[first.file].text();
+    const std::string_view text = m_shown->sources()[first.file].text();
     const std::string swapped = std::string(text.substr(second.begin, second.length())) +
                                 std::string(text.substr(first.end, second.begin - first.end)) +
                                 std::string(text.substr(first.begin, first.length()));

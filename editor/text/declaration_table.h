@@ -7,6 +7,8 @@
 #include <QTableWidget>
 #include <QWidget>
 
+#include <functional>
+
 class QToolBar;
 
 namespace plc::editor {
@@ -23,6 +25,8 @@ public:
     void addVariable(syntax::SectionKind section);
     void removeSelected();
     void moveSelected(int direction); // within its section, with its comments
+    /// The variable of a row goes to a section of another kind.
+    void moveToSection(int row, syntax::SectionKind kind);
 
 signals:
     /// The name at this place of the editor's file gets another one, in the whole project.
@@ -39,6 +43,14 @@ private:
     void takeEdit(int row, int column);
     void fillAgain();
     [[nodiscard]] bool isUpToDate() const; // the rows' places are those of the text
+    [[nodiscard]] bool isEditing() const;
+    /// Now, or when the analysis of the present text is there: an edit of the table waits for it.
+    void whenUpToDate(std::function<void()> change);
+    [[nodiscard]] int rowOf(const QString& name) const;
+    [[nodiscard]] QStringList selectedNames() const;
+    void removeNamed(const QStringList& names);
+    void changeCell(int row, int column, const QString& text);
+    const syntax::Pou* unitAtCursor(const analysis::CodeModel& model, FileId file) const;
     void makeBar(QToolBar& bar);
     void setRow(const syntax::VarSection& section, const syntax::VarDecl& declaration, size_t name,
                 const SourceText& source);
@@ -50,7 +62,10 @@ private:
     StEditor& m_editor;
     QTableWidget* m_table;
     std::shared_ptr<const analysis::CodeModel> m_model;
+    std::shared_ptr<const analysis::CodeModel> m_shown; // whose declarations the rows are
     const syntax::Pou* m_pou = nullptr;
+    QString m_unit; // its name, also while the next analysis is waited for
+    std::vector<std::function<void()>> m_waiting;
     std::vector<Row> m_rows;
     OnlineValues m_values;
     bool m_isFilling = false;

@@ -14,7 +14,7 @@
 
 namespace plc::editor {
 
-FindBar::FindBar(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
+FindBar::FindBar(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(&editor) {
     m_find = new QLineEdit(this);
     m_find->setPlaceholderText(tr("Find"));
     m_find->setClearButtonEnabled(true);
@@ -55,11 +55,7 @@ FindBar::FindBar(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(
     findRow->addWidget(m_count);
     findRow->addWidget(button(kit::Icon::Up, tr("Previous (Shift+Enter)"), &FindBar::findPrevious));
     findRow->addWidget(button(kit::Icon::Down, tr("Next (Enter)"), &FindBar::findNext));
-    findRow->addWidget(button(kit::Icon::Close, tr("Close (Esc)"), [this] {
-        hide();
-        m_editor.highlightAll({}, false, false);
-        m_editor.setFocus();
-    }));
+    findRow->addWidget(button(kit::Icon::Close, tr("Close (Esc)"), &FindBar::close));
     m_replaceRow = new QWidget(this);
     auto* replaceRow = new QHBoxLayout(m_replaceRow);
     replaceRow->setContentsMargins(6, 0, 6, 3);
@@ -84,10 +80,19 @@ FindBar::FindBar(StEditor& editor, QWidget* parent) : QWidget(parent), m_editor(
     hide();
 }
 
+void FindBar::setEditor(StEditor& editor) { m_editor = &editor; } // both sides show one document: its marks stay
+
+void FindBar::close() {
+    hide();
+    m_editor->highlightAll({}, false, false);
+    m_editor->setFocus();
+}
+
 void FindBar::open(bool withReplace) {
     show();
-    m_replaceRow->setVisible(withReplace);
-    if (m_editor.hasSelectedText() && !m_editor.selectedText().contains('\n')) m_find->setText(m_editor.selectedText());
+    m_replaceRow->setVisible(withReplace && !m_editor->isReadOnly());
+    if (m_editor->hasSelectedText() && !m_editor->selectedText().contains('\n'))
+        m_find->setText(m_editor->selectedText());
     m_find->setFocus();
     m_find->selectAll();
     countMatches();
@@ -96,26 +101,27 @@ void FindBar::open(bool withReplace) {
 bool FindBar::find(bool forward, bool fromStart) {
     if (m_find->text().isEmpty()) return false;
     int line = 0, column = 0, endLine = 0, endColumn = 0;
-    if (m_editor.hasSelectedText())
-        m_editor.getSelection(&line, &column, &endLine, &endColumn);
+    if (m_editor->hasSelectedText())
+        m_editor->getSelection(&line, &column, &endLine, &endColumn);
     else
-        m_editor.getCursorPosition(&line, &column), endLine = line, endColumn = column;
+        m_editor->getCursorPosition(&line, &column), endLine = line, endColumn = column;
     const bool useBegin = !forward || fromStart;
-    return m_editor.findFirst(m_find->text(), m_regex->isChecked(), m_case->isChecked(), m_word->isChecked(), true,
-                              forward, useBegin ? line : endLine, useBegin ? column : endColumn, true, false, true);
+    return m_editor->findFirst(m_find->text(), m_regex->isChecked(), m_case->isChecked(), m_word->isChecked(), true,
+                               forward, useBegin ? line : endLine, useBegin ? column : endColumn, true, false, true);
 }
 
 void FindBar::findNext() { find(true, false); }
 void FindBar::findPrevious() { find(false, false); }
 
 void FindBar::replaceOne() {
-    if (m_editor.hasSelectedText() &&
-        m_editor.selectedText().compare(m_find->text(),
-                                        m_case->isChecked() ? Qt::CaseSensitive : Qt::CaseInsensitive) == 0 &&
+    if (m_editor->isReadOnly()) return;
+    if (m_editor->hasSelectedText() &&
+        m_editor->selectedText().compare(m_find->text(),
+                                         m_case->isChecked() ? Qt::CaseSensitive : Qt::CaseInsensitive) == 0 &&
         !m_regex->isChecked())
-        m_editor.replaceSelectedText(m_replace->text());
+        m_editor->replaceSelectedText(m_replace->text());
     else if (m_regex->isChecked() && find(true, true))
-        m_editor.replace(m_replace->text());
+        m_editor->replace(m_replace->text());
     find(true, false);
     countMatches();
 }
@@ -126,8 +132,8 @@ int FindBar::replaceAll() {
     const QRegularExpression regex(pattern, m_case->isChecked() ? QRegularExpression::MultilineOption
                                                                 : QRegularExpression::MultilineOption |
                                                                       QRegularExpression::CaseInsensitiveOption);
-    if (!regex.isValid() || m_find->text().isEmpty()) return 0;
-    const QString text = QString::fromStdString(m_editor.utf8());
+    if (!regex.isValid() || m_find->text().isEmpty() || m_editor->isReadOnly()) return 0;
+    const QString text = QString::fromStdString(m_editor->utf8());
     QString replacement = m_replace->text();
     if (!m_regex->isChecked()) replacement.replace('\\', "\\\\");
     int count = 0;
@@ -135,7 +141,7 @@ int FindBar::replaceAll() {
     if (count == 0) return 0;
     QString replaced = text;
     replaced.replace(regex, replacement);
-    m_editor.applyEdits({{{FileId(), 0, static_cast<uint32_t>(text.toUtf8().size())}, replaced.toStdString()}});
+    m_editor->applyEdits({{{FileId(), 0, static_cast<uint32_t>(text.toUtf8().size())}, replaced.toStdString()}});
     m_count->setText(tr("%n replaced", nullptr, count));
     return count;
 }
@@ -149,11 +155,11 @@ void FindBar::countMatches() {
     QPalette palette = m_find->palette();
     palette.setColor(QPalette::Text, regex.isValid() ? kit::colors().text : kit::colors().bad);
     m_find->setPalette(palette);
-    m_editor.highlightAll(m_find->text().isEmpty() ? QString() : pattern, true, m_case->isChecked());
+    m_editor->highlightAll(m_find->text().isEmpty() ? QString() : pattern, true, m_case->isChecked());
     if (m_find->text().isEmpty() || !regex.isValid())
         return m_count->setText(regex.isValid() ? QString() : tr("not a pattern"));
     int count = 0;
-    for (auto matches = regex.globalMatch(QString::fromStdString(m_editor.utf8())); matches.hasNext() && count < 10000;
+    for (auto matches = regex.globalMatch(QString::fromStdString(m_editor->utf8())); matches.hasNext() && count < 10000;
          matches.next())
         ++count;
     m_count->setText(count ? tr("%n found", nullptr, count) : tr("not found"));
@@ -161,9 +167,7 @@ void FindBar::countMatches() {
 
 void FindBar::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
-        hide();
-        m_editor.highlightAll({}, false, false);
-        return m_editor.setFocus();
+        return close();
     }
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (m_replace->hasFocus()) return replaceOne();

@@ -16,6 +16,8 @@ class FindBar : public QWidget {
     Q_OBJECT
 public:
     explicit FindBar(StEditor& editor, QWidget* parent = nullptr);
+    /// The side of a split it searches in.
+    void setEditor(StEditor& editor);
     void open(bool withReplace);
     void findNext();
     void findPrevious();
@@ -31,7 +33,9 @@ private:
     bool find(bool forward, bool fromStart);
     void countMatches();
 
-    StEditor& m_editor;
+    void close();
+
+    StEditor* m_editor;
     QLineEdit* m_find;
     QLineEdit* m_replace;
     QToolButton *m_regex, *m_case, *m_word;

@@ -125,11 +125,8 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &StEditor::afterCharacter);
     connect(this, &QsciScintilla::userListActivated, this, [this](int id, const QString& text) {
         if (id != kListId) return;
-        for (const analysis::CompletionItem& item : m_completion.items) {
-            const QString shown =
-                QString::fromStdString(item.kind == analysis::ItemKind::Snippet ? item.detail : item.text);
-            if (shown == text) return insertCompletion(item);
-        }
+        const auto chosen = std::find(m_listed.begin(), m_listed.end(), text);
+        if (chosen != m_listed.end()) insertCompletion(m_completion.items[size_t(chosen - m_listed.begin())]);
     });
 }
 

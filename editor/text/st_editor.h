@@ -146,6 +146,7 @@ private:
     bool m_isAsAnalysed = false, m_isApplying = false; // the text is m_analysedText; edits of one step are being made
     std::string m_savedText;
     analysis::Completion m_completion;
+    std::vector<QString> m_listed; // its items as the list shows them
     OnlineValues m_onlineValues;
     std::map<int, int> m_breakpointMarks; // handle of the mark → line where it was set, from 1
     std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line

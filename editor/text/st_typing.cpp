@@ -19,6 +19,29 @@ namespace {
 bool isWord(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
 }
+
+QString nameOf(const analysis::CompletionItem& item) {
+    return QString::fromStdString(item.kind == analysis::ItemKind::Snippet ? item.detail : item.text).trimmed();
+}
+
+/// What stands in the list: name, and in a column of its own the type or parameters with the first line of the comment.
+std::vector<QString> listed(const std::vector<analysis::CompletionItem>& items) {
+    constexpr qsizetype kWidestName = 30, kWidest = 76;
+    qsizetype width = 0;
+    for (const analysis::CompletionItem& item : items)
+        if (const qsizetype size = nameOf(item).size(); size <= kWidestName) width = std::max(width, size);
+    std::vector<QString> out;
+    for (const analysis::CompletionItem& item : items) {
+        QString beside = item.kind == analysis::ItemKind::Snippet ? QString() : QString::fromStdString(item.detail);
+        const QString comment = QString::fromStdString(item.comment).section('\n', 0, 0).trimmed();
+        if (!comment.isEmpty()) beside += (beside.isEmpty() ? "" : "  ") + comment;
+        QString line = nameOf(item);
+        if (!beside.isEmpty()) line = line.leftJustified(width) + "  " + beside.simplified();
+        if (line.size() > kWidest) line = line.left(kWidest - 1) + "…";
+        out.push_back(line);
+    }
+    return out;
+}
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
@@ -87,15 +110,14 @@ void StEditor::triggerCompletion() {
     m_completion = m_model->complete(*file, text, cursorOffset());
     const std::string typed =
         text.substr(m_completion.replaceBegin, m_completion.replaceEnd - m_completion.replaceBegin);
+    if (m_completion.items.size() == 1 && nameOf(m_completion.items[0]) == QString::fromStdString(typed))
+        m_completion.items.clear(); // nothing to add
+    m_completion.items.resize(std::min<size_t>(m_completion.items.size(), 200));
+    m_listed = listed(m_completion.items);
     std::string list;
-    size_t shown = 0;
-    for (const analysis::CompletionItem& item : m_completion.items) {
-        const std::string& label = item.kind == analysis::ItemKind::Snippet ? item.detail : item.text;
-        if (label == typed && m_completion.items.size() == 1) break; // nothing to add
-        if (shown++ == 200) break;
-        if (!list.empty()) list += '\n';
-        list += label + '\x1f' + std::to_string(static_cast<int>(item.kind)); // the icon's number
-    }
+    for (size_t i = 0; i < m_listed.size(); ++i)
+        list += (i ? "\n" : "") + m_listed[i].toStdString() + '\x1f' + // the icon's number
+                std::to_string(static_cast<int>(m_completion.items[i].kind));
     if (list.empty()) {
         SendScintilla(S::SCI_AUTOCCANCEL);
         return;

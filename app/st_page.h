@@ -1,0 +1,68 @@
+// One ST file in a tab: editor, second view when split, find bar, table of declarations, chart, and what is to be known
+// about the file. A library's source is such a page, read-only. Owned by the tabs; GUI thread.
+#pragma once
+#include "editor/graph/chart_view.h"
+#include "editor/text/declaration_table.h"
+#include "editor/text/find_bar.h"
+#include "editor/text/st_editor.h"
+
+#include <QSplitter>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+
+namespace plc::app {
+
+class StPage : public QWidget {
+    Q_OBJECT
+public:
+    enum class Kind : uint8_t { Project, Library };
+    StPage(const QString& file, QWidget* parent, Kind kind = Kind::Project);
+    /// The side that had the focus last.
+    [[nodiscard]] editor::StEditor& active() { return *m_active; }
+    [[nodiscard]] editor::StEditor& first() { return *m_first; }
+    [[nodiscard]] editor::FindBar& findBar() { return *m_find; }
+    [[nodiscard]] editor::DeclarationTable& table() { return *m_table; }
+    [[nodiscard]] const QString& file() const { return m_file; }
+    [[nodiscard]] bool isLibrary() const { return m_kind == Kind::Library; }
+    void toggleSplit();
+    void toggleTable();
+    /// The chart of a unit beside the text, null when the unit has none; "" = the unit at the cursor, or none any more
+    /// when it is shown.
+    editor::ChartView* showChart(const QString& unit);
+    [[nodiscard]] editor::ChartView* chart() { return m_chart; }
+    /// The chart around the cursor, of a unit or of an action in it; else the unit at the cursor.
+    [[nodiscard]] QString chartAtCursor();
+    [[nodiscard]] std::vector<editor::StEditor*> editors();
+    /// The file's mode has no w: a line above the text says so.
+    void showReadOnly(bool isReadOnly);
+    [[nodiscard]] bool saysReadOnly() const;
+
+signals:
+    void editorMade(plc::editor::StEditor* editor);
+    void chartMade(plc::editor::ChartView* chart);
+    void writableRequested(const QString& file);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void setActive(editor::StEditor& editor);
+    [[nodiscard]] QWidget* makeNotice();
+
+    QString m_file;
+    Kind m_kind;
+    QWidget* m_notice;
+    QSplitter* m_sides;
+    QSplitter* m_splitter;
+    editor::ChartView* m_chart = nullptr;
+    editor::StEditor* m_first;
+    editor::StEditor* m_second = nullptr;
+    editor::StEditor* m_active;
+    editor::FindBar* m_find;
+    editor::DeclarationTable* m_table;
+};
+
+} // namespace plc::app
