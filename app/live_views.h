@@ -37,6 +37,7 @@ public:
     /// What designers, text and alarm editors share; null without a project.
     [[nodiscard]] hmi::DesignContext* design() { return m_design.get(); }
     [[nodiscard]] std::shared_ptr<hmi::DesignContext> sharedDesign() const { return m_design; }
+    [[nodiscard]] std::shared_ptr<hmi::PanelProject> sharedPanels() const { return m_panels; }
     /// A new, empty panel on disk.
     Result<void> addPanel(const QString& name);
     /// True when it was saved, false when it was cancelled.

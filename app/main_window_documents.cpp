@@ -154,8 +154,9 @@ void MainWindow::newPanel() {
 }
 
 void MainWindow::addDesignPage(QWidget* page, const QString& title, int icon, const QString& key) {
-    // A closed page dies a moment later, perhaps after the project: it keeps what it works on.
-    connect(page, &QObject::destroyed, [kept = m_live->sharedDesign()] { (void)kept; });
+    // A closed page dies a moment later, perhaps after the project: it keeps what it works on, the panels last.
+    connect(page, &QObject::destroyed,
+            [panels = m_live->sharedPanels(), design = m_live->sharedDesign()] { (void)panels, (void)design; });
     m_tabs->addPage(page, title, kit::icon(static_cast<kit::Icon>(icon)), key);
 }
 

@@ -10,6 +10,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDropEvent>
+#include <QElapsedTimer>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QTimer>
@@ -67,6 +68,17 @@ protected:
         return out;
     }
 };
+
+TEST_F(DesignTest, AClosedDesignerOutlivesItsProjectByAMoment) {
+    ASSERT_NE(openFromTree("overview"), nullptr);
+    const QString folder = window->workspace().folder();
+    window->closeProject();
+    ASSERT_TRUE(window->openProject(folder));
+    // As inside a question: timers run, what is to be deleted later waits.
+    QElapsedTimer time;
+    for (time.start(); time.elapsed() < 700;) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    EXPECT_NE(openFromTree("overview"), nullptr);
+}
 
 TEST_F(DesignTest, IsOpenedFromTheTreeEditedUndoneAndSeenLive) {
     hmi::PanelDesigner* designer = openFromTree("overview");
