@@ -231,7 +231,8 @@ QString ElementView::tag() const {
 QFont ElementView::font(double pixelSize, bool bold, const QString& forTag) const {
     QFont font;
     font.setFamilies(m_scene.texts().settings().fontFamilies(forTag.isEmpty() ? tag() : forTag));
-    font.setPixelSize(std::max(1, static_cast<int>(pixelSize + 0.5)));
+    constexpr double Largest = 4096; // a panel file may say anything, also NaN
+    font.setPixelSize(pixelSize > 1 ? static_cast<int>(std::min(pixelSize, Largest) + 0.5) : 1);
     font.setBold(bold);
     font.setHintingPreference(QFont::PreferNoHinting); // so that texts keep their width at every zoom
     return font;

@@ -107,6 +107,13 @@ std::string retained() {
     return contentOf(path);
 }
 
+TEST(Loaders, PanelsWithSizesBeyondAllBoundsAreChecked) {
+    for (const char* size : {"1.6e22", "-1e300", "1e308", "0"})
+        readPanel(
+            std::string("{\"version\": 1, \"size\": [800, 480], \"elements\": [{\"id\": \"t\", \"kind\": \"text\", ") +
+            "\"rect\": [0, 0, 90, 30], \"text\": \"Level\", \"fontSize\": " + size + "}]}");
+}
+
 TEST(Loaders, PanelsSurviveDamage) { damageAll("panel", readPanel, filesThatEnd(".panel.json"), 160, true); }
 TEST(Loaders, TextsSurviveDamage) { damageAll("texts", readTexts, filesThatEnd("texts.csv"), 1500, false); }
 TEST(Loaders, AlarmsSurviveDamage) { damageAll("alarms", readAlarms, filesThatEnd("alarms.json"), 1500, true); }
