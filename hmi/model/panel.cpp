@@ -43,7 +43,10 @@ QRectF Properties::rect(std::string_view key) const {
 QSize Properties::size(std::string_view key) const {
     const Json& value = at(key);
     if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) return {1024, 600};
-    return {std::clamp(value[0].get<int>(), 16, 16384), std::clamp(value[1].get<int>(), 16, 16384)};
+    const auto pixels = [](const Json& number) { // any number, also one beyond int
+        return static_cast<int>(std::clamp(number.get<double>(), 16.0, 16384.0));
+    };
+    return {pixels(value[0]), pixels(value[1])};
 }
 
 QList<QPointF> Properties::points(std::string_view key) const {

@@ -109,9 +109,9 @@ std::string retained() {
 
 TEST(Loaders, PanelsWithSizesBeyondAllBoundsAreChecked) {
     for (const char* size : {"1.6e22", "-1e300", "1e308", "0"})
-        readPanel(
-            std::string("{\"version\": 1, \"size\": [800, 480], \"elements\": [{\"id\": \"t\", \"kind\": \"text\", ") +
-            "\"rect\": [0, 0, 90, 30], \"text\": \"Level\", \"fontSize\": " + size + "}]}");
+        readPanel(std::string("{\"version\": 1, \"size\": [800, " + std::string(size) +
+                              "], \"elements\": [{\"id\": \"t\", \"kind\": \"text\", ") +
+                  "\"rect\": [0, 0, 90, 30], \"text\": \"Level\", \"fontSize\": " + size + "}]}");
 }
 
 TEST(Loaders, PanelsSurviveDamage) { damageAll("panel", readPanel, filesThatEnd(".panel.json"), 160, true); }
