@@ -80,9 +80,9 @@ const std::vector<ActionSpec> kActions = {
     {"run.pause", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Pause"), "Ctrl+F5", drawn(Icon::Pause), [](MainWindow& w) { w.control().pause(); }},
     {"run.stop", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Stop"), "Shift+F8", drawn(Icon::Stop), [](MainWindow& w) { w.control().stop(); }},
     {"run.scan", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Single Scan"), "Ctrl+F8", drawn(Icon::Step), [](MainWindow& w) { w.control().singleScan(); }},
-    {"run.stepIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step In"), "F8", drawn(Icon::StepInto), [](MainWindow& w) { w.control().step(session::StepKind::In); }},
-    {"run.stepOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Over"), "F10", drawn(Icon::StepOver), [](MainWindow& w) { w.control().step(session::StepKind::Over); }},
-    {"run.stepOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Out"), "Shift+F10", drawn(Icon::StepOut), [](MainWindow& w) { w.control().step(session::StepKind::Out); }},
+    {"run.stepIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step In"), "F8", drawn(Icon::StepInto), [](MainWindow& w) { w.control().step(session::Step::In); }},
+    {"run.stepOver", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Over"), "F10", drawn(Icon::StepOver), [](MainWindow& w) { w.control().step(session::Step::Over); }},
+    {"run.stepOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Step Out"), "Shift+F10", drawn(Icon::StepOut), [](MainWindow& w) { w.control().step(session::Step::Out); }},
     {"run.toCursor", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Run to Cursor"), "Ctrl+F10", drawn(Icon::RunToCursor),
      [](MainWindow& w) {
          auto* e = w.tabs().currentEditor();

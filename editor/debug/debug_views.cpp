@@ -185,7 +185,7 @@ void CallPathView::refresh() {
             item->setText(2, QString("%1:%2").arg(place->file).arg(place->line));
     };
     if (m_control.status().state == controller::State::Halted)
-        for (const session::HaltFrame& frame : m_control.session()->haltFrames())
+        for (const session::FaultFrame& frame : m_control.session()->haltFrames())
             add(frame.function, frame.instance, frame.range);
     else if (m_control.status().fault)
         for (const controller::FaultFrame& frame : m_control.status().fault->calls)

@@ -241,11 +241,11 @@ void RunControl::singleScan() {
     startThen(true, [this] { m_session->singleScan(); });
 }
 
-void RunControl::step(session::StepKind kind) {
+void RunControl::step(session::Step kind) {
     leaveRecorded();
     view(std::nullopt);
     if (isRunning()) return m_session->step(kind);
-    startThen(true, [this] { m_session->step(session::StepKind::In); }); // to the first statement
+    startThen(true, [this] { m_session->step(session::Step::In); }); // to the first statement
 }
 
 void RunControl::runTo(const QString& file, int line) {

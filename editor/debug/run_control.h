@@ -72,7 +72,7 @@ public:
     void stop();
     void singleScan();
     void resume();
-    void step(session::StepKind kind);
+    void step(session::Step kind);
     void runTo(const QString& file, int line);
     void reset(controller::ResetKind kind);
     void onlineChange(); // the edited program enters the running controller
@@ -168,7 +168,7 @@ private:
     session::Status m_status;
     session::RunMode m_mode{session::Pace::Real, 1.0};
     std::vector<EditorBreakpoint> m_breakpoints;
-    std::vector<session::HaltFrame> m_frames;
+    std::vector<session::FaultFrame> m_frames;
     uint64_t m_haltsSeen = 0;
     std::map<QString, QString> m_preferredInstance;              // POU → instance path
     mutable std::map<QString, std::vector<QString>> m_instances; // found, by POU, of m_instancesOf

@@ -12,17 +12,6 @@ namespace plc::session {
 using controller::EventKind;
 using PlcState = controller::State;
 
-namespace {
-
-std::vector<debug::Breakpoint> debuggerBreakpoints(const std::vector<Breakpoint>& breakpoints) {
-    std::vector<debug::Breakpoint> wanted;
-    for (const Breakpoint& b : breakpoints)
-        wanted.push_back({b.file, b.line, b.condition, b.hitCount, b.instance, b.isEnabled});
-    return wanted;
-}
-
-} // namespace
-
 Session::State::State(driver::Built first, Settings s)
     : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
     adopt(std::make_shared<const driver::Built>(std::move(first)));
@@ -322,7 +311,7 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
                     s->current.store(before);
                     s->newRefusals.push_back(report.refusal);
                 } else {
-                    if (breakpoints) s->breakpoints = debuggerBreakpoints(*breakpoints);
+                    if (breakpoints) s->breakpoints = *breakpoints;
                     if (s->debugger && breakpoints)
                         s->debugger->setBreakpoints(s->breakpoints);
                     else if (s->debugger)
@@ -362,7 +351,7 @@ Result<void> Session::resumeFrom(history::Position position) {
 // ---------------------------------------------------------------- debugging
 
 void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
-    m->post(When::Now, [s = m.get(), wanted = debuggerBreakpoints(breakpoints)]() mutable {
+    m->post(When::Now, [s = m.get(), wanted = std::move(breakpoints)]() mutable {
         s->breakpoints = wanted; // kept for the debugger that startThread makes
         if (s->debugger) s->debugger->setBreakpoints(std::move(wanted));
     });
@@ -376,12 +365,10 @@ void Session::resume() {
     });
 }
 
-void Session::step(StepKind kind) {
+void Session::step(Step kind) {
     m->post(When::Now, [s = m.get(), kind] {
         if (!s->debugger) return;
-        s->debugger->step(kind == StepKind::In     ? debug::Step::In
-                          : kind == StepKind::Over ? debug::Step::Over
-                                                   : debug::Step::Out);
+        s->debugger->step(kind);
         if (s->isHalted)
             s->goesOn = true;
         else
@@ -400,12 +387,9 @@ void Session::runTo(FileId file, uint32_t line) {
     });
 }
 
-std::vector<HaltFrame> Session::haltFrames() const {
-    std::vector<HaltFrame> frames;
+std::vector<FaultFrame> Session::haltFrames() const {
     const std::lock_guard lock(m->mutex);
-    for (const controller::FaultFrame& f : m->shared.frames)
-        frames.push_back({f.function, f.instance, f.range, f.functionIndex, f.instanceOffset, f.frameOffset});
-    return frames;
+    return m->shared.frames;
 }
 
 std::string Session::haltProblem() const {

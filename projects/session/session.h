@@ -4,6 +4,7 @@
 #pragma once
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/controller/controller.h"
+#include "runtime/debug/breakpoint.h"
 #include "runtime/history/history.h"
 
 #include <functional>
@@ -12,7 +13,10 @@
 
 namespace plc::session {
 
+using controller::FaultFrame;
 using controller::Nanoseconds;
+using debug::Breakpoint;
+using debug::Step;
 
 enum class Pace : uint8_t { Real, Factor, Fastest };
 struct RunMode {
@@ -33,22 +37,6 @@ struct Status {
     std::string retainProblem;
 };
 
-/// What the debugger shows while halted.
-struct HaltFrame {
-    std::string function, instance;
-    SourceRange range;
-    uint32_t functionIndex = 0, instanceOffset = 0, frameOffset = 0;
-};
-
-struct Breakpoint {
-    FileId file;
-    uint32_t line = 1;
-    std::string condition; // ST expression, seen from the POU; empty = always
-    uint32_t hitCount = 0; // stop at the n-th hit; 0 = every
-    std::string instance;  // only this instance path; empty = any
-    bool isEnabled = true;
-};
-
 /// A finished scan, or the state at a breakpoint, with the version of the program it belongs to.
 struct Snapshot {
     std::vector<std::byte> image; // empty: nothing yet
@@ -58,8 +46,6 @@ struct Snapshot {
     history::Position position = 0;
     bool isHalted = false;
 };
-
-enum class StepKind : uint8_t { In, Over, Out };
 
 struct Settings {
     controller::Settings controller;
@@ -127,9 +113,9 @@ public:
     // --- debugging
     void setBreakpoints(std::vector<Breakpoint> breakpoints);
     void resume();
-    void step(StepKind kind);
+    void step(Step kind);
     void runTo(FileId file, uint32_t line);
-    [[nodiscard]] std::vector<HaltFrame> haltFrames() const;
+    [[nodiscard]] std::vector<FaultFrame> haltFrames() const;
     /// Why it stands: a condition that can not be evaluated, else empty.
     [[nodiscard]] std::string haltProblem() const;
     /// Name and value of the locals of a frame of haltFrames(); after a fault, of the fault's call path as it was then.

@@ -1,8 +1,13 @@
 // The controller: runs compiled programs scan by scan on one image (D1, D6, D8). A Controller belongs to one thread,
-// the scan thread, which calls its functions; other threads talk to it through controller/scan_thread.h. Time comes
-// from a Clock handed in.
+// the scan thread, which calls its functions; other threads post to the session that drives it
+// (projects/session). Time comes from a Clock handed in.
 #pragma once
 #include "runtime/controller/clock.h"
+#include "runtime/controller/event.h"
+#include "runtime/controller/fault.h"
+#include "runtime/controller/forced.h"
+#include "runtime/controller/online_change_report.h"
+#include "runtime/controller/task_statistics.h"
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
 
@@ -14,71 +19,11 @@
 
 namespace plc::controller {
 
-using Nanoseconds = std::chrono::nanoseconds;
-
 enum class State : uint8_t { Stopped, Running, Paused, Halted /* at a breakpoint */, Fault };
 enum class ResetKind : uint8_t {
     Warm /* retain kept */,
     Cold /* retain initialised, persistent kept */,
     Origin /* everything, plant too */
-};
-
-/// Where a fault happened, in the user's terms.
-struct FaultFrame {
-    std::string function; // "Main.Fill"
-    std::string instance; // path of THIS, "" for functions
-    SourceRange range;
-    uint32_t instanceOffset = 0, frameOffset = 0, functionIndex = 0;
-};
-struct Fault {
-    image::FaultCode code = image::FaultCode::None;
-    std::string message; // "index 7 lies outside 1..5"
-    std::string task;
-    SourceRange range;
-    std::vector<FaultFrame> calls; // innermost first
-    uint64_t scan = 0;
-    Nanoseconds time{};
-    bool isSimulation = false; // the plant's, not the PLC's
-};
-[[nodiscard]] std::string_view name(image::FaultCode code); // "division by zero"
-
-struct TaskStatistics {
-    std::string name;
-    uint64_t count = 0, overruns = 0;
-    int64_t lastNs = 0, minNs = 0, maxNs = 0;
-    double meanNs = 0;
-    int64_t jitterNs = 0;            // greatest deviation of start from its due time
-    std::vector<uint32_t> histogram; // execution time: powers of two from 1 µs
-};
-
-struct Forced {
-    std::string path;
-    image::Place place;
-    types::Value value;
-};
-
-/// Events for the log and the chart's markers.
-enum class EventKind : uint8_t {
-    Started,
-    Stopped,
-    Paused,
-    Fault,
-    Reset,
-    Write,
-    Force,
-    Release,
-    OnlineChange,
-    Breakpoint,
-    RetainSaved,
-    RetainRestored,
-    SkippedScans,
-    WentBack
-};
-struct Event {
-    EventKind kind{};
-    uint64_t scan = 0;
-    Nanoseconds time{};
-    std::string text;
 };
 
 /// Observer of each finished scan (history, alarms). Called on the scan thread: no locks, no allocation in the steady
@@ -89,11 +34,6 @@ public:
     virtual void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) = 0;
     virtual void programChanged(std::shared_ptr<const image::CompiledProgram> program) = 0;
     virtual void eventHappened(const Event& event) = 0;
-};
-
-struct OnlineChangeReport {
-    std::vector<std::string> kept, initialised, lost, nulled; // paths (roots and members, arrays summed up)
-    std::string refusal; // not empty: the new program could not enter, the old one goes on
 };
 
 struct Settings {

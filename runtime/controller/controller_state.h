@@ -1,5 +1,6 @@
 // What a Controller keeps, for the files that implement it. Scan thread only.
 #pragma once
+#include "runtime/controller/controller.h"
 #include "runtime/controller/fault_exit.h"
 #include "runtime/controller/forces.h"
 #include "runtime/controller/schedule.h"

@@ -1,7 +1,7 @@
 // Turns the context a fault left behind into what the user reads: place, message, call path. Pure functions, scan
 // thread.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "runtime/controller/fault.h"
 
 namespace plc::controller {
 

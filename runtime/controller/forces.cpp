@@ -1,6 +1,7 @@
 #include "runtime/controller/forces.h"
 
 #include "runtime/controller/fitting.h"
+#include "runtime/image/runtime_context.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,6 +1,6 @@
 // The list of forced variables and their bytes, applied twice in each scan. Scan thread only.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "runtime/controller/forced.h"
 
 namespace plc::controller {
 

@@ -1,7 +1,8 @@
 // Carries the values of a running image over into the image of another version of the program. Pure function over two
 // images; scan thread.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "runtime/controller/online_change_report.h"
+#include "runtime/image/layout.h"
 
 namespace plc::controller {
 

@@ -1,6 +1,7 @@
 #include "runtime/controller/retain.h"
 
 #include "runtime/base/text.h"
+#include "runtime/controller/controller.h"
 #include "runtime/controller/retained_places.h"
 
 #include <cerrno>

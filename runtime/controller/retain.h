@@ -2,9 +2,12 @@
 // Written atomically (a new file takes the old one's name when it is complete). Scan thread, or any thread with a copy
 // of the values.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "runtime/base/result.h"
+#include "runtime/image/layout.h"
 
 namespace plc::controller {
+
+class Controller;
 
 /// One leaf as the file holds it.
 struct RetainedLeaf {

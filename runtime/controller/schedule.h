@@ -2,9 +2,12 @@
 // controller, scan thread only. Due times lie on each task's own grid from time 0, so they follow from the time of the
 // last scan alone: that is what makes going back in time exact.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "runtime/controller/task_statistics.h"
+#include "runtime/image/program.h"
 
 namespace plc::controller {
+
+using Nanoseconds = std::chrono::nanoseconds;
 
 struct TaskRun {
     const image::Task* task = nullptr;

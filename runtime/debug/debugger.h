@@ -2,20 +2,10 @@
 // through `onHalt` how commands are served while it stands.
 #pragma once
 #include "runtime/controller/controller.h"
+#include "runtime/debug/breakpoint.h"
 #include "runtime/debug/sites.h"
 
 namespace plc::debug {
-
-struct Breakpoint {
-    FileId file;
-    uint32_t line = 1;
-    std::string condition; // ST expression, seen from the instance; empty = always
-    uint32_t hitCount = 0; // halts at the n-th hit and each later one; 0 = every
-    std::string instance;  // only this instance path; empty = any
-    bool isEnabled = true;
-};
-
-enum class Step : uint8_t { In, Over, Out };
 
 /// Why and where the scan stands.
 struct Halt {

@@ -1,7 +1,7 @@
 // What a frame of the call path shows: the variables of its instance and its locals, read from a halted image. Pure
 // functions, any thread with a copy of the image. Locals are there in the quick tier only.
 #pragma once
-#include "runtime/controller/controller.h"
+#include "runtime/controller/fault.h"
 
 namespace plc::debug {
 

@@ -277,24 +277,24 @@ TEST(Debugging, BreaksStepsAndShowsVariablesOfCompiledCode) {
         return frames[0].function + ":" +
                std::to_string(built->sources[frames[0].range.file].lineColumn(frames[0].range.begin).line);
     };
-    const auto step = [&](StepKind kind, const std::string& expected) {
+    const auto step = [&](Step kind, const std::string& expected) {
         session.step(kind);
         EXPECT_TRUE(eventually([&] { return place() == expected; })) << "at " << place() << ", expected " << expected;
     };
     session.setBreakpoints({});
-    step(StepKind::Over, "Main:15"); // to the next scan
-    step(StepKind::Over, "Main:16");
-    step(StepKind::In, "B:10");
-    step(StepKind::In, "Twice:4");
-    session.step(StepKind::Over);
+    step(Step::Over, "Main:15"); // to the next scan
+    step(Step::Over, "Main:16");
+    step(Step::In, "B:10");
+    step(Step::In, "Twice:4");
+    session.step(Step::Over);
     ASSERT_TRUE(eventually([&] { return place() == "Twice:5"; }));
     const auto variables = session.frameVariables(0);
     std::map<std::string, Value> byName(variables.begin(), variables.end());
     ASSERT_TRUE(byName.count("a") && byName.count("t") && byName.count("Twice"));
     EXPECT_GT(byName["a"].integer(), 0);
     EXPECT_EQ(byName["a"], byName["t"]); // t := a
-    step(StepKind::Out, "B:11");
-    step(StepKind::Out, "Main:17");
+    step(Step::Out, "B:11");
+    step(Step::Out, "Main:17");
     session.runTo(FileId(0u), 15);
     EXPECT_TRUE(eventually([&] { return place() == "Main:15"; })) << place();
     session.resume();

@@ -1,0 +1,34 @@
+// What happened to the controller, for the log and the markers of charts. A value; any thread with a copy.
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace plc::controller {
+
+using Nanoseconds = std::chrono::nanoseconds;
+
+enum class EventKind : uint8_t {
+    Started,
+    Stopped,
+    Paused,
+    Fault,
+    Reset,
+    Write,
+    Force,
+    Release,
+    OnlineChange,
+    Breakpoint,
+    RetainSaved,
+    RetainRestored,
+    SkippedScans,
+    WentBack
+};
+struct Event {
+    EventKind kind{};
+    uint64_t scan = 0;
+    Nanoseconds time{};
+    std::string text;
+};
+
+} // namespace plc::controller

@@ -1,0 +1,13 @@
+// What an online change did to the variables. A value; any thread with a copy.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace plc::controller {
+
+struct OnlineChangeReport {
+    std::vector<std::string> kept, initialised, lost, nulled; // paths (roots and members, arrays summed up)
+    std::string refusal; // not empty: the new program could not enter, the old one goes on
+};
+
+} // namespace plc::controller
