@@ -28,7 +28,7 @@ public:
     std::optional<T> pop() {
         Node* next = m_tail->next.load(std::memory_order_acquire);
         if (!next) return std::nullopt;
-        std::optional<T> value = std::move(next->value);
+        std::optional<T> value(std::in_place, std::move(*next->value)); // a node behind the tail has one
         next->value.reset();
         delete m_tail;
         m_tail = next;

@@ -73,8 +73,6 @@ struct CompiledProgram {
     std::vector<Site> sites;             // index 0 unused
     SourceSet sources;                   // the texts it was compiled from
     uint64_t version = 0;                // hash of code and layout; names the program in history segments
-    /// Retained places: leaf paths are derived from roots and field flags by controller/retain.
-    std::shared_ptr<const void> facts; // the compiler's own side tables (driver::Compilation), for expressions
 
     /// Quick code is there from the start; optimised code may arrive later (published once, read at scan boundaries).
     std::shared_ptr<const Code> quick;

@@ -1,12 +1,16 @@
-// Checked tree → LLVM IR (D5). Two tiers: Quick keeps every local in the frame area and stops at sites (debugging,
-// first scan); Optimised inlines and vectorises with all guards on. One module per call; LLVM stays behind this header.
+// Checked tree → LLVM IR (D5), on the facts of runtime/compiler/facts. Two tiers: Quick keeps every local in the frame
+// area and stops at sites; Optimised inlines and vectorises with all guards on. One module per call; LLVM stays behind
+// this header.
 #pragma once
 #include "runtime/base/progress.h"
+#include "runtime/compiler/facts/tier.h"
 #include "runtime/compiler/tree/tree.h"
-#include "runtime/image/program.h"
 
 #include <memory>
 
+namespace plc::facts {
+class ProgramFacts;
+}
 namespace llvm {
 class LLVMContext;
 class Module;
@@ -14,14 +18,7 @@ class Module;
 
 namespace plc::codegen {
 
-enum class Tier : uint8_t { Quick, Optimised };
-
-/// Shared by both tiers: sites and frames of every function, made once.
-struct DebugMap {
-    std::vector<image::Site> sites;             // 0 unused
-    std::vector<image::FunctionInfo> functions; // by FunctionId; 0 unused
-};
-[[nodiscard]] DebugMap makeDebugMap(const tree::Program& program);
+using facts::Tier;
 
 /// `threadSanitizer` instruments the code (tests of the thread contract).
 struct Options {
@@ -31,19 +28,15 @@ struct Options {
     double progressFrom = 0;      // the share of the whole that is done before
 };
 
-/// What both the whole program and every function need to know; made once, shared by the threads that emit parts of it.
-class ProgramFacts;
-[[nodiscard]] std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options);
-
 /// One of several modules that together hold the quick code: each emits the functions whose number modulo `count` is
 /// `index`.
 struct Part {
     uint32_t index = 0;
     uint32_t count = 1;
 };
-/// The module's entries stand in the table "plc.entries.<part>": {i64 function, ptr code} …, ended by {0, null}.
+/// The module's entries are in the table "plc.entries.<part>": {i64 function, ptr code} …, ended by {0, null}.
 [[nodiscard]] std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program,
-                                                       const ProgramFacts& facts, const Options& options,
+                                                       const facts::ProgramFacts& facts, const Options& options,
                                                        Part part = {});
 
 } // namespace plc::codegen

@@ -1,7 +1,8 @@
 // The two emitters behind emitModule: ModuleEmitter holds what functions share (declarations, tables, helpers, alias
 // nodes), FunctionEmitter writes one body. LLVM types are visible only here and in the .cpp files. One thread.
 #pragma once
-#include "runtime/compiler/codegen/facts.h"
+#include "runtime/compiler/codegen/codegen.h"
+#include "runtime/compiler/facts/program_facts.h"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>
@@ -13,6 +14,17 @@
 #include <set>
 
 namespace plc::codegen {
+
+using facts::extentOf;
+using facts::FunctionFacts;
+using facts::hasEffects;
+using facts::kNoFrame;
+using facts::ProgramFacts;
+using facts::rootOf;
+using facts::Target;
+using facts::Use;
+using facts::Walker;
+using facts::WriteSummary;
 
 /// How a function of the tree looks to LLVM: (ctx, image, this as pointer, frame as i64 offset, arguments…) → {result,
 /// scalar outputs…}.

@@ -512,10 +512,6 @@ void ModuleEmitter::taintType(types::TypeId id) {
     for (const types::Field& field : type.fields) taintType(field.type);
 }
 
-std::shared_ptr<const ProgramFacts> gatherFacts(const tree::Program& program, const Options& options) {
-    return std::make_shared<ProgramFacts>(program, options.tier);
-}
-
 std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program,
                                          const ProgramFacts& facts, const Options& options, Part part) {
     return ModuleEmitter(context, program, facts, options, part).emit();

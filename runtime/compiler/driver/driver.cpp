@@ -3,6 +3,7 @@
 #include "runtime/base/text.h"
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/driver/expression_compiler.h"
+#include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/compiler/lower/lower.h"
 #include "runtime/compiler/parse/parser.h"
@@ -72,7 +73,7 @@ void nameReferences(const std::shared_ptr<image::CompiledProgram>& program) {
     };
 }
 
-std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, codegen::DebugMap&& debug, uint64_t version) {
+std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::DebugMap&& debug, uint64_t version) {
     const tree::Program& tree = *checked.analysis->program;
     auto program = std::make_shared<image::CompiledProgram>();
     program->layout = tree.layout;
@@ -84,7 +85,6 @@ std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, codegen
     program->sites = std::move(debug.sites);
     program->sources = *checked.sources;
     program->version = version;
-    program->facts = checked.analysis;
     nameReferences(program);
     return program;
 }
@@ -157,22 +157,19 @@ Built build(const BuildInput& input, Progress* progress) {
     if (built.checked.analysis->hasErrors || !built.checked.analysis->program) return built;
     const auto codeBegin = std::chrono::steady_clock::now();
     const tree::Program& tree = *built.checked.analysis->program;
-    auto debug = std::make_shared<codegen::DebugMap>(codegen::makeDebugMap(tree));
     codegen::Options options;
     options.threadSanitizer = input.threadSanitizer;
     options.progress = progress;
     options.progressFrom = kChecked;
-    auto code = jit::compile(tree, *debug, options);
+    auto code = jit::compile(tree, options);
     built.isCancelled = isCancelled(progress);
     if (built.isCancelled) return built;
     if (!code) {
         built.failure = code.error().text();
         return built;
     }
-    codegen::DebugMap copy = *debug;
-    built.program = assemble(built.checked, std::move(copy), versionOf(input));
+    built.program = assemble(built.checked, facts::makeDebugMap(tree), versionOf(input));
     built.program->quick = std::move(code.value());
-    built.debug = debug;
     built.input = std::make_shared<const BuildInput>(input);
     built.codeMs = millisecondsSince(codeBegin);
     return built;
@@ -184,7 +181,7 @@ Result<void> optimise(const Built& built, Progress* progress) {
     options.tier = codegen::Tier::Optimised;
     options.threadSanitizer = built.input->threadSanitizer;
     options.progress = progress;
-    auto code = jit::compile(*built.checked.analysis->program, *built.debug, options);
+    auto code = jit::compile(*built.checked.analysis->program, options);
     if (!code) return code.error();
     if (isCancelled(progress)) return Error{"cancelled", ""};
     built.program->optimisedOwner = std::move(code.value());

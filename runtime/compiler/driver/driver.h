@@ -2,7 +2,6 @@
 // nobody: functions and immutable results. Any thread; one build at a time per call.
 #pragma once
 #include "runtime/base/progress.h"
-#include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/sema/sema.h"
 #include "runtime/expression/expression.h"
 #include "runtime/image/program.h"
@@ -41,8 +40,7 @@ struct Built {
     bool isCancelled = false;                        // then nothing else of it counts
     std::string failure;                             // the compiler's own failure (never the user's), else empty
     double checkMs = 0, codeMs = 0;
-    std::shared_ptr<const codegen::DebugMap> debug; // both tiers share it
-    std::shared_ptr<const BuildInput> input;        // what it was built from (recordings keep it)
+    std::shared_ptr<const BuildInput> input; // what it was built from (recordings keep it)
 };
 /// Checks and compiles with the quick tier. `progress` may cancel it between files, functions and parts of the code.
 [[nodiscard]] Built build(const BuildInput& input, Progress* progress = nullptr);

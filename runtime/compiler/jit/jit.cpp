@@ -1,5 +1,6 @@
 #include "runtime/compiler/jit/jit.h"
 
+#include "runtime/compiler/facts/program_facts.h"
 #include "runtime/compiler/jit/write_marks.h"
 #include "runtime/library/text_runtime.h"
 
@@ -214,7 +215,7 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
 }
 
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
-Result<Object> compilePart(const tree::Program& program, const codegen::ProgramFacts& facts,
+Result<Object> compilePart(const tree::Program& program, const facts::ProgramFacts& facts,
                            const codegen::Options& options, codegen::Part part, Steps& steps) {
     const Error cancelled{"cancelled", ""};
     const bool isQuick = options.tier == codegen::Tier::Quick;
@@ -257,7 +258,7 @@ uint32_t partsFor(const tree::Program& program, const codegen::Options& options)
     return static_cast<uint32_t>(std::min<size_t>({wanted, std::max(1u, std::thread::hardware_concurrency()), 8}));
 }
 
-std::vector<Result<Object>> compileParts(const tree::Program& program, const codegen::ProgramFacts& facts,
+std::vector<Result<Object>> compileParts(const tree::Program& program, const facts::ProgramFacts& facts,
                                          const codegen::Options& options, uint32_t count) {
     std::vector<Result<Object>> objects;
     const bool isQuick = options.tier == codegen::Tier::Quick;
@@ -278,8 +279,7 @@ struct EntryRow {
 
 } // namespace
 
-Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::DebugMap&,
-                                                   const codegen::Options& options) {
+Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::Options& options) {
     initialiseTargets();
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto machine = machineFor(isQuick);
@@ -301,9 +301,9 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     }
     if (auto error = library.define(llvm::orc::absoluteSymbols(runtimeSymbols(**jit)))) return failed(std::move(error));
 
-    const auto facts = codegen::gatherFacts(program, options);
+    const facts::ProgramFacts facts(program, options.tier);
     const uint32_t parts = partsFor(program, options);
-    for (Result<Object>& object : compileParts(program, *facts, options, parts)) {
+    for (Result<Object>& object : compileParts(program, facts, options, parts)) {
         if (!object) return object.error();
         if (auto error = (*jit)->addObjectFile(std::move(*object))) return failed(std::move(error));
     }

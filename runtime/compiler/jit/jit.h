@@ -9,7 +9,7 @@ namespace plc::jit {
 void setRuntimeSymbols(const image::RuntimeSymbols& symbols);
 
 /// Quick: -O0-like, fast instruction selection. Optimised: -O2 pipeline, whole program, contraction and fast-math off.
-[[nodiscard]] Result<std::shared_ptr<const image::Code>>
-compile(const tree::Program& program, const codegen::DebugMap& debug, const codegen::Options& options);
+[[nodiscard]] Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
+                                                                 const codegen::Options& options);
 
 } // namespace plc::jit

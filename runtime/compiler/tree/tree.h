@@ -128,7 +128,9 @@ enum class StmtKind : uint8_t {
     Case,     // a (LINT or unsigned as ULINT bit pattern), arms, elseBody
     While,    // a, body
     Repeat,   // body, a = until
-    For,      // place from a to b by c; operandType decides the width; see below
+    // For: place from a to b by c, evaluated once; operandType decides the width. The sign of c is the direction (0: no
+    // pass). Afterwards the variable is one step past the limit, or at its last value where its type has no such step.
+    For,
     Exit,
     Continue,
     Return,
@@ -137,9 +139,6 @@ enum class StmtKind : uint8_t {
     Block, // body (a scope only, no site of its own)
 };
 
-/// FOR: a, b, c are evaluated once; direction by the sign of c (c = 0: no pass… a watchdog case is avoided); after the
-/// loop the variable is one step past the limit unless that does not exist in its type, then it stays; `FOR i := 5 TO
-/// 5` runs once.
 struct CaseRange {
     int64_t low = 0;
     int64_t high = 0;

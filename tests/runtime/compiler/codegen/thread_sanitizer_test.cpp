@@ -36,7 +36,7 @@ int reportsOf(bool share) {
     codegen::Options options;
     options.tier = codegen::Tier::Optimised;
     options.threadSanitizer = true;
-    const auto code = jit::compile(t.program, t.debug, options);
+    const auto code = jit::compile(t.program, options);
     EXPECT_TRUE(code) << (code ? "" : code.error().text());
     if (!code) return -1;
     const int before = g_reports;
@@ -68,7 +68,7 @@ TEST(ThreadSanitizer, CanNotBeAskedForOutsideItsProcess) {
     t.makeFresh();
     codegen::Options options;
     options.threadSanitizer = true;
-    const auto code = jit::compile(t.program, t.debug, options);
+    const auto code = jit::compile(t.program, options);
     ASSERT_FALSE(code);
     EXPECT_NE(std::string::npos, code.error().message.find("sanitizer"));
 }

@@ -258,7 +258,7 @@ void Bench::prepare() {
         if (!hasParameters && !fn(f).isAbstract) task.programs.push_back({0, f, 0, 0});
     }
     program.tasks.push_back(task);
-    debug = codegen::makeDebugMap(program);
+    debug = facts::makeDebugMap(program);
     flags.assign(debug.sites.size() + 1, 0);
 }
 
@@ -266,7 +266,7 @@ std::shared_ptr<const image::Code> Bench::code(codegen::Tier tier) {
     prepare();
     auto& code = m_code[static_cast<int>(tier)];
     if (!code) {
-        auto made = jit::compile(program, debug, {tier});
+        auto made = jit::compile(program, {tier});
         EXPECT_TRUE(made) << (made ? "" : made.error().text());
         if (made) code = made.value();
     }

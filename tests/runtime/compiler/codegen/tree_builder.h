@@ -1,6 +1,7 @@
 // Builds checked trees by hand for tests of code generation, compiles them in both tiers and runs them on a small
 // image. Owned by each test.
 #pragma once
+#include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ public:
     int refills = 0;
     int64_t refill = 0; // given by budgetUsedUp; 0 = watchdog
     std::shared_ptr<const image::Code> code(codegen::Tier tier);
-    codegen::DebugMap debug;
+    facts::DebugMap debug;
 
 private:
     void prepare();

@@ -3,7 +3,7 @@
 #pragma once
 #include "runtime/compiler/tree/tree.h"
 
-namespace plc::codegen {
+namespace plc::facts {
 
 /// What happens to the storage a place names. Address: it escapes (IN_OUT, reference, THIS of a call).
 enum class Use : uint8_t { Read, Write, Address };
@@ -30,4 +30,4 @@ protected:
 [[nodiscard]] bool hasEffects(const tree::Expr* expr);
 [[nodiscard]] bool hasEffects(const tree::Place* place);
 
-} // namespace plc::codegen
+} // namespace plc::facts

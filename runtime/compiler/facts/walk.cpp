@@ -1,6 +1,6 @@
-#include "runtime/compiler/codegen/walk.h"
+#include "runtime/compiler/facts/walk.h"
 
-namespace plc::codegen {
+namespace plc::facts {
 
 using tree::Expr;
 using tree::Place;
@@ -95,4 +95,4 @@ bool hasEffects(const Place* place) {
     return finder.found;
 }
 
-} // namespace plc::codegen
+} // namespace plc::facts

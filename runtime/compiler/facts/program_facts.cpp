@@ -1,170 +1,18 @@
-#include "runtime/compiler/codegen/facts.h"
+#include "runtime/compiler/facts/program_facts.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
-namespace plc::codegen {
+namespace plc::facts {
 
 using tree::Expr;
 using tree::ExprKind;
 using tree::Function;
 using tree::Local;
-using tree::LocalKind;
 using tree::Place;
 using tree::PlaceKind;
 using tree::Stmt;
 using tree::StmtKind;
 using types::TypeKind;
-
-namespace {
-uint32_t aligned(uint32_t offset, uint32_t align) { return (offset + align - 1) / align * align; }
-
-bool isScalar(const types::TypeTable& types, types::TypeId type) {
-    return !types.isAggregate(type) && !types.isText(type) && types.kind(type) != TypeKind::OpenArray;
-}
-} // namespace
-
-uint32_t slotSize(const types::TypeTable& types, const Local& local) {
-    if (!local.isInOut) return std::max(1u, types[local.type].size);
-    return types.kind(local.type) == TypeKind::OpenArray ? types[local.type].size : 8;
-}
-
-FrameLayout layFrameOut(const types::TypeTable& types, const Function& function, const std::vector<bool>& inMemory) {
-    FrameLayout layout;
-    layout.offsets.assign(function.locals.size(), kNoFrame);
-    const auto place = [&](size_t i) {
-        if (layout.offsets[i] != kNoFrame || !inMemory[i]) return;
-        const Local& local = function.locals[i];
-        const uint32_t align = local.isInOut ? 8 : std::max(1u, types[local.type].align);
-        layout.size = aligned(layout.size, align);
-        layout.offsets[i] = layout.size;
-        layout.size += slotSize(types, local);
-    };
-    const auto isShared = [&](size_t i) {
-        return !function.locals[i].isInOut && !isScalar(types, function.locals[i].type);
-    };
-    const uint32_t result = function.resultLocal;
-    if (result < function.locals.size() && isShared(result)) place(result);
-    for (size_t i = 0; i < function.locals.size(); ++i)
-        if ((function.locals[i].kind == LocalKind::Input || function.locals[i].kind == LocalKind::Output) &&
-            isShared(i))
-            place(i);
-    for (size_t i = 0; i < function.locals.size(); ++i) place(i);
-    layout.size = aligned(layout.size, 16);
-    return layout;
-}
-
-// ---------------------------------------------------------------- sites
-
-namespace {
-bool isPlaced(const Stmt& stmt) { return stmt.range.file.isValid(); }
-
-class SiteCollector : public Walker {
-public:
-    struct Found {
-        const Stmt* stmt;
-        bool stops;
-    };
-    std::vector<Found> visible;
-    std::vector<const Stmt*> hidden;
-
-protected:
-    void onStmt(const Stmt& stmt) override {
-        const Stmt* const before = m_before; // the sibling in front
-        m_parents.push_back(&stmt);
-        m_before = nullptr;
-        if (!isPlaced(stmt) || stmt.kind == StmtKind::Label) return;
-        if (stmt.isHidden) {
-            hidden.push_back(&stmt);
-            return;
-        }
-        if (stmt.kind == StmtKind::Block && !standsForOne(stmt)) return;
-        bool isRepeated = before && before->range == stmt.range && !before->isHidden;
-        for (size_t i = 0; i + 1 < m_parents.size(); ++i)
-            isRepeated = isRepeated || (m_parents[i]->range == stmt.range && !m_parents[i]->isHidden);
-        visible.push_back({&stmt, !isRepeated});
-    }
-    void afterStmt(const Stmt& stmt) override {
-        m_parents.pop_back();
-        m_before = &stmt;
-    }
-
-private:
-    static bool standsForOne(const Stmt& block) {
-        return std::any_of(block.body.begin(), block.body.end(),
-                           [&](const Stmt* s) { return s && !s->isHidden && s->range == block.range; });
-    }
-    std::vector<const Stmt*> m_parents;
-    const Stmt* m_before = nullptr;
-};
-
-using RangeKey = std::tuple<uint32_t, uint32_t, uint32_t>;
-RangeKey keyOf(const SourceRange& range) { return {range.file.value, range.begin, range.end}; }
-} // namespace
-
-SiteTable::SiteTable(const tree::Program& program) : sites(1) {
-    for (uint32_t f = 1; f < program.functions.size(); ++f) {
-        SiteCollector collector;
-        collector.walkFunction(program.functions[f]);
-        std::map<RangeKey, uint32_t> byRange;
-        const auto siteFor = [&](const Stmt& stmt) {
-            const auto [it, isNew] = byRange.emplace(keyOf(stmt.range), static_cast<uint32_t>(sites.size()));
-            if (isNew) sites.push_back({f, stmt.range});
-            return it->second;
-        };
-        for (const SiteCollector::Found& found : collector.visible)
-            m_places[found.stmt] = {siteFor(*found.stmt), found.stops};
-        // Made statements belong to the text they stand for, or else to the narrowest statement around: faults in them
-        // are shown there.
-        for (const Stmt* stmt : collector.hidden) {
-            uint32_t best = 0;
-            if (const auto it = byRange.find(keyOf(stmt->range)); it != byRange.end()) {
-                best = it->second;
-            } else {
-                for (auto around = byRange.upper_bound({stmt->range.file.value, stmt->range.begin, UINT32_MAX});
-                     around != byRange.begin();) {
-                    --around;
-                    const auto [file, begin, end] = around->first;
-                    if (file != stmt->range.file.value) break;
-                    if (end < stmt->range.end) continue;
-                    best = around->second; // the last to begin in front of it and hold it
-                    break;
-                }
-            }
-            m_places[stmt] = {best != 0 ? best : siteFor(*stmt), false};
-        }
-    }
-}
-
-SiteTable::Place SiteTable::at(const Stmt& stmt) const {
-    const auto it = m_places.find(&stmt);
-    return it == m_places.end() ? Place{} : it->second;
-}
-
-DebugMap makeDebugMap(const tree::Program& program) {
-    DebugMap map;
-    map.sites = SiteTable(program).sites;
-    map.functions.resize(program.functions.size());
-    for (size_t f = 1; f < program.functions.size(); ++f) {
-        const Function& function = program.functions[f];
-        image::FunctionInfo& info = map.functions[f];
-        info.name = function.name;
-        info.library = function.library;
-        info.instanceType = function.instanceType;
-        info.declaration = function.declaration;
-        const FrameLayout layout =
-            layFrameOut(*program.types, function, std::vector<bool>(function.locals.size(), true));
-        info.frameSize = layout.size;
-        for (size_t i = 0; i < function.locals.size(); ++i) {
-            const Local& local = function.locals[i];
-            info.locals.push_back({local.name, local.type, layout.offsets[i], local.isInOut, local.isHidden});
-        }
-    }
-    return map;
-}
-
-// ---------------------------------------------------------------- whole program
 
 namespace {
 class FunctionScan : public Walker {
@@ -258,70 +106,9 @@ private:
 };
 } // namespace
 
-// ---------------------------------------------------------------- what functions write
-
-void WriteSummary::addAbsolute(Extent extent) {
-    constexpr size_t kMany = 32; // then one extent around all
-    for (Extent& known : absolutes) {
-        if (extent.begin > known.end || known.begin > extent.end) continue;
-        known = {std::min(known.begin, extent.begin), std::max(known.end, extent.end)};
-        return;
-    }
-    absolutes.push_back(extent);
-    if (absolutes.size() <= kMany) return;
-    Extent all = absolutes.front();
-    for (const Extent& each : absolutes) all = {std::min(all.begin, each.begin), std::max(all.end, each.end)};
-    absolutes = {all};
-}
-
-bool extentOf(const types::TypeTable& types, const Place& place, WriteSummary::Extent& extent) {
-    const Place* whole = &place; // the outermost part without an index below it
-    for (const Place* p = &place; p; p = p->base) {
-        if (p->kind == PlaceKind::InOutSlot || p->kind == PlaceKind::Deref || p->kind == PlaceKind::Temporary)
-            return false;
-        if ((p->kind == PlaceKind::Index || p->kind == PlaceKind::TextIndex || p->kind == PlaceKind::Bit) && p->base)
-            whole = p->base;
-    }
-    extent.begin = 0;
-    for (const Place* p = whole; p; p = p->base) extent.begin += p->offset;
-    extent.end = extent.begin + std::max(1u, types[whole->type].size);
-    return true;
-}
-
-namespace {
-class WriteScan : public Walker {
-public:
-    WriteScan(const tree::Program& program, uint32_t function, std::vector<FunctionFacts>& all)
-        : m_program(program), m_writes(all[function].writes) {}
-
-protected:
-    void onPlace(const Place& place, Use use) override {
-        if (use == Use::Read || place.kind == PlaceKind::Temporary) return;
-        const Place& root = rootOf(place);
-        if (root.kind == PlaceKind::Local) return; // its own, or an IN_OUT: the caller's affair
-        WriteSummary::Extent extent;
-        if (!extentOf(*m_program.types, place, extent))
-            m_writes.anything = true;
-        else if (root.kind == PlaceKind::Instance)
-            m_writes.instance = true;
-        else
-            m_writes.addAbsolute(extent);
-    }
-    void onExpr(const Expr& expr) override {
-        if (expr.kind != ExprKind::Call || !expr.call) return;
-        if (expr.call->dispatch != tree::Call::Dispatch::Direct) m_writes.anything = true;
-    }
-
-private:
-    const tree::Program& m_program;
-    WriteSummary& m_writes;
-};
-} // namespace
-
 /// Callees' writes in the caller's terms: their THIS was already counted where its place escaped into the call.
 void ProgramFacts::spreadWrites() {
-    for (uint32_t f = 1; f < m_functions.size(); ++f)
-        WriteScan(m_program, f, m_functions).walkFunction(m_program.functions[f]);
+    for (uint32_t f = 1; f < m_functions.size(); ++f) m_functions[f].writes = ownWrites(m_program, f);
     for (bool changed = true; changed;) {
         changed = false;
         for (FunctionFacts& f : m_functions) {
@@ -501,4 +288,4 @@ void ProgramFacts::spread() {
     }
 }
 
-} // namespace plc::codegen
+} // namespace plc::facts
