@@ -2,6 +2,7 @@
 // saves without end (saveWithoutEnd) and is killed at moments from a seed; the files are compared with the two texts it
 // writes in turn.
 #include "tests/app/killed_save.h"
+#include "tests/support/paths.h"
 
 #include "editor/analysis/workspace.h"
 #include "editor/trace/trace_setup.h"
@@ -40,8 +41,7 @@ public:
         project.close();
         EXPECT_TRUE(m_workspace.open(folder));
         for (const char* example : {"gravel", "agv"}) {
-            const auto opened =
-                projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + example});
+            const auto opened = projects::openProject({plc::sourceDir() + "/projects/examples/" + example});
             m_panels.push_back(hmi::loadPanelProject(*opened));
             m_panels.back().folder = folder;
         }

@@ -7,6 +7,7 @@
 #include "hmi/player/player_status.h"
 #include "runtime/controller/fault_report.h"
 #include "tests/app/studio_fixture.h"
+#include "tests/support/paths.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>
@@ -70,12 +71,12 @@ QStringList textsOf(const QString& source, qsizetype at) {
 }
 
 TEST(MessageText, EveryErrorOfTheLowerLayersIsInTheList) {
-    QFile file(STEPWISE_SOURCE_DIR "/runtime/base/messages.def");
+    QFile file(QString::fromStdString(plc::sourceDir() + "/runtime/base/messages.def"));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     const QString list = QString::fromUtf8(file.readAll());
     int checked = 0;
     for (const char* folder : {"/runtime", "/projects"})
-        for (QDirIterator it(QString(STEPWISE_SOURCE_DIR) + folder, {"*.cpp"}, QDir::Files,
+        for (QDirIterator it(QString::fromStdString(plc::sourceDir()) + folder, {"*.cpp"}, QDir::Files,
                              QDirIterator::Subdirectories);
              it.hasNext();) {
             QFile source(it.next());

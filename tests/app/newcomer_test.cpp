@@ -6,6 +6,7 @@
 #include "app/start_page.h"
 #include "app/tour.h"
 #include "hmi/player/panel_player.h"
+#include "tests/support/paths.h"
 
 #include <QAction>
 #include <QApplication>
@@ -35,7 +36,7 @@ TEST(Newcomer, SeesTraceAndPanelAndIsToldWhatToPress) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
     EXPECT_FALSE(window.settings().sawTour());
     const std::string copy = folder.path().toStdString() + "/pid_pt1";
-    std::filesystem::copy(std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/pid_pt1", copy,
+    std::filesystem::copy(plc::sourceDir() + "/projects/examples/pid_pt1", copy,
                           std::filesystem::copy_options::recursive);
     ASSERT_TRUE(window.openProject(QString::fromStdString(copy)));
     window.startTour();

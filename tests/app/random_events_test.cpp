@@ -3,6 +3,7 @@
 //   STEPWISE_RANDOM_SEED=7         the same seed gives the same events (the seed is printed)
 //   STEPWISE_RANDOM_TRACE=1        prints each event before it happens
 #include "tests/app/studio_fixture.h"
+#include "tests/support/paths.h"
 
 #include "app/live_views.h"
 #include "app/settings_dialog.h"
@@ -146,9 +147,9 @@ protected:
         m_examples.emplace("STEPWISE_EXAMPLES", m_folder.path() + "/examples");
         QDir().mkpath(m_folder.path() + "/home");
         for (const char* name : {"gravel", "pid_pt1"})
-            copyFolder(QString(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name,
+            copyFolder(QString::fromStdString(plc::sourceDir()) + "/projects/examples/" + name,
                        m_folder.path() + "/examples/" + name);
-        copyFolder(QString(STEPWISE_SOURCE_DIR) + "/projects/examples/gravel", project());
+        copyFolder(QString::fromStdString(plc::sourceDir()) + "/projects/examples/gravel", project());
         QSettings("Stepwise", "Stepwise").clear();
         Settings().setSawTour();
         m_window = std::make_unique<MainWindow>();

@@ -1,5 +1,6 @@
 // `stepwise trace` as its user types it: files written, texts printed, wrong words refused.
 #include "app/cli/command.h"
+#include "tests/support/paths.h"
 
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
@@ -14,7 +15,7 @@
 
 namespace {
 
-const std::string Examples = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/";
+const std::string Examples = plc::sourceDir() + "/projects/examples/";
 
 struct Said {
     int code;

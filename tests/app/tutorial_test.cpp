@@ -1,5 +1,6 @@
 // docs/tutorial.md, step by step: the program and the test are read from the page itself, so that it can not go stale.
 #include "tests/app/studio_fixture.h"
+#include "tests/support/paths.h"
 
 #include "app/live_views.h"
 #include "app/new_project.h"
@@ -19,7 +20,7 @@ namespace {
 
 /// The n-th block of ST on the page.
 std::string listing(int n) {
-    const auto page = projects::readFile(std::string(STEPWISE_SOURCE_DIR) + "/docs/tutorial.md");
+    const auto page = projects::readFile(plc::sourceDir() + "/docs/tutorial.md");
     size_t at = 0;
     for (int i = 0; i <= n; ++i) at = page->find("```iecst\n", at) + 9;
     return page->substr(at, page->find("```", at) - at);

@@ -2,6 +2,7 @@
 #include "tests/bench/bench_image.h"
 #include "tests/bench/bench_table.h"
 #include "tests/bench/kernels.h"
+#include "tests/support/paths.h"
 
 #include <cmath>
 #include <cstdio>
@@ -48,8 +49,8 @@ void compareResults(Loaded& loaded) {
 std::unique_ptr<Loaded> loadKernel(const char* name) {
     auto loaded = std::make_unique<Loaded>();
     loaded->name = name;
-    loaded->built = buildOrDie(std::string(name) + ".st",
-                               readFile(std::string(STEPWISE_SOURCE_DIR) + "/tests/bench/kernels/" + name + ".st"));
+    loaded->built =
+        buildOrDie(std::string(name) + ".st", readFile(plc::sourceDir() + "/tests/bench/kernels/" + name + ".st"));
     if (const auto done = driver::optimise(loaded->built); !done) {
         std::fprintf(stderr, "%s\n", done.error().text().c_str());
         std::exit(1);

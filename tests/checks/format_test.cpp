@@ -1,5 +1,7 @@
 // One layout for all sources: what clang-format (Debian 12's, version 14) makes of them by the .clang-format at the
 // root.
+#include "tests/support/paths.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,8 +22,8 @@ std::string outputOf(const std::string& command) {
 
 TEST(Format, SourcesAreLaidOutByClangFormat) {
     const std::string find =
-        "cd '" STEPWISE_SOURCE_DIR "' && find runtime projects editor hmi app tests -name '*.cpp' -o -name '*.h'";
-    EXPECT_EQ(outputOf(find + " | xargs clang-format-14 --dry-run -Werror"), "exit 0\n")
+        "cd '" + plc::sourceDir() + "' && find runtime projects editor hmi app tests -name '*.cpp' -o -name '*.h'";
+    EXPECT_EQ(outputOf(find + " | xargs -P 2 -n 80 clang-format-14 --dry-run -Werror"), "exit 0\n")
         << "mend with: clang-format-14 -i FILE…";
 }
 

@@ -1,4 +1,6 @@
 // The structure is the product's second face: each header begins by saying what it is.
+#include "tests/support/paths.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,7 +13,7 @@ namespace fs = std::filesystem;
 
 TEST(Headers, BeginByWhatTheyAre) {
     for (const char* top : {"runtime", "projects", "editor", "hmi", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) {
+        for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {
             if (entry.path().extension() != ".h") continue;
             std::ifstream in(entry.path());
             std::string first;
@@ -23,8 +25,8 @@ TEST(Headers, BeginByWhatTheyAre) {
 
 TEST(Texts, NamePathsOfNoMachine) {
     for (const char* top : {"runtime", "projects", "editor", "hmi", "app", "tests", "docs", "translations"}) {
-        if (!fs::is_directory(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) continue;
-        for (const auto& entry : fs::recursive_directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) {
+        if (!fs::is_directory(plc::sourceDir() + "/" + top)) continue;
+        for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {
             const std::string ending = entry.path().extension();
             if (ending != ".h" && ending != ".cpp" && ending != ".md" && ending != ".st" && ending != ".json") continue;
             if (entry.path().filename() == "headers_test.cpp") continue;

@@ -1,5 +1,8 @@
-// Layers hold only where something refuses to cross them (D10): every #include "folder/…" of a module must lie in the
-// module itself or in one it declares to use. The declared uses come from the configure step (module_uses.txt).
+// Layers hold only where something refuses to cross them (D10): a module declares exactly the modules that its files
+// include, no fewer (a hidden arrow) and no more (an arrow nobody needs). The declared uses come from the configure
+// step (module_uses.txt).
+#include "tests/support/paths.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::map<std::string, std::set<std::string>> declaredUses() {
     std::map<std::string, std::set<std::string>> uses;
-    std::ifstream in(std::string(STEPWISE_BINARY_DIR) + "/module_uses.txt");
+    std::ifstream in(plc::binaryDir() + "/module_uses.txt");
     for (std::string line; std::getline(in, line);) {
         const size_t colon = line.find(':');
         std::istringstream words(line.substr(colon + 1));
@@ -23,17 +26,6 @@ std::map<std::string, std::set<std::string>> declaredUses() {
         for (std::string word; words >> word;) set.insert(word);
     }
     return uses;
-}
-
-/// What is used may be used through: a module sees what its uses publish.
-std::set<std::string> closure(const std::map<std::string, std::set<std::string>>& uses, const std::string& module) {
-    std::set<std::string> seen{module};
-    for (bool grew = true; grew;) {
-        grew = false;
-        for (const std::string& each : std::set<std::string>(seen))
-            for (const std::string& next : uses.at(each)) grew |= seen.insert(next).second;
-    }
-    return seen;
 }
 
 std::vector<std::string> includesOf(const fs::path& file) {
@@ -47,31 +39,52 @@ std::vector<std::string> includesOf(const fs::path& file) {
     return out;
 }
 
-TEST(Layers, EveryIncludeLiesInADeclaredUse) {
-    const auto uses = declaredUses();
-    ASSERT_GT(uses.size(), 20u);
-    size_t checked = 0;
-    for (const auto& [module, direct] : uses) {
-        const auto allowed = closure(uses, module);
-        if (!fs::is_directory(std::string(STEPWISE_SOURCE_DIR) + "/" + module)) continue;
-        for (const auto& entry : fs::directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + module)) {
+/// The module that `folder` belongs to: itself or the nearest folder above it; empty outside the modules.
+std::string moduleOf(const std::map<std::string, std::set<std::string>>& uses, fs::path folder) {
+    while (!folder.empty() && !uses.contains(folder.generic_string())) folder = folder.parent_path();
+    return folder.generic_string();
+}
+
+/// Module -> the modules its sources and headers include.
+std::map<std::string, std::set<std::string>> includedModules(const std::map<std::string, std::set<std::string>>& uses) {
+    std::map<std::string, std::set<std::string>> included;
+    for (const char* top : {"runtime", "projects", "editor", "hmi", "app"})
+        for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {
             const std::string ending = entry.path().extension();
             if (ending != ".h" && ending != ".cpp") continue;
+            const std::string module = moduleOf(uses, fs::relative(entry.path().parent_path(), plc::sourceDir()));
             for (const std::string& include : includesOf(entry.path())) {
-                const std::string folder = fs::path(include).parent_path().string();
-                if (!uses.contains(folder)) continue; // system header, generated file
-                ++checked;
-                EXPECT_TRUE(allowed.contains(folder))
-                    << entry.path() << " includes " << include << ", but " << module << " does not use " << folder;
+                const std::string used = moduleOf(uses, fs::path(include).parent_path());
+                if (!module.empty() && !used.empty() && used != module) included[module].insert(used);
             }
         }
+    return included;
+}
+
+std::string listed(const std::set<std::string>& names) {
+    std::string out;
+    for (const std::string& name : names) out += " " + name;
+    return out;
+}
+
+TEST(Layers, DeclaredUsesAreTheIncludedModules) {
+    const auto uses = declaredUses();
+    ASSERT_GT(uses.size(), 20u);
+    const auto included = includedModules(uses);
+    size_t checked = 0;
+    for (const auto& [module, declared] : uses) {
+        const auto found = included.find(module);
+        const std::set<std::string> needed = found == included.end() ? std::set<std::string>{} : found->second;
+        checked += needed.size();
+        EXPECT_EQ(listed(declared), listed(needed))
+            << "the USES of " << module << " in its CMakeLists.txt; the second list is right";
     }
     EXPECT_GT(checked, 100u);
 }
 
 TEST(Layers, RuntimeAndProjectsKnowNoQt) {
     for (const char* top : {"runtime", "projects"})
-        for (const auto& entry : fs::recursive_directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) {
+        for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {
             const std::string ending = entry.path().extension();
             if (ending != ".h" && ending != ".cpp") continue;
             std::ifstream in(entry.path());
@@ -82,7 +95,7 @@ TEST(Layers, RuntimeAndProjectsKnowNoQt) {
 
 TEST(Layers, OnlyCodegenAndJitKnowLlvm) {
     for (const char* top : {"runtime", "projects", "editor", "hmi", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) {
+        for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {
             const std::string path = entry.path().generic_string();
             if (path.find("compiler/codegen/") != std::string::npos ||
                 path.find("compiler/jit/") != std::string::npos || !entry.is_regular_file())
@@ -97,7 +110,7 @@ TEST(Layers, OnlyCodegenAndJitKnowLlvm) {
 
 TEST(Layers, QtChartsIsIncludedByThePlotOnly) {
     for (const char* top : {"editor", "hmi", "app"})
-        for (const auto& entry : fs::recursive_directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/" + top)) {
+        for (const auto& entry : fs::recursive_directory_iterator(plc::sourceDir() + "/" + top)) {
             const std::string path = entry.path().generic_string();
             if (path.find("editor/kit/plot") != std::string::npos || !entry.is_regular_file()) continue;
             std::ifstream in(entry.path());

@@ -1,4 +1,6 @@
 // Every text of the studio has a finished translation in every language, with the placeholders of the original.
+#include "tests/support/paths.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string sourceFolder = STEPWISE_SOURCE_DIR;
+const std::string sourceFolder = plc::sourceDir();
 
 std::string contentOf(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);

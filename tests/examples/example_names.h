@@ -1,5 +1,7 @@
 // The folders of projects/examples, so that a new example is tested by being there.
 #pragma once
+#include "tests/support/paths.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -7,9 +9,7 @@
 
 namespace plc {
 
-inline std::string exampleFolder(const std::string& name) {
-    return std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name;
-}
+inline std::string exampleFolder(const std::string& name) { return plc::sourceDir() + "/projects/examples/" + name; }
 
 /// Every folder, whatever it holds: one without a project is a finding, not left out.
 inline std::vector<std::string> exampleNames() {

@@ -1,6 +1,7 @@
 // Every seed and every past finding goes through all three fuzz entries, in each preset; and every seed cut at each
 // token and with one token swapped: no crash, no hang.
 #include "tests/fuzz/entries_impl.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 std::vector<std::pair<std::string, std::string>> texts(const char* folder) {
     std::vector<std::pair<std::string, std::string>> out;
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/tests/fuzz/" + folder, none)) {
+    for (const auto& entry : fs::directory_iterator(plc::sourceDir() + "/tests/fuzz/" + folder, none)) {
         std::ifstream in(entry.path(), std::ios::binary);
         std::ostringstream text;
         text << in.rdbuf();

@@ -2,6 +2,7 @@
 // with two swapped: checking it ends, with messages that lie inside the text; what still compiles also runs.
 // STEPWISE_LONG=1 takes every token, otherwise a part of them.
 #include "tests/golden/broken_test.h"
+#include "tests/support/paths.h"
 
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/lex/token.h"
@@ -105,7 +106,7 @@ void add(const char* name, std::vector<fs::path> files, size_t share) {
 } // namespace
 
 void registerBroken() {
-    add("Goldens", sourcesBelow(fs::path(STEPWISE_SOURCE_DIR) / "tests" / "golden"), 41);
+    add("Goldens", sourcesBelow(fs::path(plc::sourceDir()) / "tests" / "golden"), 41);
     const char* corpus = std::getenv("STEPWISE_CORPUS");
     if (corpus && fs::exists(corpus)) add("Corpus", sourcesBelow(corpus), 97);
 }

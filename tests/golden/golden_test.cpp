@@ -4,6 +4,7 @@
 #include "tests/golden/corpus_test.h"
 #include "tests/golden/golden_script.h"
 #include "tests/golden/random_test.h"
+#include "tests/support/paths.h"
 
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/compiler/jit/jit.h"
@@ -211,7 +212,7 @@ std::string nameOf(std::string text) {
 }
 
 void registerGoldens() {
-    const fs::path root = fs::path(STEPWISE_SOURCE_DIR) / "tests" / "golden";
+    const fs::path root = fs::path(plc::sourceDir()) / "tests" / "golden";
     std::vector<fs::path> sources;
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
         if (entry.path().extension() != ".st") continue;

@@ -1,5 +1,6 @@
 // The panels of the shipped examples: canonical on disk, without findings that are errors, and drawn in every language.
 #include "running.h"
+#include "tests/support/paths.h"
 
 #include "projects/storage/project_file.h"
 
@@ -9,7 +10,7 @@ namespace plc::hmi {
 namespace {
 
 QStringList examplesWithPanels() {
-    const QDir folder(QStringLiteral(STEPWISE_SOURCE_DIR "/projects/examples"));
+    const QDir folder(QString::fromStdString(plc::sourceDir() + "/projects/examples"));
     QStringList out;
     for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name))
         if (!QDir(folder.filePath(name + QStringLiteral("/hmi"))).entryList({QStringLiteral("*.panel.json")}).isEmpty())
@@ -46,7 +47,7 @@ TEST(Examples, PanelsTextsAndAlarmsAreCanonicalAndWithoutErrors) {
 }
 
 TEST(Examples, AlarmTextsFollowTheLanguageThatTheProgramChooses) {
-    const auto project = projects::openProject({STEPWISE_SOURCE_DIR "/projects/examples/alarm_texts"});
+    const auto project = projects::openProject({plc::sourceDir() + "/projects/examples/alarm_texts"});
     ASSERT_TRUE(project);
     const PanelProject panels = loadPanelProject(*project);
     driver::Built built = driver::build(project->buildInput());

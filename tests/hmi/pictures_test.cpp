@@ -3,6 +3,7 @@
 #include "hmi/designer/outline.h"
 #include "hmi/designer/panel_designer.h"
 #include "running.h"
+#include "tests/support/paths.h"
 
 #include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
@@ -22,7 +23,7 @@ struct Opened {
 
     Opened() {
         kit::Theme::install(*static_cast<QApplication*>(QCoreApplication::instance()), kit::ThemeChoice::Light);
-        project = *projects::openProject({STEPWISE_SOURCE_DIR "/tests/hmi/languages"});
+        project = *projects::openProject({plc::sourceDir() + "/tests/hmi/languages"});
         panels = loadPanelProject(project);
         built = driver::build(project.buildInput());
         context = std::make_unique<DesignContext>(panels);

@@ -1,5 +1,6 @@
 // The projects of the guide's usage examples: their own tests, and their trace set-ups.
 #include "tests/library/bench.h"
+#include "tests/support/paths.h"
 
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
@@ -13,7 +14,7 @@ namespace {
 TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
     int channels = 0;
     for (const char* name : {"pid_pt1", "pt1_filter", "pwm", "hour_meter"}) {
-        const std::string folder = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name;
+        const std::string folder = plc::sourceDir() + "/projects/examples/" + name;
         const auto project = projects::openProject({folder});
         ASSERT_TRUE(project) << project.error().text();
         const driver::Checked checked = driver::check(project->buildInput());
@@ -36,7 +37,7 @@ TEST(GuideProjects, HaveTraceSetUpsWhoseChannelsExist) {
 
 TEST(GuideProjects, PassTheirOwnTests) {
     for (const char* name : {"pid_pt1", "pt1_filter", "pwm", "hour_meter"}) {
-        const auto project = projects::openProject({std::string(STEPWISE_SOURCE_DIR) + "/projects/examples/" + name});
+        const auto project = projects::openProject({plc::sourceDir() + "/projects/examples/" + name});
         ASSERT_TRUE(project) << project.error().text();
         jit::setRuntimeSymbols(controller::runtimeSymbols());
         const auto report = testing::runTests(*project, {});

@@ -1,6 +1,7 @@
 // Holds interfaces.json (what the guide of the Toolbox declares) against the library as it is parsed: no exception
 // list.
 #include "tests/library/library_texts.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 json readJson(const std::string& name) {
-    std::ifstream file(std::string(STEPWISE_SOURCE_DIR) + "/tests/library/" + name);
+    std::ifstream file(plc::sourceDir() + "/tests/library/" + name);
     return json::parse(file);
 }
 

@@ -1,5 +1,6 @@
 // docs/library is what `stepwise doc library` writes; this says when it is stale.
 #include "projects/analysis/library_reference.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ std::string readWhole(const std::string& path) {
 }
 
 TEST(LibraryReference, IsCheckedInAsItWouldBeWritten) {
-    const std::string folder = std::string(STEPWISE_SOURCE_DIR) + "/docs/library/";
+    const std::string folder = plc::sourceDir() + "/docs/library/";
     std::set<std::string> names;
     for (const plc::analysis::ReferencePage& page : plc::analysis::libraryReference()) {
         names.insert(page.fileName);

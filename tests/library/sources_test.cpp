@@ -1,6 +1,7 @@
 // The table of library texts in the binary.
 #include "runtime/compiler/format/format.h"
 #include "runtime/library/sources.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace plc::test {
 namespace {
 
 TEST(LibrarySources, AreTheFilesOfTheFolder) {
-    const std::string folder = std::string(STEPWISE_SOURCE_DIR) + "/runtime/library/st/";
+    const std::string folder = plc::sourceDir() + "/runtime/library/st/";
     size_t files = 0;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         files += entry.path().extension() == ".st";

@@ -1,6 +1,7 @@
 // Every vector of vectors.json, run through the compiled blocks of the Toolbox in virtual time. A vector listed in
 // disputed.json (with the sentence of the guide that says so) must fail, so that the list cannot grow old.
 #include "tests/library/bench.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 json readJson(const std::string& name) {
-    std::ifstream file(std::string(STEPWISE_SOURCE_DIR) + "/tests/library/" + name);
+    std::ifstream file(plc::sourceDir() + "/tests/library/" + name);
     return json::parse(file);
 }
 

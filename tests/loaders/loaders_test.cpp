@@ -3,6 +3,7 @@
 #include "projects/session/session.h"
 #include "tests/fuzz/inputs_impl.h"
 #include "tests/loaders/damage.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ std::string contentOf(const fs::path& path) {
 
 std::vector<std::string> filesThatEnd(const std::string& ending) {
     std::vector<fs::path> paths;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(STEPWISE_SOURCE_DIR) / "projects" / "examples"))
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(plc::sourceDir()) / "projects" / "examples"))
         if (entry.path().filename().string().ends_with(ending)) paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> out;

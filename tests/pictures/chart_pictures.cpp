@@ -6,6 +6,7 @@
 #include "projects/session/session.h"
 #include "projects/storage/project_file.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/support/paths.h"
 
 #include <QApplication>
 #include <QDir>
@@ -91,7 +92,7 @@ void save(editor::ChartView& view, const QString& folder, const Shot& shot, cons
 }
 
 bool take(const Shot& shot, const QString& folder) {
-    const auto project = projects::openProject({std::string(STEPWISE_SOURCE_DIR "/projects/examples/") + shot.project});
+    const auto project = projects::openProject({plc::sourceDir() + "/projects/examples/" + shot.project});
     if (!project) return std::fprintf(stderr, "%s\n", project.error().text().c_str()), false;
     driver::Built built = driver::build(project->buildInput());
     if (!built.program) return std::fprintf(stderr, "%s has errors\n", shot.project), false;

@@ -4,6 +4,7 @@
 #include "projects/analysis/conversion.h"
 #include "projects/session/session.h"
 #include "runtime/compiler/jit/jit.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ namespace plc::analysis {
 namespace {
 
 std::string fileText(const std::string& path) {
-    std::ifstream in(STEPWISE_SOURCE_DIR "/" + path);
+    std::ifstream in(plc::sourceDir() + "/" + path);
     std::stringstream text;
     text << in.rdbuf();
     return text.str();

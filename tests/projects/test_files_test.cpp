@@ -3,6 +3,7 @@
 #include "projects/analysis/code_model.h"
 #include "projects/analysis/sections.h"
 #include "projects/storage/project_file.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -54,8 +55,7 @@ TEST(TestFiles, ARightTestHasNoFindings) {
 }
 
 TEST(TestFiles, NoTestOfAnExampleHasAFinding) {
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(STEPWISE_SOURCE_DIR) + "/projects/examples")) {
+    for (const auto& entry : std::filesystem::directory_iterator(plc::sourceDir() + "/projects/examples")) {
         if (!std::filesystem::exists(entry.path() / "project.json")) continue;
         const auto project = projects::openProject({entry.path().string()});
         ASSERT_TRUE(project);

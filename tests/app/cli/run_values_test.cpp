@@ -2,6 +2,7 @@
 // report show, files named twice or damaged, and the example of every command's help.
 #include "app/cli/arguments.h"
 #include "tests/app/cli/command_fixture.h"
+#include "tests/support/paths.h"
 
 #include <filesystem>
 
@@ -151,7 +152,7 @@ TEST_F(RunValues, TheDifferenceOfAMissingLineEndIsShown) {
 }
 
 TEST_F(RunValues, TheExampleOfEveryHelpWorks) {
-    fs::create_directory_symlink(std::string(STEPWISE_SOURCE_DIR) + "/projects", path("projects"));
+    fs::create_directory_symlink(plc::sourceDir() + "/projects", path("projects"));
     const fs::path before = fs::current_path();
     fs::current_path(path("."));
     std::vector<std::string> examples;

@@ -1,5 +1,6 @@
 // `stepwise test`: a line per project, filter, the three formats, coverage, what a failing assertion says, and COMPARE.
 #include "app/cli/command.h"
+#include "tests/support/paths.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -73,7 +74,7 @@ protected:
     }
     static bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
     QTemporaryDir folder;
-    const std::string examples = std::string(STEPWISE_SOURCE_DIR) + "/projects/examples";
+    const std::string examples = plc::sourceDir() + "/projects/examples";
 
 private:
     fs::path m_before;

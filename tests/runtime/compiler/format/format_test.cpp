@@ -1,4 +1,5 @@
 #include "runtime/compiler/format/format.h"
+#include "tests/support/paths.h"
 
 #include "runtime/compiler/parse/parser.h"
 
@@ -47,14 +48,14 @@ std::string contents(std::string_view text) {
 
 std::vector<fs::path> examples() {
     std::vector<fs::path> out;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(STEPWISE_SOURCE_DIR) / "projects/examples"))
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(plc::sourceDir()) / "projects/examples"))
         if (entry.path().extension() == ".st") out.push_back(entry.path());
     return out;
 }
 
 std::vector<fs::path> texts() {
     std::vector<fs::path> out;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(STEPWISE_SOURCE_DIR) / "runtime/library/st"))
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(plc::sourceDir()) / "runtime/library/st"))
         if (entry.path().extension() == ".st") out.push_back(entry.path());
     for (const fs::path& path : examples()) out.push_back(path);
     if (const char* corpus = std::getenv("STEPWISE_CORPUS"))

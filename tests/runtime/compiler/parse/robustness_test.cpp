@@ -1,4 +1,5 @@
 #include "tests/runtime/compiler/parse/outline.h"
+#include "tests/support/paths.h"
 
 #include <chrono>
 #include <filesystem>
@@ -20,7 +21,7 @@ std::string readFile(const fs::path& path) {
 
 std::vector<fs::path> libraryFiles() {
     std::vector<fs::path> out;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(STEPWISE_SOURCE_DIR) / "runtime/library/st"))
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(plc::sourceDir()) / "runtime/library/st"))
         if (entry.path().extension() == ".st") out.push_back(entry.path());
     std::sort(out.begin(), out.end());
     return out;
