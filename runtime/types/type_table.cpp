@@ -49,7 +49,10 @@ uint32_t bytesOf(TypeKind kind) {
         return 0;
     }
 }
-uint32_t aligned(uint32_t offset, uint32_t align) { return (offset + align - 1) / align * align; }
+/// Bytes of one value: what all data of a program may take together. A type that needs more has no size.
+constexpr uint64_t kMaximumSize = uint64_t(256) << 20;
+
+uint64_t aligned(uint64_t offset, uint32_t align) { return (offset + align - 1) / align * align; }
 } // namespace
 
 unsigned bitsOf(TypeKind kind) { return kind == TypeKind::Bool ? 1 : bytesOf(kind) * 8; }
@@ -118,10 +121,13 @@ void TypeTable::layoutArray(TypeId id) {
     Type& t = m_types[id.index()];
     const Type& element = (*this)[t.element];
     uint64_t count = 1;
-    for (const Dimension& d : t.dimensions) count = std::min<uint64_t>(count * d.count(), 1u << 31);
-    t.size = static_cast<uint32_t>(std::min<uint64_t>(count * element.size, 1u << 30));
+    for (const Dimension& d : t.dimensions) // each factor is below 2^32: no product wraps
+        count = std::min(count, kMaximumSize + 1) * std::min(d.count(), kMaximumSize + 1);
+    const uint64_t needed = std::min(count, kMaximumSize + 1) * element.size;
+    t.size = needed <= kMaximumSize ? static_cast<uint32_t>(needed) : 0;
     t.align = element.align;
     t.initial.clear();
+    if (t.size == 0) return;
     if (!element.initial.empty()) {
         t.initial.resize(t.size);
         for (uint64_t i = 0; i < count && (i + 1) * element.size <= t.size; ++i)
@@ -203,11 +209,18 @@ bool TypeTable::isAggregate(TypeId id) const {
 bool TypeTable::isText(TypeId id) const { return kind(id) == TypeKind::String || kind(id) == TypeKind::Wstring; }
 
 bool TypeTable::isDerivedFrom(TypeId type, TypeId base) const {
-    for (int guard = 0; type.isValid() && guard < 1000; ++guard) {
+    std::vector<TypeId> interfaces; // each once, however many ways lead to it
+    for (int guard = 0; type.isValid() && guard < 1000; ++guard, type = (*this)[type].base) {
         if (type == base) return true;
         for (const TypeId interface : (*this)[type].interfaces)
-            if (interface != type && isDerivedFrom(interface, base)) return true;
-        type = (*this)[type].base;
+            if (std::find(interfaces.begin(), interfaces.end(), interface) == interfaces.end())
+                interfaces.push_back(interface);
+    }
+    for (size_t i = 0; i < interfaces.size(); ++i) {
+        if (interfaces[i] == base) return true;
+        for (const TypeId interface : (*this)[interfaces[i]].interfaces)
+            if (std::find(interfaces.begin(), interfaces.end(), interface) == interfaces.end())
+                interfaces.push_back(interface);
     }
     return false;
 }
@@ -217,15 +230,15 @@ bool TypeTable::implements(TypeId block, TypeId interface) const { return isDeri
 void TypeTable::layoutFields(TypeId id, uint32_t start) {
     Type& t = m_types[id.index()];
     const bool isUnion = t.kind == TypeKind::Union;
-    uint32_t offset = start;
+    uint64_t offset = start; // of fields that have kMaximumSize at most: the sum does not wrap
     t.align = std::max(1u, start ? 8u : 1u);
-    uint32_t end = start;
+    uint64_t end = start;
     int nextBit = 0;
     bool isPacked = false;
     for (const Field& field : t.fields) {
         if (!field.isLocated) continue;
         isPacked = true;
-        end = std::max(end, field.offset + (field.bit >= 0 ? 1 : (*this)[field.type].size));
+        end = std::max<uint64_t>(end, uint64_t(field.offset) + (field.bit >= 0 ? 1 : (*this)[field.type].size));
         if (!isUnion) offset = end;
     }
     for (Field& field : t.fields) {
@@ -236,7 +249,7 @@ void TypeTable::layoutFields(TypeId id, uint32_t start) {
         if (field.isLocated) continue;
         if (field.bit >= 0) { // BIT members share bytes in order
             if (nextBit == 0) offset += 1;
-            field.offset = offset - 1;
+            field.offset = static_cast<uint32_t>(offset - 1);
             field.bit = static_cast<int16_t>(nextBit);
             nextBit = (nextBit + 1) % 8;
             end = std::max(end, offset);
@@ -244,13 +257,18 @@ void TypeTable::layoutFields(TypeId id, uint32_t start) {
         }
         nextBit = 0;
         offset = isUnion ? start : aligned(offset, align);
-        field.offset = offset;
+        field.offset = static_cast<uint32_t>(offset);
         offset += size;
         end = std::max(end, offset);
         t.align = std::max(t.align, align);
     }
-    t.size = aligned(std::max(end, 1u), t.align);
+    const uint64_t needed = aligned(std::max<uint64_t>(end, 1), t.align);
+    t.size = needed <= kMaximumSize ? static_cast<uint32_t>(needed) : 0;
     t.initial.clear();
+    if (t.size == 0) {
+        for (Field& field : t.fields) field.offset = 0;
+        return;
+    }
     const auto place = [&](const Field& field) {
         const Type& type = (*this)[field.type];
         if (field.section == FieldSection::InOut || field.bit >= 0 || type.initial.empty()) return;

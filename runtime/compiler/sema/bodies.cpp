@@ -53,6 +53,7 @@ void emitLocals(World& world, Checker& checker, Unit& unit, std::vector<tree::St
         if (types.isAggregate(type)) {
             const syntax::TypeSpec* spec = variable.isResult ? nullptr : variable.spec;
             if (!initial && !World::hasConstructor(spec) && !world.needsConstruction(type)) continue;
+            if (!checker.fitsIntoCode(type, initial ? initial->range : variable.range)) continue;
             InitialValue value;
             value.bytes = types[type].initial;
             value.bytes.resize(types[type].size);

@@ -106,10 +106,29 @@ Checker::Matched Checker::match(const syntax::Expr& call, const std::string& nam
         }
         match->argument = &argument;
     }
+    // Arguments are evaluated as written, whatever the order of the declarations; what is omitted has no effects.
+    std::stable_sort(out.matches.begin(), out.matches.end(), [](const Match& a, const Match& b) {
+        return a.argument && (!b.argument || a.argument < b.argument);
+    });
     return out;
 }
 
-tree::Expr* Checker::defaultOf(Variable& parameter) {
+/// Keeps the values so far in locals, because what follows copies a variable before the call: it would otherwise be
+/// read before them.
+void Checker::holdInputs(tree::Call& call, std::vector<tree::Stmt*>& before) {
+    for (tree::CallArgument& argument : call.arguments)
+        if (argument.mode == tree::ArgumentMode::Input && argument.value) argument.value = held(argument.value, before);
+}
+
+/// The value of an expression that is computed by a statement in `before`.
+tree::Expr* Checker::held(tree::Expr* value, std::vector<tree::Stmt*>& before) {
+    if (value->kind == tree::ExprKind::Constant) return value;
+    tree::Place* place = localPlace(newLocal("argument", value->type), value->type, value->range);
+    before.push_back(assignStmt(place, value, {}));
+    return load(place, value->range).expr;
+}
+
+tree::Expr* Checker::defaultOf(Variable& parameter, SourceRange range) {
     const TypeId type = world.typeOf(parameter);
     if (parameter.declaration && parameter.declaration->initial) {
         Checker inner(world, parameter.scope, sink, arena);
@@ -119,6 +138,7 @@ tree::Expr* Checker::defaultOf(Variable& parameter) {
                                   : inner.converted(inner.expression(*parameter.declaration->initial, type), type);
         if (!value.isUnknown() && value.isConstant()) return value.expr;
     }
+    if (!fitsIntoCode(type, range)) return unknown(range).expr;
     types::Value value = types::initialValue(types, type);
     value.type = type;
     return constant(std::move(value), {}).expr;
@@ -270,8 +290,11 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
                 good = false;
                 continue;
             }
-            made.place = inOutTarget(parameter, *argument, before, after);
+            std::vector<tree::Stmt*> copies;
+            made.place = inOutTarget(parameter, *argument, copies, after);
             if (!made.place) good = false;
+            if (!copies.empty()) holdInputs(*call, before);
+            before.insert(before.end(), copies.begin(), copies.end());
         } else {
             if (!argument || !argument->value) {
                 const bool hasDefault = parameter.declaration && parameter.declaration->initial;
@@ -280,7 +303,7 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
                     good = false;
                     continue;
                 }
-                made.value = defaultOf(parameter);
+                made.value = defaultOf(parameter, e.range);
             } else {
                 const Operand value = expression(*argument->value, type);
                 Operand fitting = converted(value, type);
@@ -341,8 +364,9 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
         else if (denoted.kind != Denoted::Kind::Nothing)
             mismatch(arguments.eno->value->range, boolean, denoted.place ? denoted.place->type : boolean);
     }
-    const bool setsOk = value.expr->kind == tree::ExprKind::Intrinsic || value.expr->kind == tree::ExprKind::Convert;
-    if (eno && setsOk) value.expr->ok = eno;
+    tree::Expr& computed = value.expr->kind == tree::ExprKind::Sequence && value.expr->a ? *value.expr->a : *value.expr;
+    const bool setsOk = computed.kind == tree::ExprKind::Intrinsic || computed.kind == tree::ExprKind::Convert;
+    if (eno && setsOk) computed.ok = eno;
     const auto sequence = [&](tree::Expr* inner, bool ok) {
         tree::Expr* out = arena.make<tree::Expr>();
         out->kind = tree::ExprKind::Sequence;
@@ -370,6 +394,7 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
         out->statements.push_back(choice);
         return {out, &types};
     }
+    if (!fitsIntoCode(value.type(), range)) return unknown(range);
     types::Value zero = types::initialValue(types, value.type());
     zero.type = value.type();
     tree::Expr* no = constant(std::move(zero), range).expr;

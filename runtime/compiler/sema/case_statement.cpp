@@ -3,9 +3,43 @@
 
 #include "runtime/base/text.h"
 
+#include <map>
+
 namespace plc::sema {
 
 using diagnostics::Kind;
+
+namespace {
+/// The values that have a branch, joined where they touch. Unsigned ones are kept moved by half the range, so that
+/// their order is that of signed numbers.
+class TakenValues {
+public:
+    explicit TakenValues(bool isUnsigned) : m_moved(isUnsigned ? INT64_MIN : 0) {}
+    /// False: some of them are taken already.
+    bool add(int64_t low, int64_t high) {
+        low ^= m_moved;
+        high ^= m_moved;
+        auto at = m_highs.upper_bound(low);
+        if (at != m_highs.begin() && std::prev(at)->second >= low) --at;
+        bool isFree = true;
+        for (; at != m_highs.end() && at->first <= high; at = m_highs.erase(at)) {
+            isFree = false;
+            low = std::min(low, at->first);
+            high = std::max(high, at->second);
+        }
+        m_highs.emplace(low, high);
+        return isFree;
+    }
+    [[nodiscard]] bool contains(int64_t value) const {
+        const auto next = m_highs.upper_bound(value ^ m_moved);
+        return next != m_highs.begin() && std::prev(next)->second >= (value ^ m_moved);
+    }
+
+private:
+    int64_t m_moved;
+    std::map<int64_t, int64_t> m_highs; // by low
+};
+} // namespace
 
 /// CASE by a text or a REAL: told, with the same written as IF … ELSIF where the places are clear.
 void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
@@ -66,7 +100,7 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         if (flow.isReachable) joined.isResultSet = joined.isResultSet && flow.isResultSet;
         joined.isReachable = joined.isReachable || flow.isReachable;
     };
-    std::vector<tree::CaseRange> seen;
+    TakenValues seen(isBig);
     const auto label = [&](const syntax::Expr* e) -> std::optional<int64_t> {
         if (!e) return std::nullopt;
         Operand value = expression(*e, type);
@@ -102,12 +136,7 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
                 emit(range, Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
                 continue;
             }
-            for (const tree::CaseRange& other : seen) {
-                if (less(other.high, *low) || less(*high, other.low)) continue;
-                emit(range, Kind::DuplicateCase, {textOf(range)});
-                break;
-            }
-            seen.push_back({*low, *high});
+            if (!seen.add(*low, *high)) emit(range, Kind::DuplicateCase, {textOf(range)});
             madeArm.ranges.push_back({*low, *high});
         }
         flow = before;
@@ -124,10 +153,7 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         size_t count = 0;
         std::vector<std::string> names;
         for (const types::Enumerator& enumerator : types[type].enumerators) {
-            const bool covered = std::any_of(seen.begin(), seen.end(), [&](const tree::CaseRange& r) {
-                return r.low <= enumerator.value && enumerator.value <= r.high;
-            });
-            if (covered) continue;
+            if (seen.contains(enumerator.value)) continue;
             if (++count <= 3) missing += (missing.empty() ? "" : ", ") + enumerator.name;
             names.push_back(enumerator.name);
         }

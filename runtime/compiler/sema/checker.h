@@ -73,6 +73,7 @@ public:
     Operand settled(Operand operand, TypeId hint = {}); // a flexible value gets its own type
     tree::Expr* condition(const syntax::Expr& e);
     Operand aggregate(const syntax::Expr& e, TypeId hint);
+    bool fitsIntoCode(TypeId type, SourceRange range);
 
     // literals.cpp
     Operand literal(const syntax::Expr& e, TypeId hint);
@@ -148,7 +149,7 @@ public:
         Variable* parameter = nullptr;
     };
     struct Matched {
-        std::vector<Match> matches; // by parameter, in order of the parameters; argument null: omitted
+        std::vector<Match> matches; // one for each parameter, as written; then the omitted, their argument null
         const syntax::Argument* en = nullptr;
         const syntax::Argument* eno = nullptr;
         bool isFormal = false;
@@ -161,7 +162,9 @@ public:
                      SourceRange at, bool isFormal);
     tree::Place* inOutTarget(Variable& parameter, const syntax::Argument& argument, std::vector<tree::Stmt*>& before,
                              std::vector<tree::Stmt*>& after);
-    tree::Expr* defaultOf(Variable& parameter);
+    tree::Expr* defaultOf(Variable& parameter, SourceRange range);
+    void holdInputs(tree::Call& call, std::vector<tree::Stmt*>& before);
+    tree::Expr* held(tree::Expr* value, std::vector<tree::Stmt*>& before);
     void prepareCall(tree::Call& call, const Denoted& callee, SourceRange range);
     Operand propertyValue(const Denoted& denoted, SourceRange range);
     void recordCall(tree::FunctionId to, bool isDispatched, SourceRange range);
@@ -175,6 +178,10 @@ public:
     // standard_calls.cpp
     Operand standardCall(std::string_view name, const syntax::Expr& e, TypeId hint);
     Operand signatureCall(const library::Signature& signature, const syntax::Expr& e, TypeId hint);
+    Operand signatureResult(const library::Signature& signature, std::vector<Operand> operands, const syntax::Expr& e,
+                            TypeId hint);
+    std::vector<tree::Stmt*> holdAsWritten(std::vector<Operand>& operands,
+                                           const std::vector<const syntax::Argument*>& inputs);
     Operand operatorCall(const library::Signature& signature, std::vector<Operand> operands, const syntax::Expr& e,
                          TypeId hint);
     bool suitsConversion(const Operand& literal, TypeId from) const;

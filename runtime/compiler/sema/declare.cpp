@@ -139,6 +139,9 @@ void World::declare(const syntax::Decl& decl, Space& space, const syntax::Syntax
     case syntax::DeclKind::Namespace: {
         if (!decl.space) return;
         Space* inner = &space;
+        if (decl.space->path.size() > kMaximumBases) // each has the names of those around it in its own
+            return (void)emit(joined(decl.space->path.front().range, decl.space->path.back().range),
+                              Kind::NestedTooDeep);
         for (const syntax::Name& name : decl.space->path) inner = &childSpace(*inner, name.text);
         for (const syntax::Decl* child : decl.space->declarations) {
             if (child->kind == syntax::DeclKind::Using) {
@@ -543,11 +546,8 @@ EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, con
         made.symbols.push_back(
             addSymbol(SymbolKind::Enumerator, declared.name.text, name, declared.name.range, declared.comment));
         symbols.back().type = made.type;
-        for (uint32_t k = 0; k < i; ++k) {
-            if (key(spec.enumerators[k].name.text) != key(declared.name.text)) continue;
+        if (!made.indices.try_emplace(key(declared.name.text), i).second)
             emit(declared.name.range, Kind::DuplicateName, {std::string(declared.name.text)});
-            break;
-        }
         if (!qualifiedOnly && declared.name.isValid()) table[key(declared.name.text)].push_back({&made, i});
     }
     return &made;

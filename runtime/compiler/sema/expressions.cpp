@@ -173,6 +173,13 @@ Operand Checker::anyExpression(const syntax::Expr& e, TypeId hint) {
 }
 
 /// [1, 2] and (a := 1) as a value: needs the type it is for, and constants inside.
+/// A structured value in a body is a tree of all its elements, so it must not be as large as a variable may be.
+bool Checker::fitsIntoCode(TypeId type, SourceRange range) {
+    if (!types.isAggregate(type) || types[type].size <= kMaximumConstantBytes) return true;
+    emit(range, Kind::ImageTooLarge, {std::to_string(types[type].size), std::to_string(kMaximumConstantBytes)});
+    return false;
+}
+
 Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
     if (isExpression) {
         emit(e.range, Kind::NotAllowedInExpression, {textOf(e.range)});
@@ -183,6 +190,7 @@ Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
             emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::ArrayInit ? "[…]" : "(… := …)", "this place"});
         return unknown(e.range);
     }
+    if (!fitsIntoCode(hint, e.range)) return unknown(e.range);
     InitialValue initial;
     initial.bytes = types[hint].initial;
     initial.bytes.resize(types[hint].size);

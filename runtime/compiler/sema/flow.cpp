@@ -156,6 +156,33 @@ private:
 
 } // namespace
 
+/// The locals of one path of calls must fit into the frames' area together.
+///   wrong: FUNCTION F … VAR a, b : ARRAY[0..200000000] OF BYTE; END_VAR  (P3023)
+void World::checkFrames(const std::vector<std::vector<uint32_t>>& edges,
+                        const std::vector<std::vector<uint32_t>>& components) {
+    std::vector<uint64_t> needed(functions.size(), 0); // with what is called
+    std::vector<bool> isReported(functions.size(), false);
+    for (const std::vector<uint32_t>& component : components) { // the called come before their callers
+        uint64_t own = 0, below = 0;
+        bool wasReported = false;
+        for (const uint32_t index : component) {
+            for (const tree::Local& local : functions[index].locals) own += local.isInOut ? 16 : types[local.type].size;
+            for (const uint32_t to : edges[index]) {
+                below = std::max(below, needed[to]);
+                wasReported = wasReported || isReported[to];
+            }
+        }
+        const bool isTooLarge = own + below > kMaximumData;
+        for (const uint32_t index : component) {
+            needed[index] = std::min(own + below, 2 * kMaximumData);
+            isReported[index] = isTooLarge || wasReported;
+        }
+        if (isTooLarge && !wasReported)
+            emit(functions[component.front()].declaration, Kind::ImageTooLarge,
+                 {std::to_string(own + below), std::to_string(kMaximumData)});
+    }
+}
+
 void World::checkRecursion() {
     std::vector<std::vector<uint32_t>> edges(functions.size());
     std::vector<Unit*> unitOfFunction(functions.size(), nullptr);
@@ -180,7 +207,15 @@ void World::checkRecursion() {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
-    for (const std::vector<uint32_t>& component : Components(edges).found) {
+    const std::vector<std::vector<uint32_t>> components = Components(edges).found;
+    checkFrames(edges, components);
+    std::vector<std::vector<const Call*>> callsFrom(functions.size());
+    std::unordered_set<uint32_t> abstractSlots; // dispatched through an interface
+    for (const Call& call : calls) {
+        callsFrom[call.from].push_back(&call);
+        if (call.isDispatched && functions[call.to].isAbstract) abstractSlots.insert(functions[call.to].methodSlot);
+    }
+    for (const std::vector<uint32_t>& component : components) {
         const auto isOwn = [&](uint32_t index) { return unitOfFunction[index] && !unitOfFunction[index]->isLibrary(); };
         const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can mend it
         const uint32_t first = own == component.end() ? component.front() : *own;
@@ -218,11 +253,10 @@ void World::checkRecursion() {
         const Unit* unit = unitOfFunction[first];
         if (!unit) continue;
         SourceRange range = unit->range;
-        for (const Call& call : calls)
-            if (call.from == last &&
-                (call.to == first || (call.isDispatched && functions[call.to].methodSlot != Id<int>::kNone &&
-                                      functions[call.to].methodSlot == functions[first].methodSlot))) {
-                range = call.range;
+        for (const Call* call : callsFrom[last])
+            if (call->to == first || (call->isDispatched && functions[call->to].methodSlot != Id<int>::kNone &&
+                                      functions[call->to].methodSlot == functions[first].methodSlot)) {
+                range = call->range;
                 break;
             }
         if (isFixed)
@@ -230,11 +264,8 @@ void World::checkRecursion() {
         else
             emit(range, Kind::RecursiveMethod, {functions[first].name});
     }
-    for (tree::Function& function : functions) // dispatched through an interface
-        if (function.methodSlot != Id<int>::kNone && std::any_of(calls.begin(), calls.end(), [&](const Call& c) {
-                return c.isDispatched && functions[c.to].methodSlot == function.methodSlot &&
-                       functions[c.to].isAbstract;
-            }))
+    for (tree::Function& function : functions)
+        if (function.methodSlot != Id<int>::kNone && abstractSlots.contains(function.methodSlot))
             function.mayRecurse = true;
 }
 

@@ -41,6 +41,16 @@ struct Trial {
 
 } // namespace
 
+namespace {
+/// before + made * times, as far as it can be counted: repetitions in repetitions grow without bounds.
+uint64_t sumWithin(uint64_t before, uint64_t made, int64_t times) {
+    constexpr uint64_t most = uint64_t(1) << 40;
+    if (times <= 0) return before;
+    if (made > most / static_cast<uint64_t>(times)) return most;
+    return std::min(most, before + made * static_cast<uint64_t>(times));
+}
+} // namespace
+
 bool World::needsConstruction(TypeId type) {
     const TypeKind kind = types.kind(type);
     if (kind == TypeKind::Array) return needsConstruction(types[type].element);
@@ -51,7 +61,7 @@ bool World::needsConstruction(TypeId type) {
 
 void World::writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const types::Value& value) {
     const uint32_t size = bit >= 0 ? 1 : types[type].size;
-    if (offset + size > out.bytes.size()) return;
+    if (uint64_t(offset) + size > out.bytes.size()) return;
     types::writeValue(types, type, value, std::span(out.bytes).subspan(offset, size), bit);
 }
 
@@ -138,7 +148,7 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                         if (!times || *times < 0) continue;
                         if (item->arguments.empty() ||
                             (item->arguments.size() == 1 && !item->arguments[0].value)) { // 5(): the default
-                            index += static_cast<uint64_t>(*times);
+                            index = sumWithin(index, 1, *times);
                             continue;
                         }
                         // constant repetition of one scalar: check it once, copy the bytes
@@ -147,8 +157,13 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                             const size_t dynamics = out.dynamics.size();
                             fill(item->arguments);
                             const uint64_t made = index - before;
+                            if (made == 0) break;
+                            if (out.dynamics.size() > kMaximumInitialisedByCode) {
+                                emit(value->range, Kind::NotConstant);
+                                return;
+                            }
                             if (i == 0 && made > 0 && out.dynamics.size() == dynamics && before + made <= count) {
-                                const uint64_t total = made * static_cast<uint64_t>(*times);
+                                const uint64_t total = sumWithin(0, made, *times);
                                 for (uint64_t k = made; k < total && before + k < count; ++k)
                                     std::copy_n(out.bytes.begin() +
                                                     static_cast<std::ptrdiff_t>(offset + (before + k % made) * size),
@@ -159,7 +174,7 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                                 break;
                             }
                             if (index > count) { // reported below; no need to go on
-                                index = before + made * static_cast<uint64_t>(*times);
+                                index = sumWithin(before, made, *times);
                                 break;
                             }
                         }
@@ -215,6 +230,16 @@ bool World::hasConstructor(const syntax::TypeSpec* spec) {
     return inner && (!inner->constructor.empty() || !inner->constructors.empty());
 }
 
+namespace {
+/// The elements of an array get the bytes of the first.
+void repeatBytes(InitialValue& out, uint32_t offset, uint32_t size, uint32_t count) {
+    if (uint64_t(offset) + uint64_t(size) * count > out.bytes.size()) return;
+    const auto first = out.bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+    for (uint32_t i = 1; i < count; ++i)
+        std::copy_n(first, size, first + static_cast<std::ptrdiff_t>(uint64_t(i) * size));
+}
+} // namespace
+
 /// With what is written behind the type: `m : Motor(number := 1)`, for every element of an array of them, or for each
 /// its own.
 void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
@@ -245,7 +270,16 @@ void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, 
             const auto* constructor = inner->constructors.empty()      ? &inner->constructor
                                       : i < inner->constructors.size() ? &inner->constructors[i]
                                                                        : nullptr;
+            const size_t dynamics = out.dynamics.size();
             initialise(out, element, offset + i * size, -1, nullptr, scope, constructor);
+            const bool areEqual = inner->constructors.empty() && out.dynamics.size() == dynamics;
+            if (out.dynamics.size() > kMaximumInitialisedByCode) {
+                emit(spec->range, Kind::NotConstant);
+                break;
+            }
+            if (!areEqual) continue;
+            repeatBytes(out, offset, size, count);
+            break;
         }
     }
     if (value) emit(value->range, Kind::NotAllowedHere, {"An initial value", "a declaration that calls FB_Init"});

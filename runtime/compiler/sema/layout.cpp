@@ -14,7 +14,6 @@ using image::Area;
 namespace {
 constexpr uint32_t kHeader = sizeof(image::ImageHeader);
 constexpr uint32_t kMinimumArea = 256;
-constexpr uint64_t kMaximumData = uint64_t(256) << 20;
 constexpr uint32_t kMinimumFrames = 256 << 10;
 constexpr uint32_t kMaximumAddress = 16 << 20;
 
@@ -306,10 +305,37 @@ void World::layoutGlobals() {
     checkOverlaps();
 }
 
+namespace {
+/// Stretches of bits that something has, joined where they touch.
+class TakenBits {
+public:
+    void add(uint64_t begin, uint64_t end) {
+        auto at = m_ends.upper_bound(begin);
+        if (at != m_ends.begin() && std::prev(at)->second >= begin) --at;
+        for (; at != m_ends.end() && at->first <= end; at = m_ends.erase(at)) {
+            begin = std::min(begin, at->first);
+            end = std::max(end, at->second);
+        }
+        m_ends.emplace(begin, end);
+    }
+    /// The first of `from`, `from + step`, … with so many free bits behind it.
+    [[nodiscard]] uint64_t nextFree(uint64_t from, uint64_t size, uint64_t step) const {
+        for (uint64_t at = from;;) {
+            auto next = m_ends.lower_bound(at + size);
+            if (next == m_ends.begin() || (--next)->second <= at) return at;
+            at += (next->second - at + step - 1) / step * step;
+        }
+    }
+
+private:
+    std::map<uint64_t, uint64_t> m_ends; // by begin
+};
+} // namespace
+
 void World::checkOverlaps() {
     struct Used {
         const Variable* variable;
-        uint32_t begin, end; // in bits
+        uint64_t begin, end; // in bits
     };
     std::vector<Used> used;
     const auto add = [&](const Variable& variable) {
@@ -317,9 +343,9 @@ void World::checkOverlaps() {
             variable.declaration->address.find('*') != std::string_view::npos)
             return;
         if (isLibraryFile(variable.range.file)) return;
-        const uint32_t begin = variable.offset * 8 + static_cast<uint32_t>(std::max<int>(0, variable.bit));
+        const uint64_t begin = uint64_t(variable.offset) * 8 + static_cast<uint64_t>(std::max<int>(0, variable.bit));
         used.push_back(
-            {&variable, begin, begin + (variable.bit >= 0 ? 1 : std::max(1u, types[variable.type].size) * 8)});
+            {&variable, begin, begin + (variable.bit >= 0 ? 1 : std::max(1u, types[variable.type].size) * 8ull)});
     };
     for (const Variable& variable : globals) add(variable);
     for (const Unit& unit : units)
@@ -327,39 +353,34 @@ void World::checkOverlaps() {
     std::stable_sort(used.begin(), used.end(), [](const Used& a, const Used& b) { return a.begin < b.begin; });
     if (used.empty()) return;
     // what the code addresses directly is taken as well
-    std::vector<std::pair<uint32_t, uint32_t>> taken;
-    for (const Used& one : used) taken.emplace_back(one.begin, one.end);
+    TakenBits taken;
+    for (const Used& one : used) taken.add(one.begin, one.end);
     for (const syntax::SyntaxFile* file : fileOf) {
         if (!file || !file->library.empty()) continue;
         for (const lex::Token& token : file->tokens.tokens) {
             if (token.kind != lex::TokenKind::DirectAddress) continue;
             const auto address = parseAddress(sources[file->file].text().substr(token.begin, token.end - token.begin));
             if (!address || address->isOpen || address->byte > kMaximumAddress) continue;
-            const uint32_t begin = (areaOf(address->area).begin + address->byte) * 8 +
-                                   static_cast<uint32_t>(std::max<int>(0, address->bit));
-            taken.emplace_back(begin, begin + types::bitsOf(address->kind));
+            const uint64_t begin = (uint64_t(areaOf(address->area).begin) + address->byte) * 8 +
+                                   static_cast<uint64_t>(std::max<int>(0, address->bit));
+            taken.add(begin, begin + types::bitsOf(address->kind));
         }
     }
-    std::map<std::pair<Area, uint32_t>, uint32_t> searched;
-    const auto nextFree = [&](const Variable& variable, uint32_t begin, uint32_t end) -> std::string {
+    std::map<std::pair<Area, uint64_t>, uint64_t> searched;
+    const auto nextFree = [&](const Variable& variable, uint64_t begin, uint64_t end) -> std::string {
         const std::string_view text = variable.declaration->address;
         const DirectAddress address = parseAddress(text).value_or(DirectAddress());
-        const uint32_t area = areaOf(address.area).begin * 8, size = end - begin;
-        const uint32_t step = address.bit >= 0 && variable.bit >= 0 ? 1 : std::max(8u, types::bitsOf(address.kind));
-        uint32_t& from = searched[{address.area, step}]; // those sought come in order: nothing before is free
-        for (uint32_t at = std::max(begin + step, from);; at += step) {
-            const bool isFree = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
-                return other.first < at + size && at < other.second;
-            });
-            if (!isFree) continue;
-            taken.emplace_back(at, at + size);
-            from = at;
-            const size_t digits = text.find_first_of("0123456789");
-            std::string out(text.substr(0, digits));
-            out += std::to_string((at - area) / 8);
-            if (address.kind == TypeKind::Bool) out += "." + std::to_string(at % 8);
-            return out;
-        }
+        const uint64_t area = uint64_t(areaOf(address.area).begin) * 8, size = end - begin;
+        const uint64_t step = address.bit >= 0 && variable.bit >= 0 ? 1 : std::max(8u, types::bitsOf(address.kind));
+        uint64_t& from = searched[{address.area, step}]; // those sought come in order: nothing before is free
+        const uint64_t at = taken.nextFree(std::max(begin + step, from), size, step);
+        taken.add(at, at + size);
+        from = at;
+        const size_t digits = text.find_first_of("0123456789");
+        std::string out(text.substr(0, digits));
+        out += std::to_string((at - area) / 8);
+        if (address.kind == TypeKind::Bool) out += "." + std::to_string(at % 8);
+        return out;
     };
     for (size_t i = 1; i < used.size(); ++i) {
         const Used &a = used[i - 1], &b = used[i];

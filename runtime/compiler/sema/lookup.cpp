@@ -9,19 +9,29 @@ namespace {
 constexpr size_t kMaximumSuggestions = 100;
 }
 
-Member World::findMember(Unit& unit, NameId id) {
-    Unit* at = &unit;
-    for (int guard = 0; at && guard < 200; ++guard) {
-        if (const auto it = at->members.find(id); it != at->members.end()) return it->second;
-        if (at->kind == UnitKind::Interface) {
-            resolveBases(*at);
-            for (Unit* interface : at->interfaces)
-                if (interface != at)
-                    if (const Member found = findMember(*interface, id)) return found;
+/// Interfaces may be reached on many ways; each is searched once.
+Member World::findInInterfaces(Unit& first, NameId id) {
+    std::vector<Unit*> open{&first}, seen{&first};
+    while (!open.empty()) {
+        Unit& unit = *open.back();
+        open.pop_back();
+        if (const auto it = unit.members.find(id); it != unit.members.end()) return it->second;
+        resolveBases(unit);
+        for (auto at = unit.interfaces.rbegin(); at != unit.interfaces.rend(); ++at) {
+            if (std::find(seen.begin(), seen.end(), *at) != seen.end()) continue;
+            seen.push_back(*at);
+            open.push_back(*at);
         }
+    }
+    return {};
+}
+
+Member World::findMember(Unit& unit, NameId id) {
+    if (unit.kind == UnitKind::Interface) return findInInterfaces(unit, id);
+    for (Unit* at = &unit; at; at = at->base) {
+        if (const auto it = at->members.find(id); it != at->members.end()) return it->second;
         if (!at->isInstanced()) break;
         resolveBases(*at);
-        at = at->base;
     }
     return {};
 }

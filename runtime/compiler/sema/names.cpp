@@ -515,12 +515,11 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
     case DK::Type: {
         if (const auto it = world.enumsByType.find(from.type); it != world.enumsByType.end()) {
             EnumType& enumeration = *it->second;
-            for (uint32_t i = 0; i < enumeration.spec->enumerators.size(); ++i)
-                if (world.key(enumeration.spec->enumerators[i].name.text) == id) {
-                    Operand value = enumerator({&enumeration, i}, e.name.range);
-                    value.expr->range = e.range;
-                    return valueOf(value);
-                }
+            if (const auto named = enumeration.indices.find(id); named != enumeration.indices.end()) {
+                Operand value = enumerator({&enumeration, named->second}, e.name.range);
+                value.expr->range = e.range;
+                return valueOf(value);
+            }
         }
         world.suggest(emit(e.name.range, Kind::UnknownMember, {textOf(base.range), std::string(e.name.text)}),
                       e.name.range, e.name.text, world.memberNames(from.type));

@@ -10,6 +10,7 @@ using diagnostics::Kind;
 void World::resolveBases(Unit& unit) {
     if (unit.baseProgress != Progress::Open) return;
     unit.baseProgress = Progress::Working;
+    const Waiting wait(waitingCounter(), kMaximumWaiting / kMaximumBases);
     const auto resolve = [&](const syntax::Path& path, bool wantsInterface) -> Unit* {
         if (path.empty()) return nullptr;
         const SourceRange range = joined(path.front().range, path.back().range);
@@ -35,11 +36,16 @@ void World::resolveBases(Unit& unit) {
             emit(range, Kind::FinalExtended, {base->name});
             return nullptr;
         }
-        resolveBases(*base);
+        if (!wait.isTooDeep) resolveBases(*base);
         if (base->baseProgress == Progress::Working) {
             emit(range, Kind::TypeCycle, {unit.name});
             return nullptr;
         }
+        if (base->baseProgress == Progress::Open || base->level >= kMaximumBases) {
+            emit(range, Kind::NestedTooDeep);
+            return nullptr;
+        }
+        unit.level = std::max(unit.level, base->level + 1);
         return base;
     };
     if (unit.pou && !unit.owner) {

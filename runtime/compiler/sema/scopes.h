@@ -72,7 +72,8 @@ struct Variable {
     bool isConstant = false;
     bool isLocated = false; // has an address, complete or not
     bool isProgramInstance = false;
-    bool isResult = false; // the function's own name
+    bool isResult = false;         // the function's own name
+    bool isFoldingPlanned = false; // what its initial value needs was folded, or is about to be
     Folding folding = Folding::Open;
     types::Value value;         // Folding::Constant
     Variable* target = nullptr; // VAR_EXTERNAL: the global
@@ -137,6 +138,7 @@ struct Unit {
     std::vector<Unit*> actions;
     std::vector<Property*> properties;
     Unit* base = nullptr;
+    uint32_t level = 0;            // bases and interfaces above it
     std::vector<Unit*> interfaces; // IMPLEMENTS; EXTENDS of an interface
     Variable* resultVariable = nullptr;
     Variable* instance = nullptr; // of a PROGRAM: the only one
@@ -176,6 +178,7 @@ struct EnumType {
     std::string name;
     Progress progress = Progress::Open;
     std::vector<SymbolId> symbols;
+    std::unordered_map<NameId, uint32_t> indices; // of its values by name
 };
 
 /// A structure or union whose fields are still to be laid out.

@@ -5,6 +5,8 @@
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
 
+#include <numeric>
+
 namespace plc::sema {
 
 using diagnostics::Kind;
@@ -14,6 +16,16 @@ using library::Rule;
 using library::Signature;
 using syntax::ArgumentKind;
 using types::Family;
+
+namespace {
+/// Bounded by the height of the expression, which the parser limits.
+bool containsCall(const syntax::Expr& e) {
+    if (e.kind == syntax::ExprKind::Call) return true;
+    const auto inArgument = [](const syntax::Argument& a) { return a.value && containsCall(*a.value); };
+    return (e.base && containsCall(*e.base)) || (e.right && containsCall(*e.right)) ||
+           std::any_of(e.arguments.begin(), e.arguments.end(), inArgument);
+}
+} // namespace
 
 Operand Checker::standardCall(std::string_view name, const syntax::Expr& e, TypeId hint) {
     if (const Signature* signature = library::findSignature(name)) return signatureCall(*signature, e, hint);
@@ -305,13 +317,46 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
         operands.push_back(operand);
     }
     if (!good) return unknown(e.range);
-    Operand out;
+    std::vector<tree::Stmt*> before = holdAsWritten(operands, arguments.inputs);
+    Operand out = signatureResult(signature, std::move(operands), e, hint);
+    if (!before.empty() && !out.isUnknown()) {
+        tree::Expr* sequence = arena.make<tree::Expr>();
+        sequence->kind = tree::ExprKind::Sequence;
+        sequence->range = e.range;
+        sequence->type = out.type();
+        sequence->statements = std::move(before);
+        sequence->a = out.expr;
+        out = {sequence, &types};
+    }
+    return withEnable(out, arguments, e.range);
+}
+
+/// Arguments given by name in another order than the parameters' are evaluated as written where one of them is a call,
+/// which may change what another one reads.
+///   SEL(IN1 := Next(), IN0 := Next(), G := b): IN1 has the first number
+std::vector<tree::Stmt*> Checker::holdAsWritten(std::vector<Operand>& operands,
+                                                const std::vector<const syntax::Argument*>& inputs) {
+    if (!function || std::is_sorted(inputs.begin(), inputs.end())) return {};
+    if (std::none_of(inputs.begin(), inputs.end(), [](const syntax::Argument* a) { return containsCall(*a->value); }))
+        return {};
+    std::vector<size_t> written(operands.size());
+    std::iota(written.begin(), written.end(), size_t(0));
+    std::sort(written.begin(), written.end(), [&](size_t a, size_t b) { return inputs[a] < inputs[b]; });
+    std::vector<tree::Stmt*> before;
+    for (const size_t i : written)
+        if (!operands[i].isFlexible) operands[i].expr = held(operands[i].expr, before);
+    return before;
+}
+
+/// What the rule of the signature makes of the operands, which are all good.
+Operand Checker::signatureResult(const Signature& signature, std::vector<Operand> operands, const syntax::Expr& e,
+                                 TypeId hint) {
     if (!signature.operatorName.empty()) {
-        out = operatorCall(signature, operands, e, hint);
+        Operand out = operatorCall(signature, operands, e, hint);
         if (!out.isUnknown() && signature.rule == Rule::FixedResult && signature.result != TypeKind::Unknown &&
             out.type() != elementary(signature.result))
             out = sameBits(out, elementary(signature.result));
-        return withEnable(out, arguments, e.range);
+        return out;
     }
     using library::Intrinsic;
     const Intrinsic code = *signature.intrinsic;
@@ -358,8 +403,7 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
         if (cuts) {
             if (signature.name == "TRUNC" && hint.isValid() && types::isInteger(types.family(hint)))
                 result = types.storage(hint);
-            if (types.family(operands[0].type()) != Family::Real)
-                return withEnable(convertNode(operands[0], result), arguments, e.range);
+            if (types.family(operands[0].type()) != Family::Real) return convertNode(operands[0], result);
         }
         break;
     }
@@ -401,8 +445,8 @@ Operand Checker::signatureCall(const Signature& signature, const syntax::Expr& e
     case Rule::Special:
         return unknown(e.range);
     }
-    if (isExpression && code == Intrinsic::Move) return withEnable(operands[0], arguments, e.range);
-    return withEnable(intrinsic(code, result, operands, e.range, signature.selector), arguments, e.range);
+    if (isExpression && code == Intrinsic::Move) return operands[0];
+    return intrinsic(code, result, operands, e.range, signature.selector);
 }
 
 /// A literal as the argument of a conversion named by types.

@@ -229,6 +229,7 @@ void Checker::assignReference(const Denoted& target, const syntax::Expr& value, 
 void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, SourceRange range,
                               std::vector<tree::Stmt*>& out) {
     // constants at once, the rest element by element
+    if (!fitsIntoCode(place->type, value.range)) return;
     InitialValue initial;
     initial.bytes = types[place->type].initial;
     initial.bytes.resize(types[place->type].size);

@@ -36,6 +36,11 @@ std::optional<TypeKind> elementaryNamed(std::string_view name) {
 
 std::optional<int64_t> World::constantInteger(const syntax::Expr* expr, const Scope& scope) {
     if (!expr) return std::nullopt;
+    const Waiting wait(waitingCounter(), expr->height);
+    if (wait.isTooDeep) {
+        emit(expr->range, Kind::NestedTooDeep);
+        return std::nullopt;
+    }
     Checker checker(*this, scope, sink, arena);
     const Operand operand = checker.expression(*expr);
     if (operand.isUnknown()) return std::nullopt;
@@ -128,6 +133,11 @@ TypeId World::resolveDeclared(DeclaredType& declared) {
         emit(declared.declaration->name.range, Kind::TypeCycle, {declared.name});
         return TypeTable::of(TypeKind::Unknown);
     }
+    const Waiting wait(waitingCounter(), 4);
+    if (wait.isTooDeep) {
+        emit(declared.declaration->name.range, Kind::NestedTooDeep);
+        return TypeTable::of(TypeKind::Unknown);
+    }
     declared.progress = Progress::Working;
     TypeId behind = resolveSpec(declared.declaration->spec, declared.scope, declared.name);
     if (declared.declaration->initial && types.kind(behind) != TypeKind::Unknown) {
@@ -192,16 +202,16 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
         const TypeId element = resolveSpec(spec->element, scope);
         return types.kind(element) == TypeKind::Unknown
                    ? unknown
-                   : types.openArray(std::max<size_t>(1, spec->bounds.size()), element);
+                   : nested(types.openArray(std::max<size_t>(1, spec->bounds.size()), element), spec->range);
     }
     case TypeSpecKind::Pointer:
     case TypeSpecKind::RefTo: {
         const TypeId target = resolveSpec(spec->element, scope);
-        return types.kind(target) == TypeKind::Unknown ? unknown : types.pointer(target);
+        return types.kind(target) == TypeKind::Unknown ? unknown : nested(types.pointer(target), spec->range);
     }
     case TypeSpecKind::Reference: {
         const TypeId target = resolveSpec(spec->element, scope);
-        return types.kind(target) == TypeKind::Unknown ? unknown : types.reference(target);
+        return types.kind(target) == TypeKind::Unknown ? unknown : nested(types.reference(target), spec->range);
     }
     case TypeSpecKind::Enum: {
         const auto it = enumsBySpec.find(spec);
@@ -257,7 +267,60 @@ TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
         emit(spec.range, Kind::ImageTooLarge, {std::to_string(count), std::to_string(1u << 28)});
         return unknown;
     }
-    return types.array(std::move(dimensions), element);
+    return nested(types.array(std::move(dimensions), element), spec.range);
+}
+
+/// How deep a type is made of others. A pointer begins again behind a type with a name, which may hold it.
+uint32_t World::nestingOf(TypeId type) const { return type.index() < nestings.size() ? nestings[type.index()] : 0; }
+
+void World::noteNesting(TypeId type, uint32_t nesting) {
+    if (nestings.size() <= type.index()) nestings.resize(std::max<size_t>(types.count(), type.index() + 1), 0);
+    nestings[type.index()] = nesting;
+}
+
+/// An array, pointer or reference that was just made, unless it is nested too deeply.
+///   wrong: POINTER TO POINTER TO … INT, more than 60 of them  (P1019)
+TypeId World::nested(TypeId type, SourceRange range) {
+    const TypeId element = types[type].element;
+    const TypeKind inner = types.kind(element);
+    const bool isDirect = types.kind(type) != TypeKind::Pointer && types.kind(type) != TypeKind::Reference;
+    const bool isMade = inner == TypeKind::Array || inner == TypeKind::OpenArray || inner == TypeKind::Pointer ||
+                        inner == TypeKind::Reference;
+    noteNesting(type, 1 + (isDirect || isMade ? nestingOf(element) : 0));
+    if (nestingOf(type) <= kMaximumNesting) return type;
+    emit(range, Kind::NestedTooDeep);
+    return TypeTable::of(TypeKind::Unknown);
+}
+
+/// Of a type that was laid out; one without a size needs more than there is.
+uint64_t World::neededBytes(TypeId id) const {
+    const types::Type& type = types[id];
+    if (type.size != 0) return type.size;
+    uint64_t needed = 0;
+    for (const types::Field& field : type.fields) needed += types[field.type].size;
+    if (type.kind != TypeKind::Array) return std::max(needed, kMaximumData + 1);
+    needed = types[type.element].size;
+    for (const types::Dimension& d : type.dimensions) needed = std::min(needed, uint64_t(1) << 31) * d.count();
+    return needed;
+}
+
+/// A type that takes more memory than there is, or whose initial value does, is reported where it is laid out: what
+/// doubles with each line is never made.
+///   wrong: T1 : STRUCT a, b : T0; END_STRUCT … T40 : STRUCT a, b : T39; END_STRUCT  (P3023)
+bool World::checkSize(TypeId type, SourceRange range) {
+    if (tooLarge.contains(type)) return false;
+    const uint64_t needed = neededBytes(type);
+    initialBytes += types[type].initial.size();
+    const bool isLarge = needed > kMaximumData;
+    if (!isLarge && initialBytes <= kMaximumInitialBytes) return true;
+    emit(range, Kind::ImageTooLarge,
+         {std::to_string(isLarge ? needed : initialBytes),
+          std::to_string(isLarge ? kMaximumData : kMaximumInitialBytes)});
+    initialBytes -= types[type].initial.size();
+    types.edit(type).initial = {};
+    types.edit(type).size = types[type].align; // something, for what is laid out behind it
+    tooLarge.insert(type);
+    return false;
 }
 
 TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) {
@@ -285,6 +348,11 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
 TypeId World::typeOf(Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
+    const Waiting wait(waitingCounter(), 4);
+    if (wait.isTooDeep) {
+        emit(variable.range, Kind::NestedTooDeep);
+        return TypeTable::of(TypeKind::Unknown);
+    }
     variable.typeProgress = Progress::Working;
     variable.type = resolveSpec(variable.spec, variable.scope, variable.name);
     if (variable.kind == syntax::SectionKind::External) {
@@ -352,6 +420,7 @@ void World::reportCycle(TypeId type, SourceRange usedAt) {
 bool World::completeType(TypeId type, SourceRange usedAt) {
     const TypeKind kind = types.kind(type);
     if (types::isElementary(kind)) return true;
+    if (tooLarge.contains(type)) return false;
     if (const auto alias = aliasesByType.find(type); alias != aliasesByType.end()) {
         completeAlias(*alias->second, usedAt);
         return types[type].size != 0;
@@ -361,12 +430,8 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
     case TypeKind::Enum:
         if (const auto it = enumsByType.find(type); it != enumsByType.end()) completeEnum(*it->second);
         return true;
-    case TypeKind::Array: {
-        const bool good = completeType(types[type].element, usedAt);
-        const types::Type& element = types[types[type].element];
-        if (types[type].size == 0 || types[type].initial.empty() != element.initial.empty()) types.layoutArray(type);
-        return good;
-    }
+    case TypeKind::Array:
+        return completeArray(type, usedAt);
     case TypeKind::Struct:
     case TypeKind::Union: {
         const auto it = structsByType.find(type);
@@ -375,8 +440,13 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
             reportCycle(type, usedAt);
             return false;
         }
-        completeStruct(*it->second, usedAt);
-        return true;
+        const Waiting wait(completingCounter(), 1, kMaximumNesting + kMaximumBases);
+        if (wait.isTooDeep) {
+            emit(usedAt, Kind::NestedTooDeep);
+            return false;
+        }
+        completeStruct(*it->second);
+        return !tooLarge.contains(type);
     }
     case TypeKind::Block: {
         Unit* unit = unitOf(type);
@@ -385,18 +455,37 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
             reportCycle(type, usedAt);
             return false;
         }
+        const Waiting wait(completingCounter(), 1, kMaximumNesting + kMaximumBases);
+        if (wait.isTooDeep) {
+            emit(usedAt, Kind::NestedTooDeep);
+            return false;
+        }
         completeUnit(*unit, usedAt);
-        return true;
+        return !tooLarge.contains(type);
     }
     default:
         return true;
     }
 }
 
+bool World::completeArray(TypeId type, SourceRange usedAt) {
+    const bool good = completeType(types[type].element, usedAt);
+    const types::Type& element = types[types[type].element];
+    noteNesting(type, 1 + nestingOf(types[type].element));
+    if (nestingOf(type) > kMaximumNesting) {
+        emit(usedAt, Kind::NestedTooDeep);
+        return false;
+    }
+    if (types[type].size != 0 && types[type].initial.empty() == element.initial.empty()) return good;
+    types.layoutArray(type);
+    return checkSize(type, usedAt) && good;
+}
+
 void World::completeAlias(DeclaredType& declared, SourceRange usedAt) {
     const TypeId behind = aliasOf[declared.type];
     aliasesByType.erase(declared.type);
     completeType(behind, usedAt);
+    noteNesting(declared.type, nestingOf(behind));
     types::Type& type = types.edit(declared.type);
     const types::Type& original = types[behind];
     if (type.kind != TypeKind::Subrange) {
@@ -417,11 +506,14 @@ void World::completeAlias(DeclaredType& declared, SourceRange usedAt) {
     initial.bytes.resize(original.size);
     initialise(initial, behind, 0, -1, declared.declaration->initial, declared.scope, nullptr);
     types.edit(declared.type).initial = initial.bytes;
+    checkSize(declared.type, declared.declaration->name.range);
     if (!initial.dynamics.empty()) typeInitials[declared.type].dynamics = std::move(initial.dynamics);
 }
 
 void World::completeEnum(EnumType& enumeration) {
     if (enumeration.progress != Progress::Open) return;
+    const Waiting wait(waitingCounter(), 8);
+    if (wait.isTooDeep) return (void)emit(enumeration.spec->range, Kind::NestedTooDeep);
     enumeration.progress = Progress::Working;
     const syntax::TypeSpec& spec = *enumeration.spec;
     TypeId base = TypeTable::of(TypeKind::Int);
@@ -468,9 +560,11 @@ void World::completeEnum(EnumType& enumeration) {
     }
 }
 
-void World::completeStruct(StructType& made, SourceRange usedAt) {
+void World::completeStruct(StructType& made) {
     if (made.progress != Progress::Open) return;
     made.progress = Progress::Working;
+    uint32_t nesting = 0;
+    std::unordered_set<NameId> known;
     std::vector<types::Field> fields;
     std::vector<const syntax::VarDecl*> declarations;
     TypeId base;
@@ -482,23 +576,27 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
             base = {};
         } else if (completeType(base, made.spec->extends->range)) {
             fields = types[base].fields;
+            nesting = nestingOf(base); // its base is laid out and initialised as a part of it
+            for (const types::Field& field : fields) known.insert(key(field.name));
             if (const auto it = structsByType.find(base); it != structsByType.end()) made.symbols = it->second->symbols;
         }
     }
     const size_t inherited = fields.size();
     for (const syntax::VarDecl* declaration : made.spec->fields) {
         TypeId type = resolveSpec(declaration->type, made.scope);
-        if (!completeType(type, declaration->type ? declaration->type->range : declaration->range))
+        const SourceRange at = declaration->type ? declaration->type->range : declaration->range;
+        if (!completeType(type, at)) type = TypeTable::of(TypeKind::Unknown);
+        if (nestingOf(type) >= kMaximumNesting) {
+            emit(at, Kind::NestedTooDeep);
             type = TypeTable::of(TypeKind::Unknown);
+        }
+        nesting = std::max(nesting, 1 + nestingOf(type));
         const bool isBit = declaration->type && declaration->type->kind == TypeSpecKind::Named &&
                            declaration->type->path.size() == 1 &&
                            equalsIgnoringCase(declaration->type->path.front().text, "BIT") &&
                            types.kind(type) == TypeKind::Bool;
         for (const syntax::Name& name : declaration->names) {
-            const bool twice = std::any_of(fields.begin(), fields.end(), [&](const types::Field& f) {
-                return equalsIgnoringCase(f.name, name.text);
-            });
-            if (twice) {
+            if (!known.insert(key(name.text)).second) {
                 emit(name.range, Kind::DuplicateName, {std::string(name.text)});
                 continue;
             }
@@ -522,7 +620,13 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
     types::Type& type = types.edit(made.type);
     type.base = base;
     type.fields = std::move(fields);
+    noteNesting(made.type, nesting);
     types.layoutFields(made.type);
+    if (!checkSize(made.type,
+                   types[made.type].declaration.file.isValid() ? types[made.type].declaration : made.spec->range)) {
+        made.progress = Progress::Done;
+        return;
+    }
     if (std::any_of(type.fields.begin(), type.fields.end(), [](const types::Field& f) { return f.isLocated; }))
         for (types::Field& field : type.fields) field.isLocated = true; // where it lies for those that extend it
     InitialValue initial;
@@ -544,7 +648,6 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
     types.edit(made.type).initial = isZero ? std::vector<std::byte>{} : initial.bytes;
     typeInitials[made.type].dynamics = std::move(initial.dynamics);
     made.progress = Progress::Done;
-    (void)usedAt;
     if (made.initial) { // TYPE T : STRUCT … END_STRUCT := (a := 1)
         InitialValue whole;
         whole.bytes = types[made.type].initial;

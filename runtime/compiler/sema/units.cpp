@@ -128,6 +128,10 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
         const SourceRange at = variable.spec ? variable.spec->range : variable.range;
         if (variable.kind != SectionKind::InOut && !completeType(variableType, at))
             variable.type = variableType = TypeTable::of(TypeKind::Unknown);
+        if (variable.kind != SectionKind::InOut && nestingOf(variableType) >= kMaximumNesting) {
+            emit(at, Kind::NestedTooDeep);
+            variable.type = variableType = TypeTable::of(TypeKind::Unknown);
+        }
         switch (variable.kind) {
         case SectionKind::Temp:
             variable.storage = Storage::Temporary;
@@ -182,6 +186,13 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
     }
 }
 
+void World::noteBlockNesting(const Unit& unit) {
+    uint32_t nesting = 0;
+    for (const types::Field& field : types[unit.type].fields)
+        if (field.section != FieldSection::InOut) nesting = std::max(nesting, 1 + nestingOf(field.type));
+    noteNesting(unit.type, nesting);
+}
+
 void World::completeUnit(Unit& unit, SourceRange usedAt) {
     if (unit.layoutProgress != Progress::Open) return;
     unit.layoutProgress = Progress::Working;
@@ -202,14 +213,22 @@ void World::completeUnit(Unit& unit, SourceRange usedAt) {
             reportCycle(unit.base->type, usedAt);
             unit.base = nullptr;
         } else {
-            completeUnit(*unit.base, unit.range);
+            const Waiting wait(completingCounter(), 1, kMaximumNesting + kMaximumBases);
+            if (wait.isTooDeep) emit(unit.range, Kind::NestedTooDeep);
+            if (!wait.isTooDeep) completeUnit(*unit.base, unit.range);
             types.edit(unit.type).fields = types[unit.base->type].fields;
             inherited = static_cast<uint32_t>(types[unit.type].fields.size());
         }
     }
     std::vector<std::pair<Variable*, uint32_t>> fields;
     placeVariables(unit, fields);
+    noteBlockNesting(unit);
     types.layoutFields(unit.type, unit.hasHeader ? 8 : 0);
+    if (!checkSize(unit.type, unit.range)) {
+        unit.layoutProgress = Progress::Done;
+        types.edit(unit.type).base = unit.base ? unit.base->type : TypeId();
+        return;
+    }
     InitialValue initial;
     initial.bytes = types[unit.type].initial;
     initial.bytes.resize(types[unit.type].size);

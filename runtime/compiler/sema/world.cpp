@@ -67,7 +67,7 @@ void World::build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
     for (EnumType& type : enums) completeEnum(type);
     for (size_t i = 0; i < units.size(); ++i) completeUnit(units[i], units[i].range);
     for (size_t i = 0; i < globals.size(); ++i) completeType(typeOf(globals[i]), globals[i].range);
-    for (size_t i = 0; i < structs.size(); ++i) completeStruct(structs[i], {});
+    for (size_t i = 0; i < structs.size(); ++i) completeStruct(structs[i]);
     for (size_t i = 0; i < types.count(); ++i) completeType(TypeId(i), {});
     checkConstants();
     assignSlots();

@@ -1,11 +1,13 @@
 // Everything about one program while it is checked, and what stays of it for expressions (Analysis::scopes): name
 // tables, types, the tree being made. One thread builds it; `freeze` makes it read only.
 #pragma once
+#include "runtime/compiler/sema/limits.h"
 #include "runtime/compiler/sema/scopes.h"
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 
 namespace plc::sema {
 
@@ -110,6 +112,7 @@ public:
         }
     };
     [[nodiscard]] Member findMember(Unit& unit, NameId id);
+    [[nodiscard]] Member findInInterfaces(Unit& first, NameId id);
     [[nodiscard]] Found lookup(const Scope& scope, NameId id, bool wantsType = false);
     [[nodiscard]] Found lookupIn(Space& space, NameId id);
     [[nodiscard]] Found lookupUsed(const std::vector<Space*>& used, NameId id, bool wantsType);
@@ -127,8 +130,14 @@ public:
     TypeId resolveDeclared(DeclaredType& type);
     TypeId typeOf(Variable& variable);
     bool completeType(TypeId type, SourceRange usedAt);
+    [[nodiscard]] uint32_t nestingOf(TypeId type) const;
+    TypeId nested(TypeId type, SourceRange range);
+    void noteNesting(TypeId type, uint32_t nesting);
+    bool checkSize(TypeId type, SourceRange range);
+    [[nodiscard]] uint64_t neededBytes(TypeId type) const;
+    bool completeArray(TypeId type, SourceRange usedAt);
     void completeEnum(EnumType& type);
-    void completeStruct(StructType& type, SourceRange usedAt);
+    void completeStruct(StructType& type);
     void completeAlias(DeclaredType& type, SourceRange usedAt);
     // relative_addresses.cpp
     void locateMembers(const StructType& type, std::vector<types::Field>& fields, size_t inherited,
@@ -152,6 +161,7 @@ public:
     void completeUnit(Unit& unit, SourceRange usedAt);
     void completeFunction(Unit& unit);
     void collectParameters(Unit& unit);
+    void noteBlockNesting(const Unit& unit);
     void placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields);
     void makeStatic(Variable& variable);
     void markHeaders();
@@ -164,6 +174,11 @@ public:
 
     // constants.cpp
     const types::Value* constantOf(Variable& variable);
+    const types::Value* fold(Variable& variable);
+    void foldNeeded(Variable& first);
+    bool planFolding(Variable& variable, std::vector<Variable*>& waiting);
+    void gatherConstants(const syntax::Expr* root, const Scope& scope, std::vector<Variable*>& out);
+    Variable* constantNamed(const syntax::Expr& e, const Scope& scope);
     void checkConstants();
 
     // initial_values.cpp
@@ -212,6 +227,8 @@ public:
     void checkUnusedActions();
     void checkAddressSize(const Variable& variable, std::string_view text, SourceRange range);
     void checkRecursion();
+    void checkFrames(const std::vector<std::vector<uint32_t>>& edges,
+                     const std::vector<std::vector<uint32_t>>& components);
 
     const SourceSet& sources;
     Options options;
@@ -279,7 +296,13 @@ public:
     std::vector<Copy> copies;
     std::vector<DynamicInit> programInits; // absolute offsets, in order
     std::vector<SourceRange> syntaxErrors;
-    size_t suggestions = 0; // so many near names were looked for; at some point a reader has enough
+    uint32_t waiting = 0, completing = 0; // see limits.h
+    [[nodiscard]] uint32_t* completingCounter() { return frozen ? nullptr : &completing; }
+    [[nodiscard]] uint32_t* waitingCounter() { return frozen ? nullptr : &waiting; }
+    std::vector<uint32_t> nestings;      // by type: of those complete
+    std::unordered_set<TypeId> tooLarge; // reported
+    uint64_t initialBytes = 0;           // of all types
+    size_t suggestions = 0;              // so many near names were looked for; at some point a reader has enough
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
     std::vector<std::byte> image;
     std::vector<NameId> slotNames;

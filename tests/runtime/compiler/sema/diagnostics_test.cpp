@@ -296,7 +296,7 @@ const Row kDeclarations[] = {
      "VAR_GLOBAL g : INT; END_VAR PROGRAM Main VAR_EXTERNAL g : INT; END_VAR g := 1; END_PROGRAM"},
     {"P3023",
      "a, b, c : ARRAY[1..100000000] OF BYTE;|a[1] := 1; b[1] := 1; c[1] := 1;",
-     {"P3023"},
+     {"P3023 'Main'"},
      "a : ARRAY[1..1000] OF BYTE;|a[1] := 1;"},
     {"P3024", "FUNCTION F : INT F := 1; END_FUNCTION", {"P3024"}, "PROGRAM Main END_PROGRAM"},
     {"P3025",
