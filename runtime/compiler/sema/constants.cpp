@@ -5,8 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 /// The constant that a name or a qualified name means and that is not folded yet.
 Variable* World::constantNamed(const syntax::Expr& e, const Scope& scope) {
     Variable* variable = nullptr;
@@ -83,7 +81,7 @@ const types::Value* World::fold(Variable& variable) {
     case Folding::Dynamic:
         return nullptr;
     case Folding::Working:
-        emit(variable.range, Kind::TypeCycle, {variable.name});
+        emit(variable.range, findings::TypeCycle(variable.name));
         variable.folding = Folding::Dynamic;
         return nullptr;
     case Folding::Open:
@@ -92,7 +90,7 @@ const types::Value* World::fold(Variable& variable) {
     const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
     const Waiting wait(waitingCounter(), 4 + (initial ? initial->height : 0));
     if (wait.isTooDeep) {
-        emit(variable.range, Kind::NestedTooDeep);
+        emit(variable.range, findings::NestedTooDeep());
         return nullptr;
     }
     const TypeId type = typeOf(variable);
@@ -114,7 +112,7 @@ const types::Value* World::fold(Variable& variable) {
         return nullptr;
     }
     if (!value.isConstant()) {
-        emit(initial->range, Kind::NotConstant);
+        emit(initial->range, findings::NotConstant());
         variable.folding = Folding::Dynamic;
         return nullptr;
     }

@@ -8,7 +8,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::TypeSpecKind;
 using types::TypeTable;
 
@@ -38,14 +37,14 @@ std::optional<int64_t> World::constantInteger(const syntax::Expr* expr, const Sc
     if (!expr) return std::nullopt;
     const Waiting wait(waitingCounter(), expr->height);
     if (wait.isTooDeep) {
-        emit(expr->range, Kind::NestedTooDeep);
+        emit(expr->range, findings::NestedTooDeep());
         return std::nullopt;
     }
     Checker checker(*this, scope, sink, arena);
     const Operand operand = checker.expression(*expr);
     if (operand.isUnknown()) return std::nullopt;
     if (!operand.isConstant() || !std::holds_alternative<int64_t>(operand.expr->value.data)) {
-        emit(expr->range, Kind::NotConstant);
+        emit(expr->range, findings::NotConstant());
         return std::nullopt;
     }
     return operand.expr->value.integer();
@@ -84,11 +83,11 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
     std::string text;
     for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
     if (!found.ambiguous.empty() && (found.entity.type || found.entity.unit)) {
-        std::string list;
-        for (const std::string& where : found.ambiguous) list += (list.empty() ? "" : ", ") + where;
-        auto& diagnostic = emit(range, Kind::AmbiguousName, {text, list});
+        std::vector<std::string> all;
+        for (const std::string& where : found.ambiguous) all.push_back(where + "." + text);
+        auto& diagnostic = emit(range, findings::AmbiguousName(text, all));
         for (const std::string& where : found.ambiguous)
-            diagnostic.fixes.push_back({"Write " + where + "." + text, {{range, where + "." + text}}});
+            diagnostic.fixes.push_back({fixes::Write(where + "." + text), {{range, where + "." + text}}});
         return unknown;
     }
     if (found.entity.type) {
@@ -100,14 +99,14 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
         return found.entity.unit->type;
     }
     if (const std::string own(ownNameOf(text)); !own.empty()) {
-        emit(range, Kind::UnknownType, {text}).fixes.push_back({"Write " + own, {{range, own}}});
+        emit(range, findings::UnknownType(text)).fixes.push_back({fixes::Write(own), {{range, own}}});
         return unknown;
     }
     if (path.size() > 1) { // a name of a namespace that has no such type
         const Found around = lookupPath(scope, {path.begin(), path.end() - 1});
         std::vector<std::string> names;
         if (around.space) addNames(*around.space, names);
-        suggest(emit(around.space ? path.back().range : range, Kind::UnknownType, {text}), path.back().range,
+        suggest(emit(around.space ? path.back().range : range, findings::UnknownType(text)), path.back().range,
                 path.back().text, names);
         return unknown;
     }
@@ -123,19 +122,19 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
     for (Space* library : libraries) collect(*library);
     for (const ElementaryName& entry : kElementaryNames) candidates.emplace_back(entry.name);
     candidates.insert(candidates.end(), {"STRING", "WSTRING"});
-    suggest(emit(range, Kind::UnknownType, {text}), range, text, candidates);
+    suggest(emit(range, findings::UnknownType(text)), range, text, candidates);
     return unknown;
 }
 
 TypeId World::resolveDeclared(DeclaredType& declared) {
     if (declared.progress == Progress::Done) return declared.type;
     if (declared.progress == Progress::Working) {
-        emit(declared.declaration->name.range, Kind::TypeCycle, {declared.name});
+        emit(declared.declaration->name.range, findings::TypeCycle(declared.name));
         return TypeTable::of(TypeKind::Unknown);
     }
     const Waiting wait(waitingCounter(), 4);
     if (wait.isTooDeep) {
-        emit(declared.declaration->name.range, Kind::NestedTooDeep);
+        emit(declared.declaration->name.range, findings::NestedTooDeep());
         return TypeTable::of(TypeKind::Unknown);
     }
     declared.progress = Progress::Working;
@@ -189,8 +188,9 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
         if (spec->length) {
             const auto given = constantInteger(spec->length, scope);
             if (given && (*given < 1 || *given > 65535))
-                emit(spec->length->range, Kind::ConstantOutOfRange,
-                     {std::to_string(*given), std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"});
+                emit(spec->length->range,
+                     findings::ConstantOutOfRange(std::to_string(*given),
+                                                  std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"));
             else if (given)
                 length = *given;
         }
@@ -254,8 +254,7 @@ TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
             continue;
         }
         if (*high < *low || *low < INT32_MIN || *high > INT32_MAX) {
-            emit(joined(bounds.low->range, bounds.high->range), Kind::ArraySizeInvalid,
-                 {std::to_string(*low), std::to_string(*high)});
+            emit(joined(bounds.low->range, bounds.high->range), findings::ArraySizeInvalid(*low, *high));
             good = false;
             continue;
         }
@@ -264,7 +263,7 @@ TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
     }
     if (!good || dimensions.empty()) return unknown;
     if (count > (1u << 28)) {
-        emit(spec.range, Kind::ImageTooLarge, {std::to_string(count), std::to_string(1u << 28)});
+        emit(spec.range, findings::ImageTooLarge(count, 1u << 28));
         return unknown;
     }
     return nested(types.array(std::move(dimensions), element), spec.range);
@@ -288,7 +287,7 @@ TypeId World::nested(TypeId type, SourceRange range) {
                         inner == TypeKind::Reference;
     noteNesting(type, 1 + (isDirect || isMade ? nestingOf(element) : 0));
     if (nestingOf(type) <= kMaximumNesting) return type;
-    emit(range, Kind::NestedTooDeep);
+    emit(range, findings::NestedTooDeep());
     return TypeTable::of(TypeKind::Unknown);
 }
 
@@ -313,9 +312,8 @@ bool World::checkSize(TypeId type, SourceRange range) {
     initialBytes += types[type].initial.size();
     const bool isLarge = needed > kMaximumData;
     if (!isLarge && initialBytes <= kMaximumInitialBytes) return true;
-    emit(range, Kind::ImageTooLarge,
-         {std::to_string(isLarge ? needed : initialBytes),
-          std::to_string(isLarge ? kMaximumData : kMaximumInitialBytes)});
+    emit(range,
+         findings::ImageTooLarge(isLarge ? needed : initialBytes, isLarge ? kMaximumData : kMaximumInitialBytes));
     initialBytes -= types[type].initial.size();
     types.edit(type).initial = {};
     types.edit(type).size = types[type].align; // something, for what is laid out behind it
@@ -327,7 +325,7 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
     const TypeId base = spec.element ? resolveSpec(spec.element, scope) : resolveNamed(spec.path, scope, spec.range);
     if (types.kind(base) == TypeKind::Unknown || spec.bounds.empty()) return base;
     if (!types::isInteger(types.family(base))) {
-        emit(spec.range, Kind::OperatorNotForType, {"a subrange", nameOf(base)});
+        emit(spec.range, findings::OperatorNotForType(phrases::ASubrange(), nameOf(base)));
         return base;
     }
     const auto low = constantInteger(spec.bounds.front().low, scope),
@@ -338,8 +336,8 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
         return value < least || (value > 0 && static_cast<uint64_t>(value) > greatest);
     };
     if (*low > *high || outside(*low) || outside(*high)) {
-        emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range), Kind::ArraySizeInvalid,
-             {std::to_string(*low), std::to_string(*high)});
+        emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range),
+             findings::ArraySizeInvalid(*low, *high));
         return base;
     }
     return types.subrange(types.storage(base), *low, *high);
@@ -350,7 +348,7 @@ TypeId World::typeOf(Variable& variable) {
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
     const Waiting wait(waitingCounter(), 4);
     if (wait.isTooDeep) {
-        emit(variable.range, Kind::NestedTooDeep);
+        emit(variable.range, findings::NestedTooDeep());
         return TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Working;
@@ -361,14 +359,15 @@ TypeId World::typeOf(Variable& variable) {
         Variable* target = lookup(outside, variable.id).entity.variable;
         if (!target || !sameType(typeOf(*target), variable.type)) {
             if (types.kind(variable.type) != TypeKind::Unknown)
-                emit(variable.range, Kind::ExternalNotFound, {variable.name, nameOf(variable.type)});
+                emit(variable.range, findings::ExternalNotFound(variable.name, nameOf(variable.type)));
         } else {
             variable.target = target;
             if (variable.isConstant == false) variable.isConstant = target->isConstant;
         }
     }
     if (variable.kind != syntax::SectionKind::InOut && types.kind(variable.type) == TypeKind::OpenArray) {
-        emit(variable.spec ? variable.spec->range : variable.range, Kind::NotAllowedHere, {"ARRAY[*]", "this section"});
+        emit(variable.spec ? variable.spec->range : variable.range,
+             findings::NotAllowedHere(Verbatim("ARRAY[*]"), phrases::InThisSection()));
         variable.type = TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Done;
@@ -414,7 +413,7 @@ bool World::sameType(TypeId a, TypeId b) const {
 
 void World::reportCycle(TypeId type, SourceRange usedAt) {
     const types::Type& t = types[type];
-    emit(usedAt.file.isValid() ? usedAt : t.declaration, Kind::TypeCycle, {t.name});
+    emit(usedAt.file.isValid() ? usedAt : t.declaration, findings::TypeCycle(t.name));
 }
 
 bool World::completeType(TypeId type, SourceRange usedAt) {
@@ -442,7 +441,7 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
         }
         const Waiting wait(completingCounter(), 1, kMaximumNesting + kMaximumBases);
         if (wait.isTooDeep) {
-            emit(usedAt, Kind::NestedTooDeep);
+            emit(usedAt, findings::NestedTooDeep());
             return false;
         }
         completeStruct(*it->second);
@@ -457,7 +456,7 @@ bool World::completeType(TypeId type, SourceRange usedAt) {
         }
         const Waiting wait(completingCounter(), 1, kMaximumNesting + kMaximumBases);
         if (wait.isTooDeep) {
-            emit(usedAt, Kind::NestedTooDeep);
+            emit(usedAt, findings::NestedTooDeep());
             return false;
         }
         completeUnit(*unit, usedAt);
@@ -473,7 +472,7 @@ bool World::completeArray(TypeId type, SourceRange usedAt) {
     const types::Type& element = types[types[type].element];
     noteNesting(type, 1 + nestingOf(types[type].element));
     if (nestingOf(type) > kMaximumNesting) {
-        emit(usedAt, Kind::NestedTooDeep);
+        emit(usedAt, findings::NestedTooDeep());
         return false;
     }
     if (types[type].size != 0 && types[type].initial.empty() == element.initial.empty()) return good;
@@ -513,7 +512,7 @@ void World::completeAlias(DeclaredType& declared, SourceRange usedAt) {
 void World::completeEnum(EnumType& enumeration) {
     if (enumeration.progress != Progress::Open) return;
     const Waiting wait(waitingCounter(), 8);
-    if (wait.isTooDeep) return (void)emit(enumeration.spec->range, Kind::NestedTooDeep);
+    if (wait.isTooDeep) return (void)emit(enumeration.spec->range, findings::NestedTooDeep());
     enumeration.progress = Progress::Working;
     const syntax::TypeSpec& spec = *enumeration.spec;
     TypeId base = TypeTable::of(TypeKind::Int);
@@ -523,8 +522,8 @@ void World::completeEnum(EnumType& enumeration) {
         if (types::isInteger(types.family(named)))
             base = types.storage(named);
         else if (types.kind(named) != TypeKind::Unknown)
-            emit(spec.element ? spec.element->range : spec.range, Kind::OperatorNotForType,
-                 {"an enumeration", nameOf(named)});
+            emit(spec.element ? spec.element->range : spec.range,
+                 findings::OperatorNotForType(phrases::AnEnumeration(), nameOf(named)));
     }
     types.edit(enumeration.type).element = base;
     types.edit(enumeration.type).size = types[base].size;
@@ -537,8 +536,8 @@ void World::completeEnum(EnumType& enumeration) {
             if (const auto value = constantInteger(declared.value, enumeration.scope)) next = *value;
         }
         if (next < least || (next > 0 && static_cast<uint64_t>(next) > greatest))
-            emit(declared.value ? declared.value->range : declared.name.range, Kind::ConstantOutOfRange,
-                 {std::to_string(next), nameOf(base)});
+            emit(declared.value ? declared.value->range : declared.name.range,
+                 findings::ConstantOutOfRange(std::to_string(next), nameOf(base)));
         types.edit(enumeration.type).enumerators[i].value = next;
         next = static_cast<int64_t>(static_cast<uint64_t>(next) + 1);
     }
@@ -551,7 +550,7 @@ void World::completeEnum(EnumType& enumeration) {
         if (value.isConstant() && std::holds_alternative<int64_t>(value.expr->value.data))
             first = value.expr->value.integer();
         else if (!value.isUnknown())
-            emit(enumeration.initial->range, Kind::NotConstant);
+            emit(enumeration.initial->range, findings::NotConstant());
     }
     types::Type& type = types.edit(enumeration.type);
     if (first != 0) {
@@ -572,7 +571,7 @@ void World::completeStruct(StructType& made) {
         base = resolveSpec(made.spec->extends, made.scope);
         if (types.kind(base) != TypeKind::Struct) {
             if (types.kind(base) != TypeKind::Unknown)
-                emit(made.spec->extends->range, Kind::NotExtendable, {nameOf(base), made.name});
+                emit(made.spec->extends->range, findings::NotExtendable(nameOf(base), made.name));
             base = {};
         } else if (completeType(base, made.spec->extends->range)) {
             fields = types[base].fields;
@@ -587,7 +586,7 @@ void World::completeStruct(StructType& made) {
         const SourceRange at = declaration->type ? declaration->type->range : declaration->range;
         if (!completeType(type, at)) type = TypeTable::of(TypeKind::Unknown);
         if (nestingOf(type) >= kMaximumNesting) {
-            emit(at, Kind::NestedTooDeep);
+            emit(at, findings::NestedTooDeep());
             type = TypeTable::of(TypeKind::Unknown);
         }
         nesting = std::max(nesting, 1 + nestingOf(type));
@@ -597,7 +596,7 @@ void World::completeStruct(StructType& made) {
                            types.kind(type) == TypeKind::Bool;
         for (const syntax::Name& name : declaration->names) {
             if (!known.insert(key(name.text)).second) {
-                emit(name.range, Kind::DuplicateName, {std::string(name.text)});
+                emit(name.range, findings::DuplicateName(name.text));
                 continue;
             }
             types::Field field;
