@@ -1177,6 +1177,18 @@
         <source>The file&apos;s permissions can not be changed</source>
         <translation>Die Rechte der Datei können nicht geändert werden</translation>
     </message>
+    <message>
+        <source>The local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the machine&apos;s stack; divide it into several</source>
+        <translation>{0} ist zu groß für den Stapel der Maschine; teilen Sie es auf</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; is there a loop without an end?</source>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
