@@ -1633,6 +1633,18 @@
         <source>A priority is a number; 0 removes it</source>
         <translation>En prioritet er et tal; 0 fjerner den</translation>
     </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>De lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} er for stor til maskinens stak; del den op</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>

@@ -1633,6 +1633,18 @@
         <source>A priority is a number; 0 removes it</source>
         <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
     </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} ist zu groß für den Stapel der Maschine; teilen Sie es auf</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>

@@ -3,6 +3,7 @@
 #include "projects/session/session_state.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/messages.h"
+#include "runtime/controller/leave_hook.h"
 #include "runtime/controller/retain.h"
 #include "runtime/debug/frames.h"
 
@@ -17,6 +18,7 @@ Session::State::State(driver::Built first, Settings s)
     : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
     adopt(std::make_shared<const driver::Built>(std::move(first)));
     loadRetained();
+    controller::setLeaveHook(controller, [this] { return leavesLongScan(); });
     controller.addObserver(*this);
     state.store(controller.state());
 }

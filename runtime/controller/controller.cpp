@@ -14,16 +14,7 @@ Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Se
     : m(std::make_unique<State_>(settings)) {
     State_* state = m.get();
     m->exit.self = state;
-    m->exit.refill = [](void* self) {
-        auto& s = *static_cast<State_*>(self);
-        // Virtual time: the budget of the whole task run was given at once. Real time: look at the clock every now and
-        // then.
-        if (!s.isRealTime || s.clock->nowNs() - s.taskStart >
-                                 s.watchdogNs() * std::max<uint32_t>(1, s.task ? s.task->watchdogSensitivity : 1))
-            return false;
-        s.context->loopBudget = 100'000;
-        return true;
-    };
+    m->exit.refill = [](void* self) { return static_cast<State_*>(self)->refill(); };
     m->exit.atSite = [](void* self, uint32_t site, uint32_t instance, uint32_t frame) {
         auto& s = *static_cast<State_*>(self);
         if (!s.hook) return true;
@@ -83,10 +74,10 @@ void Controller::State_::setProgram(std::shared_ptr<const image::CompiledProgram
     isAllDirty = true;
     schedule.setTasks(program->tasks, settings.freewheelingInterval);
     schedule.rebase(time);
-    prepareContext(image.get());
+    prepareContext(image.get(), settings.loopBudgetPerScan);
 }
 
-void Controller::State_::prepareContext(std::byte* bytes) {
+void Controller::State_::prepareContext(std::byte* bytes, int64_t units) {
     context->image = bytes;
     context->dataBegin = sizeof(image::ImageHeader);
     context->dataEnd = program->layout.dataEnd;
@@ -98,7 +89,34 @@ void Controller::State_::prepareContext(std::byte* bytes) {
     context->currentSite = 0;
     context->fault = image::FaultCode::None;
     context->faultSite = 0;
-    context->loopBudget = isRealTime ? 100'000 : settings.loopBudgetPerScan;
+    context->loopBudget = 0;
+    budget = budgetLeft = units;
+    takePortion();
+}
+
+void Controller::State_::takePortion() {
+    constexpr int64_t kPortion = 100'000; // some milliseconds at most
+    const int64_t portion = isRealTime ? kPortion : std::min(kPortion, budgetLeft);
+    budgetLeft -= portion;
+    context->loopBudget += portion;
+}
+
+/// In virtual time all portions together are the budget, so that the watchdog comes at the same place on each machine;
+/// in real time the clock decides.
+FaultExit::Refill Controller::State_::refill() {
+    if (exit.wantsToLeave && exit.wantsToLeave()) {
+        wantsAbandon = true;
+        return FaultExit::Refill::Leave;
+    }
+    if (isRealTime) {
+        if (clock->nowNs() - taskStart > watchdogNs() * std::max<uint32_t>(1, task ? task->watchdogSensitivity : 1))
+            return FaultExit::Refill::UsedUp;
+        context->loopBudget = 0;
+        takePortion();
+        return FaultExit::Refill::GoOn;
+    }
+    while (context->loopBudget < 0 && budgetLeft > 0) takePortion();
+    return context->loopBudget < 0 ? FaultExit::Refill::UsedUp : FaultExit::Refill::GoOn;
 }
 
 const image::Code* Controller::State_::currentCode() const {
@@ -108,6 +126,9 @@ const image::Code* Controller::State_::currentCode() const {
 }
 
 namespace {
+
+/// Units of work for initial values: less than a scan has, because they are computed where nobody can stop them.
+constexpr int64_t kInitialBudget = 20'000'000;
 
 struct InitialiserCall {
     image::RuntimeContext* context;
@@ -159,7 +180,7 @@ bool Controller::State_::initialise(std::span<std::byte> bytes) {
         return true;
     isRealTime = false;
     task = nullptr;
-    prepareContext(bytes.data());
+    prepareContext(bytes.data(), std::min(kInitialBudget, settings.loopBudgetPerScan));
     entry = image::CallRecord{0, program->initializer, 0, program->layout.frameBegin};
     InitialiserCall call{context.get(), start->entries[program->initializer]};
     const bool good = exit.run(&callInitialiser, &call);
@@ -188,7 +209,7 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
     if (!has(code)) return false;
     m->isRealTime = false;
     m->task = nullptr;
-    m->prepareContext(m->image.get());
+    m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
     m->entry = image::CallRecord{0, function, instance, m->layout().frameBegin};
     InitialiserCall call{m->context.get(), code->entries[function], instance};
     if (m->exit.run(&callInitialiser, &call)) return true;
@@ -361,7 +382,7 @@ bool Controller::State_::runTasks(bool isSimulation) {
 bool Controller::State_::runTask(TaskRun& run) {
     task = run.task;
     header().taskPeriodNs = static_cast<uint64_t>(run.interval);
-    prepareContext(image.get());
+    prepareContext(image.get(), settings.loopBudgetPerScan);
     TaskCall call{context.get(), code, program.get(), task, &entry};
     return exit.run(&callTask, &call);
 }
@@ -374,7 +395,7 @@ Fault Controller::State_::describeFault(bool isSimulation) const {
         if (isRealTime)
             f.message = errors::TaskOverWatchdog(types::durationText(watchdogNs()));
         else
-            f.message = errors::LoopBudgetExceeded(settings.loopBudgetPerScan);
+            f.message = errors::LoopBudgetExceeded(budget);
     }
     f.task = task ? task->name : std::string();
     f.calls = callPathOf(*program, *context, context->faultSite, entry);

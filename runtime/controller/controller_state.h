@@ -66,13 +66,17 @@ struct Controller::State_ {
     const image::Task* task = nullptr;
     image::CallRecord entry;
     int64_t taskStart = 0;
+    int64_t budget = 0, budgetLeft = 0; // units of work of this run, and behind the portion that generated code has
 
     [[nodiscard]] image::ImageHeader& header() const { return *reinterpret_cast<image::ImageHeader*>(image.get()); }
     [[nodiscard]] const image::Layout& layout() const { return program->layout; }
     [[nodiscard]] bool plcRuns() const { return state == State::Running || state == State::Paused; }
 
     void setProgram(std::shared_ptr<const image::CompiledProgram> next);
-    void prepareContext(std::byte* bytes);
+    void prepareContext(std::byte* bytes, int64_t units);
+    void takePortion();
+    /// Gives the task its next portion of work.
+    [[nodiscard]] FaultExit::Refill refill();
     /// Initial values into `bytes`; false when their code faulted (`fault` then says where).
     [[nodiscard]] bool initialise(std::span<std::byte> bytes);
     void keepSafeOutputs();

@@ -99,7 +99,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
         result.refusal = errors::InitialValuesFault(why.message);
         m->setProgram(oldProgram);
         m->image = std::move(old);
-        m->prepareContext(m->image.get());
+        m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
         m->schedule.restoreTriggers(m->image.get());
         return result;
     }
@@ -131,7 +131,7 @@ void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> progra
     const size_t size = std::min<size_t>(image.size(), m->layout().dataEnd);
     std::memcpy(m->image.get(), image.data(), size);
     std::memset(m->image.get() + size, 0, m->image.span().size() - size);
-    m->prepareContext(m->image.get());
+    m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
     m->firstPending = (m->header().reserved[2] & kFirstScanPending) != 0;
     m->simulationFirstPending = (m->header().reserved[2] & kSimulationFirstPending) != 0;
     m->fault.reset();

@@ -66,7 +66,7 @@ class ModuleEmitter {
 public:
     ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts,
                   const Options& options, Part part);
-    std::unique_ptr<llvm::Module> emit();
+    Result<std::unique_ptr<llvm::Module>> emit();
 
     [[nodiscard]] const types::TypeTable& types() const { return *program.types; }
     [[nodiscard]] llvm::Type* scalarType(types::TypeId type);
@@ -104,7 +104,7 @@ public:
     void patchNeed(llvm::Instruction* instruction, unsigned operand, uint32_t function) {
         m_sizePatches.push_back({instruction, operand, function, true});
     }
-    std::vector<uint32_t> frameSizes; // by function, temporaries included
+    std::vector<uint64_t> frameSizes; // by function, temporaries included
 
     llvm::LLVMContext& context;
     std::unique_ptr<llvm::Module> module;
@@ -126,7 +126,7 @@ private:
     void emitEntries();
     void limitInlining();
     void resolvePatches();
-    uint32_t need(uint32_t function);
+    uint64_t need(uint32_t function);
     void addAttributes(llvm::Function& function);
     struct SizePatch {
         llvm::Instruction* instruction;
@@ -137,7 +137,7 @@ private:
     std::vector<SizePatch> m_sizePatches;
     std::vector<Abi> m_abis;
     std::vector<llvm::Function*> m_functions;
-    std::vector<int64_t> m_needs;
+    std::vector<std::optional<uint64_t>> m_needs;
     std::map<std::string, llvm::GlobalVariable*> m_constants;
     std::map<uint32_t, llvm::GlobalVariable*> m_dispatchTables, m_blockFlags;
     std::map<uint32_t, llvm::Function*> m_abstractCalls;
@@ -163,12 +163,13 @@ private:
     // function_emitter.cpp
     void emitPrologue();
     void emitEpilogue();
+    void guardStack();
     void initialiseLocal(uint32_t local);
     Block* newBlock(const char* name);
     void enter(Block* block) { b.SetInsertPoint(block); }
     void jump(Block* target);
     llvm::AllocaInst* newSlot(llvm::Type* type, const char* name); // in the entry block, zero at entry
-    uint32_t allocateTemporary(uint32_t size, uint32_t align);
+    uint32_t allocateTemporary(uint64_t size, uint32_t align);
     Address temporary(types::TypeId type);
     Value* contextField(size_t offset);
     llvm::LoadInst* loadContext(llvm::Type* type, size_t offset);
@@ -183,7 +184,8 @@ private:
     void guardReference(Value* offset, Value* size); // null, foreign
     Value* isLive(Value* offset, Value* size);       // lies within variables or live frames
     void guardBlock(Value* offset, types::TypeId block);
-    void charge(Value* amount);
+    void charge(Value* amount); // units of work (facts/work.h)
+    void chargeUnits(uint64_t units);
     void flushBudget();
     void reloadBudget();
     llvm::BranchInst* branchUnlikely(Value* condition, Block* rare, Block* usual);
@@ -260,6 +262,7 @@ private:
     void textIntrinsicInto(const tree::Expr& expr, const Text& target);
     Text textTemporary(types::TypeId type);
     Value* textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments, bool writes);
+    void chargeTexts(llvm::ArrayRef<Value*> arguments);
     std::vector<Text> textOperands(const tree::Expr& expr);
     Text characterText(Value* code, bool isWide);
     Text widened(const Text& narrow, uint32_t capacity);
@@ -343,8 +346,8 @@ private:
     };
     std::map<uint32_t, Slot> m_slots; // followed IN_OUT slots of THIS, by offset
     std::map<std::pair<unsigned, bool>, Value*> m_cache;
-    uint32_t m_localsSize = 0, m_temporaryTop = 0, m_frameSize = 0;
-    uint32_t m_site = 0;
+    uint64_t m_temporaryTop = 0, m_frameSize = 0;
+    uint32_t m_site = 0, m_firstSite = 0;
     std::vector<Loop> m_loops;
     std::vector<Counter> m_counters;
     std::vector<Block*> m_labels;

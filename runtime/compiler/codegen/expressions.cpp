@@ -105,6 +105,7 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
     if (m.types().isAggregate(expr.a->type) && isComparison) {
         const Address a = aggregate(*expr.a);
         const Address c = aggregate(*expr.b);
+        chargeUnits(facts::copyUnits(m.types()[expr.a->type].size));
         Value* same = b.CreateCall(
             m.helper("plc_compare_bytes", m.i32, {m.ptr, m.ptr, m.i32}, ModuleEmitter::Effects::ReadsArguments),
             {pointer(a), pointer(c), int32(m.types()[expr.a->type].size)});

@@ -11,8 +11,8 @@ using tree::Stmt;
 using types::TypeKind;
 
 namespace {
-/// Passes charged at once: few enough for a watchdog to be asked now and then, enough to cost nothing.
-constexpr int64_t kPortion = 65'536;
+/// Units charged at once: few enough for a watchdog to be asked now and then, enough to cost nothing.
+constexpr uint64_t kPortionUnits = 65'536;
 /// 64-bit loops longer than this never end anyway.
 constexpr int64_t kEndless = int64_t(1) << 62;
 } // namespace
@@ -34,7 +34,7 @@ void FunctionEmitter::whileLoop(const Stmt& stmt) {
     Value* condition = scalar(*stmt.a);
     b.CreateCondBr(condition, pass, done);
     enter(pass);
-    charge(int64(1));
+    chargeUnits(m.facts.work().ofPass(stmt));
     loopBody(stmt.body, done, head);
     enter(done);
 }
@@ -46,7 +46,7 @@ void FunctionEmitter::repeatLoop(const Stmt& stmt) {
     Block* done = newBlock("done");
     b.CreateBr(pass);
     enter(pass);
-    charge(int64(1));
+    chargeUnits(m.facts.work().ofPass(stmt));
     loopBody(stmt.body, done, until);
     enter(until);
     m_site = site;
@@ -270,7 +270,9 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     llvm::AllocaInst* left = newSlot(m.i64, "left");   // in this portion
     llvm::AllocaInst* later = newSlot(m.i64, "later"); // behind it
     const auto* known = llvm::dyn_cast<llvm::ConstantInt>(more);
-    const bool inPortions = !known || known->getZExtValue() >= static_cast<uint64_t>(kPortion);
+    const uint64_t ofPass = m.facts.work().ofPass(loop.stmt);
+    const auto portionPasses = static_cast<int64_t>(std::max<uint64_t>(1, kPortionUnits / ofPass));
+    const bool inPortions = !known || known->getZExtValue() >= static_cast<uint64_t>(portionPasses);
 
     Block* portion = newBlock("portion");
     Block* pass = newBlock("for");
@@ -286,12 +288,12 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Value* behind = b.CreateLoad(m.i64, later);
     Value* taken = behind;
     if (inPortions)
-        taken = b.CreateSelect(b.CreateICmpULT(behind, int64(kPortion)), behind, int64(kPortion - 1));
+        taken = b.CreateSelect(b.CreateICmpULT(behind, int64(portionPasses)), behind, int64(portionPasses - 1));
     else
         taken = more;
     b.CreateStore(taken, left);
     if (inPortions) b.CreateStore(b.CreateSub(behind, taken), later);
-    charge(b.CreateAdd(taken, int64(1)));
+    charge(b.CreateMul(b.CreateAdd(taken, int64(1)), int64(static_cast<int64_t>(ofPass))));
     b.CreateBr(pass);
 
     enter(pass);
@@ -360,7 +362,7 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     Value* downwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SGE : P::ICMP_UGE, current, atHead.last);
     b.CreateCondBr(b.CreateSelect(isUp, upwards, downwards), pass, done);
     enter(pass);
-    charge(int64(1));
+    chargeUnits(m.facts.work().ofPass(loop.stmt));
     loopBody(loop.stmt.body, done, next);
     enter(next);
     const ForLoop atNext = here();

@@ -87,6 +87,7 @@ void FunctionEmitter::store(const Address& a, Value* value) {
 
 void FunctionEmitter::copy(const Address& to, const Address& from, uint32_t size) {
     if (size == 0) return;
+    chargeUnits(facts::copyUnits(size));
     b.CreateMemMove(pointer(to), alignOf(to), pointer(from), alignOf(from), size);
 }
 

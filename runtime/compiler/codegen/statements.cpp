@@ -29,7 +29,7 @@ void FunctionEmitter::breakBlock() {
 }
 
 void FunctionEmitter::statement(const Stmt& stmt) {
-    const uint32_t top = m_temporaryTop;
+    const uint64_t top = m_temporaryTop;
     if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
     switch (stmt.kind) {
     case StmtKind::Assign:
@@ -97,7 +97,7 @@ void FunctionEmitter::statement(const Stmt& stmt) {
         }
         Block* target = labelBlock(stmt.label);
         if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()])
-            charge(int64(1)); // backwards: a loop
+            chargeUnits(m.facts.work().ofJump(m_index)); // backwards: a loop
         b.CreateBr(target);
         enter(skip ? skip : newBlock("dead"));
         break;
@@ -172,18 +172,24 @@ void FunctionEmitter::bind(const Stmt& stmt) {
         }
 }
 
-void FunctionEmitter::ifStatement(const Stmt& stmt) {
-    Value* condition = scalar(*stmt.a);
-    Block* yes = newBlock("then");
+/// A row of ELSIFs ends in one block and is emitted without recursion, however long it is.
+void FunctionEmitter::ifStatement(const Stmt& first) {
     Block* done = newBlock("done");
-    Block* no = stmt.elseBody.empty() ? done : newBlock("else");
-    b.CreateCondBr(condition, yes, no);
-    enter(yes);
-    body(stmt.body);
-    jump(done);
-    if (no != done) {
+    for (const Stmt* stmt = &first; stmt; stmt = facts::elseIf(*stmt)) {
+        if (stmt != &first) setSite(*stmt);
+        const uint64_t top = m_temporaryTop;
+        Value* condition = scalar(*stmt->a);
+        Block* yes = newBlock("then");
+        Block* no = stmt->elseBody.empty() ? done : newBlock("else");
+        b.CreateCondBr(condition, yes, no);
+        enter(yes);
+        body(stmt->body);
+        jump(done);
+        m_temporaryTop = top;
+        if (no == done) break;
         enter(no);
-        body(stmt.elseBody);
+        if (facts::elseIf(*stmt)) continue;
+        body(stmt->elseBody);
         jump(done);
     }
     enter(done);

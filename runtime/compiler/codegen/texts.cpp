@@ -16,11 +16,31 @@ llvm::Value* FunctionEmitter::textCall(const char* name, bool isWide, llvm::Type
                                        bool writes) {
     std::vector<llvm::Type*> parameters;
     for (Value* a : arguments) parameters.push_back(a->getType());
+    chargeTexts(arguments);
     const std::string full = std::string(isWide ? "plc_wtext_" : "plc_text_") + name;
     return b.CreateCall(
         m.helper(full.c_str(), result, parameters,
                  writes ? ModuleEmitter::Effects::WritesArguments : ModuleEmitter::Effects::ReadsArguments),
         arguments);
+}
+
+namespace {
+/// The most that a capacity can be: SEL and MUX choose between texts of known ones.
+uint64_t greatest(const llvm::Value* capacity) {
+    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(capacity)) return known->getZExtValue();
+    if (const auto* choice = llvm::dyn_cast<llvm::SelectInst>(capacity))
+        return std::max(greatest(choice->getTrueValue()), greatest(choice->getFalseValue()));
+    return 0;
+}
+} // namespace
+
+/// Texts are given as pointer and capacity; what a function does with them grows with their capacities.
+void FunctionEmitter::chargeTexts(llvm::ArrayRef<Value*> arguments) {
+    uint64_t units = 0;
+    for (size_t i = 0; i + 1 < arguments.size(); ++i)
+        if (arguments[i]->getType()->isPointerTy() && arguments[i + 1]->getType() == m.i32)
+            units += facts::textUnits(greatest(arguments[i + 1]));
+    chargeUnits(units);
 }
 
 void FunctionEmitter::assignText(const Text& to, const Text& from) {
@@ -30,6 +50,7 @@ void FunctionEmitter::assignText(const Text& to, const Text& from) {
     }
     const std::vector<llvm::Type*> parameters{m.ptr, m.i32, m.ptr, m.i32};
     const std::vector<Value*> arguments{to.pointer, to.capacity, from.pointer, from.capacity};
+    chargeTexts(arguments);
     if (to.isWide)
         b.CreateCall(m.helper("plc_text_to_wide", m.voidType, parameters, ModuleEmitter::Effects::WritesArguments),
                      arguments);

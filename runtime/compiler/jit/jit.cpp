@@ -2,6 +2,7 @@
 #include "runtime/base/messages.h"
 
 #include "runtime/compiler/facts/program_facts.h"
+#include "runtime/compiler/jit/stack_use.h"
 #include "runtime/compiler/jit/write_marks.h"
 #include "runtime/library/text_runtime.h"
 
@@ -215,6 +216,12 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
     return builder;
 }
 
+/// "plc.f.7", "plc.entry.7" → the name of function 7.
+std::string functionName(const tree::Program& program, const std::string& symbol) {
+    const size_t number = std::strtoul(symbol.c_str() + symbol.rfind('.') + 1, nullptr, 10);
+    return number < program.functions.size() ? program.functions[number].name : symbol;
+}
+
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
 Result<Object> compilePart(const tree::Program& program, const facts::ProgramFacts& facts,
                            const codegen::Options& options, codegen::Part part, Steps& steps) {
@@ -226,7 +233,10 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
     if (!machine) return failed(machine.takeError());
     llvm::LLVMContext context;
     context.setDiscardValueNames(isQuick);
-    const std::unique_ptr<llvm::Module> module = codegen::emitModule(context, program, facts, options, part);
+    const StackUse stack(context);
+    auto emitted = codegen::emitModule(context, program, facts, options, part);
+    if (!emitted) return emitted.error();
+    const std::unique_ptr<llvm::Module> module = std::move(*emitted);
     if (!steps.done(kEmitSteps)) return cancelled;
     module->setDataLayout((*machine)->createDataLayout());
     module->setTargetTriple((*machine)->getTargetTriple().str());
@@ -246,6 +256,17 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
     auto object = llvm::orc::SimpleCompiler(**machine)(*module);
     if (!object) return failed(object.takeError());
     (void)steps.done(kObjectSteps);
+    bool isBounded = true;
+    for (const StackUse::Frame& frame : stack.large()) {
+        if (frame.bytes > kMaximumStackFrame)
+            return Error{errors::StackFrameTooLarge(functionName(program, frame.function)), ""};
+        isBounded = isBounded && frame.isGuarded;
+    }
+    if (!isBounded && !options.guardsEveryStack) { // inlining made a large frame: the same again, with more questions
+        codegen::Options careful = options;
+        careful.guardsEveryStack = true;
+        return compilePart(program, facts, careful, part, steps);
+    }
     return std::move(*object);
 }
 
@@ -302,6 +323,7 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     if (auto error = library.define(llvm::orc::absoluteSymbols(runtimeSymbols(**jit)))) return failed(std::move(error));
 
     const facts::ProgramFacts facts(program, options.tier);
+    if (auto fits = facts.fits(); !fits) return fits.error();
     const uint32_t parts = partsFor(program, options);
     for (Result<Object>& object : compileParts(program, facts, options, parts)) {
         if (!object) return object.error();
