@@ -106,6 +106,8 @@ Interpreter::Flow Interpreter::statement(const Stmt& at) {
         return runScans(at);
     case StmtKind::Compare:
         return compare(at);
+    case StmtKind::PowerOff:
+        return powerOff(at);
     case StmtKind::If:
         return branches(at);
     case StmtKind::Case:
@@ -279,6 +281,21 @@ Interpreter::Flow Interpreter::runScans(const Stmt& at) {
     return fail(at,
                 std::string(textOf(at.value)) + " did not become true within " + types::durationText(length->integer()),
                 explain(*at.value));
+}
+
+/// The controller is without power for a time: its outputs fall, the plant goes on, and retained variables are what is
+/// left when it starts again. (The test's own variables are retained.)
+Interpreter::Flow Interpreter::powerOff(const Stmt& at) {
+    controller::Controller& controller = m_session.controller();
+    const auto length = evaluate(at.to, at);
+    if (!length) return Flow::Stop;
+    controller.stop();
+    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(length->integer());
+    while (controller.nextDue() < end)
+        if (!oneScan(at)) return Flow::Stop;
+    controller.reset(controller::ResetKind::Warm);
+    controller.start();
+    return Flow::Next;
 }
 
 /// "Main.n is 3, expected 5" for a comparison, the operands' values for anything else.

@@ -1,5 +1,5 @@
-// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE and RELEASE act, everything else runs as
-// compiled code. One thread; one object per test.
+// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE, RELEASE and POWER_OFF act, everything else
+// runs as compiled code. One thread; one object per test.
 #pragma once
 #include "projects/session/session.h"
 #include "projects/testing/test_program.h"
@@ -30,6 +30,7 @@ private:
     Flow assign(const syntax::Stmt& statement, bool isForce);
     Flow releaseForce(const syntax::Stmt& statement);
     Flow compare(const syntax::Stmt& statement);
+    Flow powerOff(const syntax::Stmt& statement);
 
     [[nodiscard]] std::string_view textOf(const syntax::Expr* expression) const;
     /// Compiles and evaluates; a failure of the test when there is no value.

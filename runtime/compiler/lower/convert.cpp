@@ -419,6 +419,7 @@ private:
         case StmtKind::Force:
         case StmtKind::Release:
         case StmtKind::Compare:
+        case StmtKind::PowerOff:
             return fail("This statement");
         }
     }
