@@ -59,6 +59,14 @@ std::optional<Value> Interpreter::evaluate(const Expr* expression, const Stmt& a
     return outcome.value;
 }
 
+std::optional<int64_t> Interpreter::wholeNumber(const Expr* expression, const Stmt& at, const char* what) {
+    const auto value = evaluate(expression, at);
+    if (!value) return std::nullopt;
+    if (const auto* number = std::get_if<int64_t>(&value->data)) return *number;
+    fail(at, std::string(textOf(expression)) + " is not " + what);
+    return std::nullopt;
+}
+
 std::optional<bool> Interpreter::condition(const Expr* expression, const Stmt& at) {
     const auto value = evaluate(expression, at);
     if (!value) return std::nullopt;
@@ -217,18 +225,18 @@ Interpreter::Flow Interpreter::loop(const Stmt& at) {
 Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
     controller::Controller& controller = m_session.controller();
     const std::string path = pathOf(textOf(at.target));
-    const auto from = evaluate(at.from, at), to = evaluate(at.to, at);
+    const auto from = wholeNumber(at.from, at, "a whole number"), to = wholeNumber(at.to, at, "a whole number");
     if (!from || !to) return Flow::Stop;
     int64_t step = 1;
     if (at.by) {
-        const auto by = evaluate(at.by, at);
+        const auto by = wholeNumber(at.by, at, "a whole number");
         if (!by) return Flow::Stop;
-        step = by->integer();
+        step = *by;
     }
     if (step == 0) return fail(at, "The step of this loop is 0");
     const auto place = controller.program().layout.find(path);
     if (!place) return fail(at, place.error().message);
-    for (int64_t i = from->integer(); step > 0 ? i <= to->integer() : i >= to->integer(); i += step) {
+    for (int64_t i = *from; step > 0 ? i <= *to : i >= *to; i += step) {
         if (auto written = controller.write(path, Value{place->type, i}); !written)
             return fail(at, written.error().message);
         const Flow flow = block(at.body);
@@ -258,15 +266,15 @@ bool Interpreter::oneScan(const Stmt& at) {
 Interpreter::Flow Interpreter::runScans(const Stmt& at) {
     controller::Controller& controller = m_session.controller();
     if (at.countsScans) {
-        const auto count = evaluate(at.to, at);
+        const auto count = wholeNumber(at.to, at, "a number of scans");
         if (!count) return Flow::Stop;
-        for (int64_t i = 0; i < count->integer(); ++i)
+        for (int64_t i = 0; i < *count; ++i)
             if (!oneScan(at)) return Flow::Stop;
         return Flow::Next;
     }
-    const auto length = evaluate(at.to, at);
+    const auto length = wholeNumber(at.to, at, "a time");
     if (!length) return Flow::Stop;
-    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(length->integer());
+    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(*length);
     if (!at.value) {
         while (controller.nextDue() < end)
             if (!oneScan(at)) return Flow::Stop;
@@ -278,8 +286,7 @@ Interpreter::Flow Interpreter::runScans(const Stmt& at) {
         if (!oneScan(at)) return Flow::Stop;
         if (until->isTrue(controller.image())) return Flow::Next;
     }
-    return fail(at,
-                std::string(textOf(at.value)) + " did not become true within " + types::durationText(length->integer()),
+    return fail(at, std::string(textOf(at.value)) + " did not become true within " + types::durationText(*length),
                 explain(*at.value));
 }
 
@@ -287,10 +294,10 @@ Interpreter::Flow Interpreter::runScans(const Stmt& at) {
 /// left when it starts again. (The test's own variables are retained.)
 Interpreter::Flow Interpreter::powerOff(const Stmt& at) {
     controller::Controller& controller = m_session.controller();
-    const auto length = evaluate(at.to, at);
+    const auto length = wholeNumber(at.to, at, "a time");
     if (!length) return Flow::Stop;
     controller.stop();
-    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(length->integer());
+    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(*length);
     while (controller.nextDue() < end)
         if (!oneScan(at)) return Flow::Stop;
     controller.reset(controller::ResetKind::Warm);

@@ -36,6 +36,9 @@ private:
     /// Compiles and evaluates; a failure of the test when there is no value.
     [[nodiscard]] std::optional<types::Value> evaluate(const syntax::Expr* expression, const syntax::Stmt& at);
     [[nodiscard]] Result<expression::Expression> compile(std::string_view text);
+    /// As evaluate; a failure of the test when it is no integer or time (`what`).
+    [[nodiscard]] std::optional<int64_t> wholeNumber(const syntax::Expr* expression, const syntax::Stmt& at,
+                                                     const char* what);
     [[nodiscard]] std::optional<bool> condition(const syntax::Expr* expression, const syntax::Stmt& at);
     [[nodiscard]] std::string
     pathOf(std::string_view target) const; // a variable of the test gets its instance in front

@@ -36,10 +36,15 @@ TEST(PowerOff, LosesAllButWhatIsRetainedWhileThePlantGoesOn) {
         ADD_FAILURE() << failure.line << ": " << failure.message << " " << failure.detail;
 }
 
-TEST(PowerOff, NeedsATime) {
-    const Report report = runOf("PROGRAM Main\nVAR\n    a : INT;\nEND_VAR\na := 1;\nEND_PROGRAM\n",
-                                "TEST 'off'\nPOWER_OFF 'x';\nEND_TEST\n");
-    EXPECT_TRUE(report.hasErrors || report.failed() == 1);
+TEST(TestStatements, RefuseWhatIsNoTimeOrNumber) {
+    for (const char* statement :
+         {"POWER_OFF 'x'", "RUN 'x'", "RUN 2.5", "RUN 2.5 SCANS", "RUN UNTIL Main.a > 5 FOR 'x'", "POWER_OFF 1.5",
+          "FOR i := 'x' TO 3 DO\nRUN 1 SCANS;\nEND_FOR"}) {
+        const Report report =
+            runOf("PROGRAM Main\nVAR\n    a : INT;\nEND_VAR\na := 1;\nEND_PROGRAM\n",
+                  std::string("TEST 'off'\nVAR\n    i : INT;\nEND_VAR\n") + statement + ";\nEND_TEST\n");
+        EXPECT_TRUE(report.hasErrors || report.failed() == 1) << statement;
+    }
 }
 
 } // namespace
