@@ -1645,6 +1645,18 @@
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
         <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
     </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} er ikke et heltal</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} er ikke et antal scan</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} er ikke en tid</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>

@@ -1645,6 +1645,18 @@
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
         <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
     </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} ist keine Anzahl von Zyklen</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} ist keine Zeit</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>

@@ -90,9 +90,10 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
     case StmtKind::Assert:
     case StmtKind::Force:
     case StmtKind::Release:
-    case StmtKind::Compare: {
+    case StmtKind::Compare:
+    case StmtKind::PowerOff: {
         if (isTest) return testStatement(stmt, out);
-        static constexpr const char* kWords[] = {"RUN", "ASSERT", "FORCE", "RELEASE", "COMPARE"};
+        static constexpr const char* kWords[] = {"RUN", "ASSERT", "FORCE", "RELEASE", "COMPARE", "POWER_OFF"};
         emit(stmt.range, findings::TestUnknownStatement(
                              Verbatim(kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)])));
         return;
