@@ -14,6 +14,8 @@ int check(const Arguments& arguments) {
     if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("check")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
+    for (const auto& [path, encoding] : project->encodings)
+        std::cerr << path << ": note: the file is written in " << encoding << " and stays so\n";
     const driver::Checked checked = [&] {
         const Busy busy("checking " + project->name);
         return driver::check(project->buildInput());

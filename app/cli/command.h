@@ -30,6 +30,8 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command panelCommand();
 [[nodiscard]] Command docCommand();
 [[nodiscard]] Command convertCommand();
+[[nodiscard]] Command importCommand();
+[[nodiscard]] Command exportCommand();
 
 // --- shared by the commands
 int wrongUse(const Error& error);

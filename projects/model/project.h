@@ -23,6 +23,7 @@ struct Project {
     std::vector<driver::SourceFile> tests;   // tests/*.st
     std::vector<std::string> panels, traces; // file names
     std::vector<std::string> companions;     // texts of panels, alarms, texts and traces: a variable they name is used
+    std::vector<std::pair<std::string, std::string>> encodings; // sources that are not UTF-8: path, encoding
     [[nodiscard]] driver::BuildInput buildInput() const;
 };
 
