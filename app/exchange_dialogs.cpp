@@ -7,7 +7,6 @@
 #include "projects/storage/project_file.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -45,8 +44,9 @@ void fill(QTreeWidget& table, const exchange::Report& report) {
         for (const exchange::Note& note : report.notes) {
             const bool isLoss = exchange::severityOf(note.kind) == exchange::NoteSeverity::Loss;
             if (isLoss != losses) continue;
-            auto* row = new QTreeWidgetItem(&table, {QString::fromStdString(note.place), noteText(note)});
-            row->setToolTip(1, noteText(note));
+            auto* row =
+                new QTreeWidgetItem(&table, {QString::fromStdString(note.place), kit::messageText(note.message)});
+            row->setToolTip(1, kit::messageText(note.message));
             QFont font = row->font(1);
             font.setBold(isLoss);
             row->setFont(1, font);
@@ -83,22 +83,6 @@ QWidget* withButtons(QLineEdit* edit, std::initializer_list<QPushButton*> button
 }
 
 } // namespace
-
-QString noteText(const exchange::Note& note) {
-    const QString form = QCoreApplication::translate("Exchange", exchange::templateOf(note.kind));
-    QString out;
-    for (qsizetype at = 0; at < form.size(); ++at) { // an argument may hold braces itself
-        const bool isPlace = form[at] == u'{' && at + 2 < form.size() && form[at + 1].isDigit() && form[at + 2] == u'}';
-        if (!isPlace) {
-            out += form[at];
-            continue;
-        }
-        const auto index = static_cast<size_t>(form[at + 1].digitValue());
-        if (index < note.arguments.size()) out += kit::messageText(note.arguments[index]);
-        at += 2;
-    }
-    return out;
-}
 
 // ------------------------------------------------------------------ import
 

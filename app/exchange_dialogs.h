@@ -19,9 +19,6 @@ namespace plc::app {
 
 class MainWindow;
 
-/// A note of a report in the language of the studio.
-[[nodiscard]] QString noteText(const exchange::Note& note);
-
 class ImportDialog : public QDialog {
     Q_OBJECT
 public:

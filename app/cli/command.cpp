@@ -97,7 +97,7 @@ Result<projects::Project> openPaths(const std::vector<std::string>& paths) {
     if (!imported) return imported.error();
     for (const exchange::Note& note : imported->report.notes)
         if (exchange::severityOf(note.kind) == exchange::NoteSeverity::Loss)
-            std::cerr << note.place << ": " << exchange::textOf(note) << "\n";
+            std::cerr << note.place << ": " << note.message.english() << "\n";
     return exchange::toProject(*imported);
 }
 

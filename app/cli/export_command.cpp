@@ -1,8 +1,8 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/exchange/plcopen_export.h"
 #include "projects/storage/project_file.h"
-#include "runtime/base/text.h"
 
 #include <ctime>
 #include <iostream>
@@ -21,13 +21,12 @@ std::string now() {
 }
 
 int exportProject(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"export needs a project folder or ST files (stepwise export --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("export")), ""});
     const auto to = arguments.value("--to");
-    if (!to) return wrongUse({"--to names the file that is written", ""});
+    if (!to) return wrongUse({errors::ExportNeedsTarget(), ""});
     exchange::ExportOptions options;
     const std::string version = arguments.value("--version").value_or("0200");
-    if (version != "0200" && version != "0201") return wrongUse({"--version is 0200 or 0201", version});
+    if (version != "0200" && version != "0201") return wrongUse({errors::ExportVersionIs(), version});
     if (version == "0201") options.edition = exchange::Edition::Plain0201;
     options.time = now();
     const auto project = openNamedProject(arguments);

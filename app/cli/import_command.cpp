@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/exchange/imported.h"
 
 #include <iostream>
@@ -14,7 +15,7 @@ std::string reportJson(const exchange::Report& report) {
         const bool isLoss = exchange::severityOf(note.kind) == exchange::NoteSeverity::Loss;
         notes += std::string(notes.empty() ? "" : ",\n ") + "{\"place\":" + jsonString(note.place) +
                  ",\"kind\":" + jsonString(exchange::nameOf(note.kind)) + ",\"kept\":" + (isLoss ? "false" : "true") +
-                 ",\"message\":" + jsonString(exchange::textOf(note)) + "}";
+                 ",\"message\":" + jsonString(note.message.english()) + "}";
     }
     const auto figures = [](const std::map<std::string, int>& counts) {
         std::string out;
@@ -28,11 +29,9 @@ std::string reportJson(const exchange::Report& report) {
 }
 
 int importProject(const Arguments& arguments) {
-    if (arguments.paths().size() != 1)
-        return wrongUse({"import needs one file or folder (stepwise import --help)", ""});
+    if (arguments.paths().size() != 1) return wrongUse({errors::ImportNeedsOne(), ""});
     const auto to = arguments.value("--to");
-    if (!to && !arguments.has("--preview"))
-        return wrongUse({"--to names the folder of the new project (or --preview writes nothing)", ""});
+    if (!to && !arguments.has("--preview")) return wrongUse({errors::ImportNeedsTarget(), ""});
     const auto imported = [&] {
         const Busy busy("importing " + arguments.paths().front());
         return exchange::importFrom(arguments.paths().front());

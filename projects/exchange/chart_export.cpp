@@ -124,7 +124,7 @@ private:
     /// {minTime := T#1s} as an attribute of the step.
     void writePragmas(pugi::xml_node node, const syntax::StepDecl& step) {
         if (step.pragmas.empty()) return;
-        if (m_writer.isPlain()) return m_writer.lose(NoteKind::NotInEdition, std::string(step.pragmas.front().text));
+        if (m_writer.isPlain()) return m_writer.lose(remarks::PragmaNotInEdition(step.pragmas.front().text));
         pugi::xml_node list =
             XmlWriter::data(node, "http://www.3s-software.com/plcopenxml/attributes").append_child("Attributes");
         for (const syntax::Pragma& pragma : step.pragmas) {
@@ -163,8 +163,7 @@ private:
             if (each.time) action.append_attribute("duration") = m_writer.source().text(each.time).c_str();
             if (!each.indicators.empty())
                 action.append_attribute("indicator") = std::string(each.indicators.front().text).c_str();
-            if (each.indicators.size() > 1)
-                m_writer.lose(NoteKind::NotExported, "the indicator " + std::string(each.indicators[1].text));
+            if (each.indicators.size() > 1) m_writer.lose(remarks::IndicatorNotExported(each.indicators[1].text));
             pugi::xml_node position = action.append_child("relPosition");
             position.append_attribute("x") = 0;
             position.append_attribute("y") = 0;
@@ -212,8 +211,7 @@ private:
 
     void writeTransition(const syntax::TransitionDecl& decl) {
         const int source = decl.from.empty() ? -1 : sourceBefore(decl);
-        if (decl.name.isValid())
-            m_writer.lose(NoteKind::NotExported, "the name of the transition " + std::string(decl.name.text));
+        if (decl.name.isValid()) m_writer.lose(remarks::TransitionNameNotExported(decl.name.text));
         int variable = -1;
         if (!m_writer.isPlain() && decl.condition) { // as CODESYS writes it
             variable = next();

@@ -33,7 +33,7 @@ public:
             if (is(node, "step")) writeStep(node);
             if (is(node, "transition")) writeTransition(node);
             if (is(node, "macroStep"))
-                m_report.add(NoteKind::ElementNotRead, place(node), {"macroStep " + attribute(node, "name")});
+                m_report.add(place(node), remarks::ElementNotRead("macroStep " + attribute(node, "name")));
         }
         m_out.variables = m_diagram.variables();
         return std::move(m_out);
@@ -101,7 +101,7 @@ private:
             if (is(node, "jumpStep")) {
                 name = attribute(node, "targetName");
                 if (!m_steps.count(foldCase(name))) {
-                    m_report.add(NoteKind::ChartJumpUnknown, place(node), {name});
+                    m_report.add(place(node), remarks::ChartJumpUnknown(name));
                     continue;
                 }
             }
@@ -137,7 +137,7 @@ private:
         std::string name = attribute(childOf(action, "reference"), "name");
         if (name.empty()) name = inlineAction(childOf(action, "inline"), step);
         if (name.empty()) {
-            m_report.add(NoteKind::ElementNotRead, place(action), {"action"});
+            m_report.add(place(action), remarks::ElementNotRead(Verbatim("action")));
             return {};
         }
         std::string qualifier = attribute(action, "qualifier");
@@ -227,9 +227,7 @@ private:
                 return ":\n" + trimmedLines(textOf(childOf(inlined, "IL")));
         } else if (const pugi::xml_node point = childOf(condition, "connectionPointIn")) {
             text = m_diagram.expressionAt(point);
-            if (m_diagram.hasStatements())
-                m_report.add(NoteKind::BodyNotRead, place(transition),
-                             {m_unit, "a block in a condition is not called there"});
+            if (m_diagram.hasStatements()) m_report.add(place(transition), remarks::ConditionWithBlock(m_unit));
             // CODESYS draws a named transition as a variable of that name
             const auto it = m_conditions.find(foldCase(text));
             if (it != m_conditions.end()) text = it->second;
@@ -251,13 +249,13 @@ private:
             for (Names& each : stepsAbove(find(id))) from.push_back(std::move(each));
         const auto to = m_targets.find(attribute(transition, "localId"));
         if (from.empty() || to == m_targets.end()) {
-            m_report.add(NoteKind::ChartNotConnected, place(transition),
-                         {"transition " + attribute(transition, "localId")});
+            m_report.add(place(transition),
+                         remarks::ChartNotConnected("transition " + attribute(transition, "localId")));
             return;
         }
         std::string condition = conditionText(transition);
         if (condition.empty()) {
-            m_report.add(NoteKind::ConditionMissing, place(transition), {listOf(from.front())});
+            m_report.add(place(transition), remarks::ConditionMissing(listOf(from.front())));
             condition = "FALSE";
         }
         const std::string priority = attribute(transition, "priority");

@@ -164,7 +164,7 @@ struct Diagram::State {
 
     Flow edge(pugi::xml_node owner, const std::string& suffix, const std::string& kind, const Flow& signal) {
         if (names.isFunction) {
-            report.add(NoteKind::DiagramEdgeInFunction, place(owner));
+            report.add(place(owner), remarks::DiagramEdgeInFunction());
             return signal;
         }
         const std::string name = declare("edge", idOf(owner) + suffix, kind == "rising" ? "R_TRIG" : "F_TRIG");
@@ -206,7 +206,7 @@ struct Diagram::State {
         if (!wasWrittenSince(value)) return value.flow;
         const std::string type = typeOf(node, pinName);
         if (type.empty()) {
-            report.add(NoteKind::DiagramResultRepeated, place(node), {shown(node)});
+            report.add(place(node), remarks::DiagramResultRepeated(shown(node)));
             return value.flow;
         }
         const size_t at = value.at;
@@ -243,7 +243,7 @@ struct Diagram::State {
         const std::string id = idOf(node);
         if (is(node, "block") && isBlockInstance(node)) return instanceOutput(node, pinName);
         if (!inProgress.insert(id).second) {
-            report.add(NoteKind::DiagramLoop, place(node), {shown(node)});
+            report.add(place(node), remarks::DiagramLoop(shown(node)));
             return Flow("FALSE", Flow::kPrimary);
         }
         std::optional<Flow> flow;
@@ -390,8 +390,9 @@ struct Diagram::State {
                           {foldCase(name)});
                 value = Flow(name, Flow::kPrimary);
             } else {
-                report.add(condition.isTrue() ? NoteKind::DiagramResultRepeated : NoteKind::DiagramEnableDropped,
-                           place(block), {attribute(block, "typeName")});
+                report.add(place(block), condition.isTrue()
+                                             ? remarks::DiagramResultRepeated(attribute(block, "typeName"))
+                                             : remarks::DiagramEnableDropped(attribute(block, "typeName")));
             }
         }
         if (value.isEmpty()) value = functionValue(block);
@@ -519,8 +520,7 @@ struct Diagram::State {
         if (!endsExecution(kind)) return;
         Flow condition = input(node).value_or(Flow::yes());
         if (isTrue(node, "negated")) condition = condition.negated();
-        write(guardedStatement(condition, kind == "jump" ? "JMP " + attribute(node, "label") + ";" : "RETURN;") +
-              (condition.isTrue() ? "" : ""));
+        write(guardedStatement(condition, kind == "jump" ? "JMP " + attribute(node, "label") + ";" : "RETURN;"));
     }
     void emitComment(pugi::xml_node node) {
         std::string text = commentLines(exchange::textOf(childOf(node, "content")), "");
@@ -545,14 +545,14 @@ struct Diagram::State {
         const std::string target = trimmed(exchange::textOf(childOf(node, "expression")));
         const std::optional<Flow> value = input(node);
         if (isEmptyOperand(target)) return;
-        if (!value) return report.add(NoteKind::DiagramNotConnected, place(node), {target});
+        if (!value) return report.add(place(node), remarks::DiagramNotConnected(target));
         assign(node, target, isTrue(node, "negatedIn") ? value->negated() : *value);
     }
     void emitCoil(pugi::xml_node node) {
         const std::string target = trimmed(exchange::textOf(childOf(node, "variable")));
         const std::optional<Flow> value = input(node);
         if (isEmptyOperand(target)) return;
-        if (!value) return report.add(NoteKind::DiagramNotConnected, place(node), {target});
+        if (!value) return report.add(place(node), remarks::DiagramNotConnected(target));
         assign(node, target, *value);
     }
 
@@ -591,8 +591,7 @@ DiagramText Diagram::statements() {
     try {
         for (const pugi::xml_node node : m_state->inOrder()) m_state->emitSink(node);
     } catch (const State::TooLong&) {
-        m_state->report.add(NoteKind::BodyNotRead, m_state->place(m_state->body),
-                            {m_state->unit, "an expression repeats itself without end"});
+        m_state->report.add(m_state->place(m_state->body), remarks::DiagramTooLarge(m_state->unit));
         return out;
     }
     for (const State::Statement& each : m_state->statements) {

@@ -5,6 +5,7 @@
 #include "projects/exchange/twincat_import.h"
 #include "projects/exchange/xml.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -40,11 +41,7 @@ public:
         if (!bytes) return bytes.error();
         if (looksLikeXml(*bytes)) return readXml(*bytes, place, folder);
         const std::string end = ending(path);
-        if (end != ".exp" && end != ".st" && end != ".txt")
-            return Error{
-                "This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of "
-                "CODESYS (.EXP, .export) and structured text (.st) can be read",
-                place};
+        if (end != ".exp" && end != ".st" && end != ".txt") return Error{errors::ImportFileUnknown(), place};
         const DecodedText text = projects::decodeText(*bytes);
         noteEncoding(text.encoding, place);
         const std::string lines = withUnixLines(text.text);
@@ -73,7 +70,7 @@ public:
             if (!isOneOf(ending(each), kSources)) continue;
             const std::string place = fs::relative(each, root, problem).generic_string();
             if (auto done = readFile(each, place, folderOf(each, root)); !done)
-                out.report.add(NoteKind::FileNotRead, place, {done.error().message});
+                out.report.add(place, remarks::FileNotRead(done.error().message));
         }
     }
 
@@ -83,7 +80,7 @@ public:
 private:
     void noteEncoding(Encoding encoding, const std::string& place) {
         if (encoding != Encoding::Utf8 && encoding != Encoding::Utf8Bom)
-            out.report.add(NoteKind::EncodingRead, place, {std::string(projects::nameOf(encoding))});
+            out.report.add(place, remarks::EncodingRead(std::string(projects::nameOf(encoding))));
     }
 
     void readProject(const fs::path& path, const fs::path& root) {
@@ -91,7 +88,7 @@ private:
         if (!bytes) return;
         std::error_code problem;
         const Result<XmlFile> file = XmlFile::parse(*bytes, fs::relative(path, root, problem).generic_string());
-        if (!file) return out.report.add(NoteKind::FileNotRead, file.error().place, {file.error().message});
+        if (!file) return out.report.add(file.error().place, remarks::FileNotRead(file.error().message));
         if (!isTwinCatProject(*file)) return;
         std::set<std::string> included;
         readTwinCatProject(*file, out, included);
@@ -123,9 +120,7 @@ private:
             std::set<std::string> included;
             readTwinCatProject(*file, out, included);
         } else {
-            return Error{"This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML "
-                         "and import that file",
-                         place};
+            return Error{errors::ImportXmlUnknown(), place};
         }
         noteEncoding(file->encoding(), place);
         ++out.report.filesRead;
@@ -153,7 +148,7 @@ void proposeAddressing(Imported& out) {
                 !std::isdigit(static_cast<unsigned char>(file.text[at + 3])))
                 continue;
             out.hasWordAddresses = true;
-            return out.report.add(NoteKind::WordAddresses, file.path, {out.side["source"].value("product", "")});
+            return out.report.add(file.path, remarks::WordAddresses(out.side["source"].value("product", "")));
         }
 }
 
@@ -188,7 +183,7 @@ void addFile(Imported& imported, const std::string& folder, const std::string& n
                            [&](const ImportedFile& file) { return equalsIgnoringCase(file.path, path); });
     };
     for (int number = 2; isTaken(); ++number) path = stem + "_" + std::to_string(number) + ".st";
-    if (path != stem + ".st") imported.report.add(NoteKind::NameInUse, stem + ".st", {name, path});
+    if (path != stem + ".st") imported.report.add(stem + ".st", remarks::NameInUse(name, path));
     imported.files.push_back({std::move(path), std::move(text)});
 }
 
@@ -196,7 +191,7 @@ namespace {
 
 Result<Imported> finished(Reader& reader, const std::string& path) {
     addConfiguration(reader.tasks, reader.out);
-    if (reader.out.files.empty()) return Error{"There is nothing in it that can be imported", path};
+    if (reader.out.files.empty()) return Error{errors::ImportNothing(), path};
     if (reader.out.name.empty()) {
         fs::path named = fs::path(path).lexically_normal();
         if (named.filename().empty()) named = named.parent_path();
@@ -220,7 +215,7 @@ bool isForeignFile(const std::string& path) {
 
 Result<Imported> importFrom(const std::string& path) {
     std::error_code problem;
-    if (!fs::exists(path, problem)) return Error{"There is no such file or folder", path};
+    if (!fs::exists(path, problem)) return Error{errors::NoSuchFileOrFolder(), path};
     if (!fs::is_directory(path, problem)) return importFiles({path});
     Reader reader;
     reader.readFolder(path);
@@ -248,11 +243,11 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     std::error_code problem;
     const fs::path root(folder);
     if (fs::exists(root, problem) && (!fs::is_directory(root, problem) || !fs::is_empty(root, problem)))
-        return Error{"The folder exists and is not empty; name a new one", folder};
+        return Error{errors::FolderNotEmpty(), folder};
     const auto write = [&](const std::string& path, const std::string& text) -> Result<void> {
         const fs::path file = root / path;
         fs::create_directories(file.parent_path(), problem);
-        if (problem) return Error{"The folder cannot be made: " + problem.message(), file.parent_path().string()};
+        if (problem) return Error{errors::FolderNotMade(errors::ofSystem(problem)), file.parent_path().string()};
         return projects::writeFileAtomically(file.string(), text);
     };
     for (const ImportedFile& file : imported.files)

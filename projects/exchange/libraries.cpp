@@ -29,7 +29,7 @@ void useLibrary(Imported& imported, const std::string& name, bool isSystem, cons
     if (std::find(ours.begin(), ours.end(), folded) != ours.end())
         imported.libraries.insert(folded);
     else if (!isSystem)
-        imported.report.add(NoteKind::LibraryUnknown, place, {name});
+        imported.report.add(place, remarks::LibraryUnknown(name));
 }
 
 } // namespace plc::exchange

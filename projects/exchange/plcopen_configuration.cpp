@@ -141,7 +141,7 @@ private:
         std::string single = attribute(task, "single");
         if (single.empty()) single = attribute(settings, "Event");
         if (const std::string event = attribute(settings, "ExternalEvent"); !event.empty() && interval.empty())
-            m_report.add(NoteKind::TaskEventNotRead, place(task), {name, event});
+            m_report.add(place(task), remarks::TaskEventNotRead(name, event));
         std::string parts;
         const auto part = [&](const char* word, const std::string& value) {
             if (!value.empty()) parts += (parts.empty() ? "" : ", ") + std::string(word) + " := " + value;

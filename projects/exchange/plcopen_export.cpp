@@ -4,6 +4,7 @@
 #include "projects/exchange/imported.h"
 #include "projects/exchange/xml.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
@@ -93,7 +94,7 @@ private:
             file.view = std::make_unique<SourceView>(*file.tree, m_sources[id].text());
             for (const diagnostics::Diagnostic& each : sink.all())
                 if (each.severity == diagnostics::Severity::Error)
-                    return Error{"The sources have errors of syntax; stepwise check lists them",
+                    return Error{errors::ExportSyntaxErrors(),
                                  file.path + ":" + std::to_string(m_sources[id].lineColumn(each.range.begin).line)};
             m_files.push_back(std::move(file));
         }
@@ -152,14 +153,13 @@ private:
                 writeConfiguration(file, *decl->configuration);
                 break;
             case DeclKind::Namespace:
-                m_out.report.add(NoteKind::NotExported, file.path, {"a NAMESPACE and its units"});
+                m_out.report.add(file.path, remarks::NamespaceNotExported());
                 break;
             case DeclKind::Using:
-                m_out.report.add(NoteKind::NotExported, file.path, {"USING"});
+                m_out.report.add(file.path, remarks::UsingNotExported());
                 break;
             case DeclKind::Test:
-                m_out.report.add(NoteKind::NotExported, file.path,
-                                 {"the TEST '" + std::string(decl->test->title) + "'"});
+                m_out.report.add(file.path, remarks::TestNotExported(decl->test->title));
                 break;
             }
         }
@@ -171,7 +171,7 @@ private:
         const uint32_t from = tokens.size() > 1 ? file.view->trailingEnd(tokens[tokens.size() - 2].end) : 0;
         const auto size = static_cast<uint32_t>(file.view->all().size());
         if (const std::string text = file.view->commentsBetween(from, size); !text.empty())
-            m_out.report.add(NoteKind::CommentLost, file.path, {text.substr(0, text.find('\n'))});
+            m_out.report.add(file.path, remarks::CommentLost(text.substr(0, text.find('\n'))));
     }
 
     /// Id, folder and what an earlier import kept of the unit.
@@ -212,11 +212,10 @@ private:
         writeBody(node, pou.body, text.body, name, writer);
         if (isPlain()) {
             for (const syntax::Pou* method : pou.methods)
-                writer.lose(NoteKind::NotInEdition, "the method " + name + "." + std::string(method->name.text));
+                writer.lose(remarks::MethodNotInEdition(name + "." + std::string(method->name.text)));
             for (const syntax::Property* property : pou.properties)
-                writer.lose(NoteKind::NotInEdition, "the property " + name + "." + std::string(property->name.text));
-            if (!pou.extends.empty() || !pou.implements.empty())
-                writer.lose(NoteKind::NotInEdition, "EXTENDS or IMPLEMENTS of " + name);
+                writer.lose(remarks::PropertyNotInEdition(name + "." + std::string(property->name.text)));
+            if (!pou.extends.empty() || !pou.implements.empty()) writer.lose(remarks::InheritanceNotInEdition(name));
             writer.documentation(node, pou.comment);
             return;
         }
@@ -300,7 +299,7 @@ private:
             });
             if (isKept) continue;
             const std::string text(writer.source().all().substr(comment.begin, comment.end - comment.begin));
-            writer.lose(NoteKind::CommentLost, unit + ": " + text.substr(0, text.find('\n')));
+            writer.lose(remarks::CommentLost(unit + ": " + text.substr(0, text.find('\n'))));
         }
     }
 
@@ -347,7 +346,7 @@ private:
     void writeInterface(const File& file, const syntax::Pou& pou) {
         const std::string name(pou.name.text);
         const XmlWriter writer = writerOf(file);
-        if (isPlain()) return writer.lose(NoteKind::NotInEdition, "the interface " + name);
+        if (isPlain()) return writer.lose(remarks::InterfaceNotInEdition(name));
         pugi::xml_node node =
             XmlWriter::data(m_root, (std::string(kVendor) + "interface").c_str()).append_child("Interface");
         node.append_attribute("name") = name.c_str();
@@ -370,14 +369,14 @@ private:
         const syntax::TypeDecl& type = *decl.type;
         const std::string name(type.name.text);
         if (isPlain() && type.spec && type.spec->kind == syntax::TypeSpecKind::Union)
-            return writer.lose(NoteKind::NotInEdition, "the union " + name);
+            return writer.lose(remarks::UnionNotInEdition(name));
         pugi::xml_node node = m_dataTypes.append_child("dataType");
         node.append_attribute("name") = name.c_str();
         pugi::xml_node base = node.append_child("baseType");
         if (type.spec) writer.type(base, *type.spec);
         if (type.initial) writer.value(node.append_child("initialValue"), *type.initial);
         if (isPlain()) {
-            if (type.spec && type.spec->extends) writer.lose(NoteKind::NotInEdition, "EXTENDS of " + name);
+            if (type.spec && type.spec->extends) writer.lose(remarks::InheritanceNotInEdition(name));
             return writer.documentation(node, type.comment);
         }
         writer.plainText(node, typeText(file, type));
@@ -502,7 +501,7 @@ private:
         if (task.interval) node.append_attribute("interval") = view.text(task.interval).c_str();
         node.append_attribute("priority") = task.priority ? view.text(task.priority).c_str() : "0";
         if (isPlain() && !task.others.empty())
-            writer.lose(NoteKind::NotInEdition, std::string(task.others.front().name.text) + " of a task");
+            writer.lose(remarks::TaskSettingNotInEdition(task.others.front().name.text));
         return node;
     }
 
@@ -513,7 +512,7 @@ private:
         for (const syntax::Name& part : program.type) type += (type.empty() ? "" : ".") + std::string(part.text);
         node.append_attribute("typeName") = type.c_str();
         if (isPlain() && !(program.connections.empty() && program.blockTasks.empty()))
-            writer.lose(NoteKind::NotInEdition, "the connections of the program " + std::string(program.name.text));
+            writer.lose(remarks::ConnectionsNotInEdition(program.name.text));
     }
 
     // ------------------------------------------------------------ the project
@@ -539,12 +538,12 @@ private:
     }
 
     void writeProjectData() {
-        if (!m_project.panels.empty()) m_out.report.add(NoteKind::NotExported, "hmi", {"the panels"});
-        if (!m_project.traces.empty()) m_out.report.add(NoteKind::NotExported, "traces", {"the traces"});
-        if (!m_project.tests.empty()) m_out.report.add(NoteKind::NotExported, "tests", {"the tests"});
+        if (!m_project.panels.empty()) m_out.report.add("hmi", remarks::PanelsNotExported());
+        if (!m_project.traces.empty()) m_out.report.add("traces", remarks::TracesNotExported());
+        if (!m_project.tests.empty()) m_out.report.add("tests", remarks::TestsNotExported());
         if (isPlain()) {
             for (const std::string& library : m_project.libraries)
-                m_out.report.add(NoteKind::NotInEdition, "project.json", {"the library " + library});
+                m_out.report.add("project.json", remarks::LibraryNotInEdition(library));
             return;
         }
         writeLibraries();

@@ -152,7 +152,7 @@ private:
             if (name.ends_with("/libraries")) {
                 readLibraries(data);
             } else if (name == "Device" || name.ends_with("/device") || name.ends_with("/deviceconfiguration")) {
-                m_out.report.add(NoteKind::DevicesNotRead, place(data));
+                m_out.report.add(place(data), remarks::DevicesNotRead());
             } else if (!isUnderstood(name)) {
                 keepData(unit, name, data);
             } else if (unit.empty()) {
@@ -165,7 +165,7 @@ private:
             nullptr;
         Json& data_ = unit.empty() ? m_out.side["project"]["data"] : m_out.side["units"][unit]["data"];
         data_[name] = toXml(data);
-        m_out.report.add(NoteKind::VendorDataKept, place(data) + (unit.empty() ? "" : " (" + unit + ")"), {name});
+        m_out.report.add(place(data) + (unit.empty() ? "" : " (" + unit + ")"), remarks::VendorDataKept(name));
     }
 
     void readLibraries(pugi::xml_node data) {
@@ -352,7 +352,7 @@ private:
         kept["language"] = localName(language);
         kept["text"] = hashOf(body);
         kept["xml"] = toXml(language);
-        m_out.report.add(NoteKind::BodyConverted, place(language), {path});
+        m_out.report.add(place(language), remarks::BodyConverted(path));
         return body;
     }
 
@@ -367,7 +367,7 @@ private:
             m_namesOf = {};
             std::string condition = conditionOf(holder.body);
             if (condition.empty() || condition.find(";") != std::string::npos)
-                m_out.report.add(NoteKind::BodyNotRead, place(each), {unit + "." + name, "it is no single expression"});
+                m_out.report.add(place(each), remarks::TransitionNoExpression(unit + "." + name));
             else
                 out[foldCase(name)] = std::move(condition);
         }

@@ -6,7 +6,7 @@ namespace plc::exchange {
 
 NoteSeverity severityOf(NoteKind kind) {
     switch (kind) {
-#define PLC_EXCHANGE_NOTE(Name, Severity, Text)                                                                        \
+#define PLC_EXCHANGE_NOTE(Name, Severity, Text, ...)                                                                   \
     case NoteKind::Name:                                                                                               \
         return NoteSeverity::Severity;
 #include "projects/exchange/notes.def"
@@ -14,19 +14,9 @@ NoteSeverity severityOf(NoteKind kind) {
     return NoteSeverity::Info;
 }
 
-const char* templateOf(NoteKind kind) {
-    switch (kind) {
-#define PLC_EXCHANGE_NOTE(Name, Severity, Text)                                                                        \
-    case NoteKind::Name:                                                                                               \
-        return Text;
-#include "projects/exchange/notes.def"
-    }
-    return "";
-}
-
 std::string_view nameOf(NoteKind kind) {
     switch (kind) {
-#define PLC_EXCHANGE_NOTE(Name, Severity, Text)                                                                        \
+#define PLC_EXCHANGE_NOTE(Name, Severity, Text, ...)                                                                   \
     case NoteKind::Name:                                                                                               \
         return #Name;
 #include "projects/exchange/notes.def"
@@ -34,24 +24,11 @@ std::string_view nameOf(NoteKind kind) {
     return {};
 }
 
-std::string textOf(const Note& note) {
-    std::string out;
-    const std::string_view form = templateOf(note.kind);
-    for (size_t at = 0; at < form.size(); ++at) {
-        if (form[at] != '{' || at + 2 >= form.size() || form[at + 2] != '}') {
-            out += form[at];
-            continue;
-        }
-        const size_t index = static_cast<size_t>(form[at + 1] - '0');
-        if (index < note.arguments.size()) out += note.arguments[index];
-        at += 2;
-    }
-    return out;
-}
-
-void Report::add(NoteKind kind, std::string place, std::vector<std::string> arguments) {
-    Note note{kind, std::move(arguments), std::move(place)};
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+void Report::add(std::string place, Remark remark) {
+    const bool isKnown = std::any_of(notes.begin(), notes.end(), [&](const Note& note) {
+        return note.kind == remark.kind && note.place == place && note.message == remark.message;
+    });
+    if (!isKnown) notes.push_back({remark.kind, std::move(remark.message), std::move(place)});
 }
 
 size_t Report::losses() const {
@@ -63,7 +40,7 @@ std::string Report::toText() const {
     std::string out;
     for (const Note& note : notes)
         out += note.place + ": " + (severityOf(note.kind) == NoteSeverity::Loss ? "not kept: " : "note: ") +
-               exchange::textOf(note) + "\n";
+               note.message.english() + "\n";
     const auto list = [&](const std::map<std::string, int>& figures) {
         std::string text;
         for (const auto& [name, count] : figures)

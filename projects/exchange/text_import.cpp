@@ -81,7 +81,7 @@ private:
         if (word == "PLC_CONFIGURATION" || word == "VISUALISATION" || word == "LIBRARY" ||
             word == "TASK_CONFIGURATION" || word == "RESOURCE" || word == "ALARM_CONFIGURATION" ||
             word == "WORKSPACE") {
-            m_out.report.add(NoteKind::ElementNotRead, m_place + ":" + std::to_string(m_line), {word});
+            m_out.report.add(m_place + ":" + std::to_string(m_line), remarks::ElementNotRead(word));
             m_skipUntil = word == "PLC_CONFIGURATION" ? "PLC_END" : "END_" + word;
             return;
         }
@@ -116,7 +116,7 @@ private:
             m_list.clear();
         }
         if (m_isDrawn) {
-            m_out.report.add(NoteKind::ArchiveBody, m_place, {name});
+            m_out.report.add(m_place, remarks::ArchiveBody(name));
             m_out.side["units"][name]["archive"] = m_drawn;
             ++m_out.report.bodies["LD/FBD"];
         } else if (kind != PieceKind::Globals && kind != PieceKind::Type) {
@@ -173,7 +173,7 @@ bool commentOutC(std::string& text) {
 void importLooseText(const std::string& text, const std::string& place, const std::string& folder,
                      const std::string& name, Imported& imported) {
     std::string kept = text;
-    if (commentOutC(kept)) imported.report.add(NoteKind::CodeSkipped, place);
+    if (commentOutC(kept)) imported.report.add(place, remarks::CodeSkipped());
     if (!kept.ends_with('\n')) kept += '\n';
     ++imported.report.units["file"];
     addFile(imported, folder, name, std::move(kept));

@@ -29,7 +29,7 @@ public:
             else if (kind == "Task")
                 readTask(node);
             else
-                m_out.report.add(NoteKind::ElementNotRead, place(node), {std::string(kind)});
+                m_out.report.add(place(node), remarks::ElementNotRead(std::string(kind)));
         }
     }
 
@@ -55,7 +55,7 @@ private:
                 text = trimmedLines(exchange::textOf(language));
                 if (text.empty()) continue;
             } else {
-                m_out.report.add(NoteKind::ArchiveBody, place(language), {unit});
+                m_out.report.add(place(language), remarks::ArchiveBody(unit));
                 m_out.side["units"][unit]["archive"] = toXml(language);
             }
             ++m_out.report.bodies[name == "NWL" ? "LD/FBD" : name];
@@ -93,7 +93,7 @@ private:
             readAccessor(childOf(node, "Get"), PieceKind::PropertyGet, piece, path);
             readAccessor(childOf(node, "Set"), PieceKind::PropertySet, piece, path);
         } else {
-            if (kind == "Transition") m_out.report.add(NoteKind::ElementNotRead, place(node), {path});
+            if (kind == "Transition") m_out.report.add(place(node), remarks::ElementNotRead(path));
             return;
         }
         ++m_out.report.units[std::string(keywordOf(piece.kind))];
@@ -209,8 +209,8 @@ private:
         if (!trimmed(piece.body).empty())
             ++m_out.report.bodies["ST"];
         else if (implementation && !named(implementation, "TextDocument") && implementation.first_child())
-            m_out.report.add(NoteKind::ArchiveBody,
-                             m_file.place() + ":" + std::to_string(m_file.lineOf(implementation)), {entry.name});
+            m_out.report.add(m_file.place() + ":" + std::to_string(m_file.lineOf(implementation)),
+                             remarks::ArchiveBody(entry.name));
         for (const Entry& each : m_entries) {
             if (each.parent != entry.guid || each.guid == entry.guid) continue;
             const std::string text = documentText(named(each.object, "Interface"));

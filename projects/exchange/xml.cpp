@@ -1,5 +1,7 @@
 #include "projects/exchange/xml.h"
 
+#include "runtime/base/messages.h"
+
 #include <algorithm>
 #include <cstring>
 #include <sstream>
@@ -11,7 +13,8 @@ namespace {
 /// Where elements are nested too deeply or a document type is declared; npos: nowhere. Comments and CDATA are skipped.
 struct Harm {
     size_t at = std::string_view::npos;
-    const char* message = nullptr;
+    Message message;
+    [[nodiscard]] bool isFound() const { return at != std::string_view::npos; }
 };
 
 Harm findHarm(std::string_view text, const XmlLimits& limits) {
@@ -27,8 +30,7 @@ Harm findHarm(std::string_view text, const XmlLimits& limits) {
         } else if (rest.starts_with("<![CDATA[")) {
             skip("]]>");
         } else if (rest.starts_with("<!")) {
-            return {at, "The file declares a document type or entities of its own, which is not read; export it again "
-                        "without them"};
+            return {at, errors::XmlDocumentType()};
         } else if (rest.starts_with("<?")) {
             skip("?>");
         } else {
@@ -41,7 +43,7 @@ Harm findHarm(std::string_view text, const XmlLimits& limits) {
             if (closes)
                 --depth;
             else if (!isEmpty && ++depth > limits.depth)
-                return {begin, "The elements of the file are nested too deeply"};
+                return {begin, errors::XmlTooDeep()};
         }
     }
     return {};
@@ -102,7 +104,7 @@ void appendParagraphs(pugi::xml_node node, std::string& out) {
 Result<XmlFile> XmlFile::parse(std::string_view bytes, const std::string& place, const XmlLimits& limits) {
     XmlFile file;
     file.m_place = place;
-    if (bytes.size() > limits.bytes) return Error{"The file is too large to be read", place};
+    if (bytes.size() > limits.bytes) return Error{errors::XmlTooLarge(), place};
     const DecodedText decoded = projects::decodeText(bytes);
     file.m_encoding = decoded.encoding;
     const std::string& text = decoded.text;
@@ -111,16 +113,16 @@ Result<XmlFile> XmlFile::parse(std::string_view bytes, const std::string& place,
             1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
     };
     if (const std::string encoding = declaredEncoding(text); !isKnownEncoding(encoding))
-        return Error{"The file is in the encoding " + encoding + ", which is not read; save it as UTF-8", place};
-    if (const Harm harm = findHarm(text, limits); harm.message)
+        return Error{errors::XmlEncodingUnknown(encoding), place};
+    if (const Harm harm = findHarm(text, limits); harm.isFound())
         return Error{harm.message, place + ":" + lineAt(harm.at)};
     const pugi::xml_parse_result result = file.m_document->load_buffer(
         text.data(), text.size(),
         pugi::parse_cdata | pugi::parse_escapes | pugi::parse_eol | pugi::parse_wconv_attribute, pugi::encoding_utf8);
     if (!result)
-        return Error{"This is not well-formed XML: " + std::string(result.description()),
+        return Error{errors::XmlNotWellFormed(std::string(result.description())),
                      place + ":" + lineAt(static_cast<size_t>(std::max<ptrdiff_t>(result.offset, 0)))};
-    if (!file.m_document->document_element()) return Error{"The file has no elements", place};
+    if (!file.m_document->document_element()) return Error{errors::XmlEmpty(), place};
     for (size_t at = 0; at != std::string::npos; at = text.find('\n', at), at += at != std::string::npos)
         file.m_lineBegins.push_back(at);
     return file;

@@ -167,7 +167,7 @@ void XmlWriter::type(pugi::xml_node holder, const syntax::TypeSpec& spec) const 
     case TypeSpecKind::RefTo:
     case TypeSpecKind::Reference: {
         std::string words(m_source.slice(spec.range));
-        if (isPlain()) lose(NoteKind::NotInEdition, words.substr(0, words.find('\n')));
+        if (isPlain()) lose(remarks::TypeNotInEdition(words.substr(0, words.find('\n'))));
         holder.append_child("derived").append_attribute("name") = words.c_str();
         return;
     }

@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] bool isPlain() const { return m_edition == Edition::Plain0201; }
     [[nodiscard]] const SourceView& source() const { return m_source; }
-    void lose(NoteKind kind, const std::string& what) const { m_report.add(kind, m_file, {what}); }
+    void lose(Remark remark) const { m_report.add(m_file, std::move(remark)); }
 
     /// <xhtml> of 0200, <xhtml:p> of 0201.
     void text(pugi::xml_node parent, std::string_view text) const;

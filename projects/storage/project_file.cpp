@@ -134,7 +134,7 @@ bool isXml(std::string_view text) {
 Result<driver::SourceFile> readSource(const std::string& path, const std::string& shown, Project& project) {
     auto text = readSourceText(path);
     if (!text) return text.error();
-    if (isXml(text->text)) return Error{"This is XML, not structured text; import it (stepwise import --help)", path};
+    if (isXml(text->text)) return Error{errors::SourceIsXml(), path};
     if (text->encoding != Encoding::Utf8 && text->encoding != Encoding::Utf8Bom)
         project.encodings.emplace_back(shown, std::string(nameOf(text->encoding)));
     return driver::SourceFile{shown, std::move(text->text)};

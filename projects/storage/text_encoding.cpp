@@ -1,5 +1,6 @@
 #include "projects/storage/text_encoding.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 
 #include <array>
@@ -61,9 +62,7 @@ Result<std::string> toWindows1252(std::string_view utf8) {
         else if (c < 0xA0 && kHigh[c - 0x80] == 0)
             out += static_cast<char>(c);
         else
-            return Error{"Windows-1252 does not have the character " + std::string(utf8.substr(begin, at - begin)) +
-                             "; write the file as UTF-8",
-                         ""};
+            return Error{errors::NotInWindows1252(utf8.substr(begin, at - begin)), ""};
     }
     return out;
 }

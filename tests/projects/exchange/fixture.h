@@ -39,7 +39,7 @@ protected:
     }
     Imported import(const std::string& document) const {
         auto imported = importFrom(write("document.xml", document));
-        EXPECT_TRUE(imported) << imported.error().text();
+        EXPECT_TRUE(imported) << imported.error().english();
         return imported ? std::move(*imported) : Imported();
     }
     static std::string fileOf(const Imported& imported, const std::string& path) {

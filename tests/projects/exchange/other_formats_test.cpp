@@ -21,7 +21,7 @@ protected:
     }
     Imported folder(const std::string& name) const {
         auto imported = importFrom(path(name));
-        EXPECT_TRUE(imported) << imported.error().text();
+        EXPECT_TRUE(imported) << imported.error().english();
         return imported ? std::move(*imported) : Imported();
     }
 };
@@ -194,7 +194,7 @@ TEST_F(OtherFormats, SourcesOfEveryEncodingAreReadAndWrittenBackAsFound) {
     write("w.st", "// \xE9\n");
     const auto refused = projects::writeSourceText(path("w.st"), "// \xCE\xA9\n");
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("does not have the character \xCE\xA9"), std::string::npos);
+    EXPECT_NE(refused.error().message.english().find("does not have the character \xCE\xA9"), std::string::npos);
     EXPECT_EQ(read(path("w.st")), "// \xE9\n");
 }
 
@@ -202,7 +202,7 @@ TEST_F(OtherFormats, XmlIsNeverReadAsStructuredText) {
     write("x.st", "<?xml version=\"1.0\"?><TcPlcObject/>");
     const auto project = projects::openProject({path("x.st")});
     ASSERT_FALSE(project);
-    EXPECT_NE(project.error().message.find("This is XML"), std::string::npos);
+    EXPECT_NE(project.error().message.english().find("This is XML"), std::string::npos);
     write("p.xml", "<project/>");
     write("p.st", "PROGRAM P\nEND_PROGRAM\n");
     write("p.TcPOU", "");

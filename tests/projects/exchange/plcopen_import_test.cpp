@@ -270,8 +270,8 @@ TEST_F(PlcopenImport, HostileXmlIsRefusedWithPlaceAndReason) {
     for (const Row& row : rows) {
         const auto imported = importFrom(write("bad.xml", row.document));
         ASSERT_FALSE(imported) << row.message;
-        EXPECT_NE(imported.error().text().find(row.message), std::string::npos) << imported.error().text();
-        EXPECT_NE(imported.error().place.find("bad.xml"), std::string::npos) << imported.error().text();
+        EXPECT_NE(imported.error().english().find(row.message), std::string::npos) << imported.error().english();
+        EXPECT_NE(imported.error().place.find("bad.xml"), std::string::npos) << imported.error().english();
     }
 }
 
@@ -292,7 +292,7 @@ TEST_F(PlcopenImport, AProjectIsWrittenOnceAndNeverOverAnother) {
     EXPECT_EQ(read(path("new/src/Main.st")), "PROGRAM Main\nEND_PROGRAM\n");
     const auto again = writeImported(imported, path("new"));
     ASSERT_FALSE(again);
-    EXPECT_NE(again.error().message.find("not empty"), std::string::npos);
+    EXPECT_NE(again.error().message.english().find("not empty"), std::string::npos);
 }
 
 } // namespace

@@ -23,7 +23,7 @@ protected:
     }
     std::string exported(const projects::Project& project, Edition edition, Report* report = nullptr) {
         const auto out = exportPlcopen(project, {edition, "2020-01-01T00:00:00"});
-        EXPECT_TRUE(out) << out.error().text();
+        EXPECT_TRUE(out) << out.error().english();
         if (!out) return {};
         if (report) *report = out->report;
         return out->text;
@@ -31,9 +31,9 @@ protected:
     /// Import, written to disk so that its side file counts, opened as a project.
     projects::Project onDisk(const Imported& imported, const std::string& name) {
         const auto written = writeImported(imported, path(name));
-        EXPECT_TRUE(written) << written.error().text();
+        EXPECT_TRUE(written) << written.error().english();
         const auto project = projects::openProject({path(name)});
-        EXPECT_TRUE(project) << project.error().text();
+        EXPECT_TRUE(project) << project.error().english();
         return project ? *project : projects::Project();
     }
     void expectFixpoint(const std::string& document, Edition edition) {
@@ -159,7 +159,7 @@ TEST_F(RoundTrip, WhatTheFormatHasNoPlaceForHasItsLine) {
           "END_TRANSITION\nEND_PROGRAM\n// the end\n");
     write("p/tests/t.st", "TEST 'x'\nEND_TEST\n");
     const auto project = projects::openProject({path("p")});
-    ASSERT_TRUE(project) << project.error().text();
+    ASSERT_TRUE(project) << project.error().english();
     Report plain, codesys;
     (void)exported(*project, Edition::Plain0201, &plain);
     (void)exported(*project, Edition::Codesys0200, &codesys);
@@ -180,7 +180,7 @@ TEST_F(RoundTrip, SourcesWithErrorsOfSyntaxAreRefusedWithTheirPlace) {
     ASSERT_TRUE(project);
     const auto out = exportPlcopen(*project, {});
     ASSERT_FALSE(out);
-    EXPECT_NE(out.error().place.find("bad.st:2"), std::string::npos) << out.error().text();
+    EXPECT_NE(out.error().place.find("bad.st:2"), std::string::npos) << out.error().english();
 }
 
 // ---------------------------------------------------------------- the examples
@@ -211,7 +211,7 @@ class Examples : public RoundTrip, public ::testing::WithParamInterface<std::str
 TEST_P(Examples, RunTheSameScansAfterAJourney) {
     jit::setRuntimeSymbols(controller::runtimeSymbols());
     const auto before = projects::openProject({exampleFolder(GetParam())});
-    ASSERT_TRUE(before) << before.error().text();
+    ASSERT_TRUE(before) << before.error().english();
     const Imported imported = import(exported(*before, Edition::Codesys0200));
     const projects::Project after = onDisk(imported, "after");
     EXPECT_EQ(after.libraries.size(), before->libraries.size());
