@@ -495,6 +495,26 @@
         <source>An index must be an integer, not {0}</source>
         <translation>Et indeks skal være et heltal, ikke {0}</translation>
     </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>En blok med sin egen task understøttes ikke; kald {0} i et program i tasken {1}</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>Betingelsen {0} består ikke af defined, hasvalue, hasattribute eller hastype med NOT, AND, OR</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>Pragmaet {0} mangler til dette {1}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>Kode i C udføres ikke</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>

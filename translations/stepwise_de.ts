@@ -495,6 +495,26 @@
         <source>An index must be an integer, not {0}</source>
         <translation>Ein Index muss eine Ganzzahl sein, nicht {0}</translation>
     </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; rufen Sie {0} in einem Programm der Task {1} auf</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>Die Bedingung {0} besteht nicht aus defined, hasvalue, hasattribute oder hastype mit NOT, AND, OR</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>Zu diesem {1} fehlt das Pragma {0}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>Code in C wird nicht ausgeführt</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>

@@ -32,8 +32,8 @@ int check(const Arguments& arguments) {
     if (!checked.analysis->hasErrors)
         tests = testing::checkTests(*project, arguments.wantsJson(), wantsColours(STDERR_FILENO));
     if (arguments.wantsJson()) objects.insert(objects.end(), tests.begin(), tests.end());
-    bool wrong =
-        printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(), objects);
+    bool wrong = printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(),
+                                  objects, Entry::Optional);
     if (!arguments.wantsJson()) {
         for (const std::string& problem : tests) std::cerr << problem;
         printFindings(findings, std::cerr);

@@ -123,11 +123,15 @@ Result<projects::Project> openNamedProject(const Arguments& arguments, const std
 }
 
 bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,
-                      const std::vector<std::string>& moreJson) {
+                      const std::vector<std::string>& moreJson, Entry entry) {
     const bool colours = wantsColours(STDERR_FILENO);
     std::string out;
     size_t shown = 0;
-    for (const diagnostics::Diagnostic& diagnostic : checked.analysis->diagnostics) {
+    bool hasErrors = false;
+    for (diagnostics::Diagnostic diagnostic : checked.analysis->diagnostics) {
+        if (entry == Entry::Optional && diagnostic.kind == diagnostics::Kind::SeveralPrograms)
+            diagnostic.severity = diagnostics::Severity::Warning;
+        hasErrors |= diagnostic.severity == diagnostics::Severity::Error;
         if (!withInfos && diagnostic.severity == diagnostics::Severity::Info) continue;
         out += asJson ? (shown ? ",\n " : "[") + diagnostics::renderJson(*checked.sources, diagnostic)
                       : diagnostics::renderText(*checked.sources, diagnostic, colours);
@@ -138,7 +142,7 @@ bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfo
         std::cout << (shown ? out + "]" : "[]") << "\n";
     else
         std::cerr << out;
-    return checked.analysis->hasErrors;
+    return hasErrors;
 }
 
 void needApplication() {

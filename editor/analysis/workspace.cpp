@@ -104,6 +104,7 @@ driver::BuildInput Workspace::buildInput() const {
     driver::BuildInput input;
     if (!m_project) return input;
     input.libraries = m_project->libraries;
+    input.defines = m_project->defines;
     input.companions = m_project->companions;
     for (const auto& [file, content] : m_files)
         if (isTestFile(file))

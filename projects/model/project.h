@@ -12,6 +12,7 @@ struct Project {
     std::string folder; // absolute; empty for loose ST files
     std::string name;
     std::vector<std::string> libraries; // lower case: "toolbox"
+    std::vector<std::string> defines;   // "Simulation", "Version=2": what conditional pragmas ask for
     std::string startPanel;             // panel file name without ".panel.json"
     std::vector<std::string> languages; // BCP 47, ordered; empty = {"en"}
     std::vector<std::string> fallback;  // chain of languages

@@ -189,6 +189,7 @@ Result<Project> openFolder(const fs::path& folder) {
     const Json& json = project.json;
     project.name = stringField(json, "name", project.name);
     project.libraries = listField(json, "libraries");
+    project.defines = listField(json, "defines");
     for (std::string& library : project.libraries) {
         library = foldCase(library);
         const auto known = driver::libraryNames();
