@@ -243,7 +243,7 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     std::error_code problem;
     const fs::path root(folder);
     if (fs::exists(root, problem) && (!fs::is_directory(root, problem) || !fs::is_empty(root, problem)))
-        return Error{errors::FolderNotEmpty(), folder};
+        return Error{errors::ImportFolderNotEmpty(), folder};
     const auto write = [&](const std::string& path, const std::string& text) -> Result<void> {
         const fs::path file = root / path;
         fs::create_directories(file.parent_path(), problem);
