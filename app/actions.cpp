@@ -1,6 +1,7 @@
 // The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
 // editable.
 #include "app/editor_tabs.h"
+#include "app/exchange_dialogs.h"
 #include "app/main_window.h"
 #include "app/problems_view.h"
 #include "app/search_view.h"
@@ -39,6 +40,8 @@ const std::vector<ActionSpec> kActions = {
     {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.tabs().saveAll(); }},
     {"file.closeTab", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Document"), "Ctrl+W", none, [](MainWindow& w) { if (w.tabs().count()) w.tabs().closePage(w.tabs().currentIndex()); }},
     {"file.libraries", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Libraries…"), "", drawn(Icon::Library), [](MainWindow& w) { w.chooseLibraries(); }},
+    {"file.import", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Import…"), "", none, [](MainWindow& w) { importProject(w); }},
+    {"file.export", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Export…"), "", none, [](MainWindow& w) { exportProject(w); }},
     {"file.settings", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Settings…"), "Ctrl+,", drawn(Icon::Settings), [](MainWindow& w) { w.openSettings(); }},
     {"file.quit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Quit"), "Ctrl+Q", none, [](MainWindow& w) { w.close(); }},
 

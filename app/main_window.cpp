@@ -315,8 +315,8 @@ void MainWindow::connectParts() {
     connect(m_search, &SearchView::textsReplaced, m_tabs,
             [this](const std::map<QString, std::string>& texts) { m_tabs->applyTexts(texts); });
     connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
-    connect(m_workspace, &editor::Workspace::encodingConverted, this, [this](const QString& file) {
-        say(tr("%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8").arg(file), true);
+    connect(m_workspace, &editor::Workspace::encodingFound, this, [this](const QString& file, const QString& encoding) {
+        say(tr("%1 is written in %2 and is saved as it was found").arg(file, encoding), true);
     });
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
             [this](const QString& file, int line) { m_tabs->goToLine(file, line); });

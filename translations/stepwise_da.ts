@@ -495,6 +495,26 @@
         <source>An index must be an integer, not {0}</source>
         <translation>Et indeks skal være et heltal, ikke {0}</translation>
     </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>En blok med sin egen task understøttes ikke; kald {0} i et program i tasken {1}</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>Betingelsen {0} består ikke af defined, hasvalue, hasattribute eller hastype med NOT, AND, OR</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>Pragmaet {0} mangler til dette {1}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>Kode i C udføres ikke</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>
@@ -1656,6 +1676,56 @@
     <message>
         <source>{0} is not a time</source>
         <translation>{0} er ikke en tid</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Der er intet i den, som kan importeres</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Mappen findes og er ikke tom; angiv en ny</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Filen er for stor til at blive læst</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Filens elementer er for dybt indlejret</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dette er ikke velformet XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Filen har ingen elementer</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dette er XML, ikke struktureret tekst; importer det (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
     </message>
 </context>
 <context>
@@ -3569,8 +3639,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Annulleret: intet blev gemt</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 er skrevet i %2 og gemmes, som den blev fundet</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -3615,6 +3685,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
         <translation>Hastigheden er en faktor fra 0,001 til 10000</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Eksporter…</translation>
+    </message>
+    <message>
+        <source>The project was exported</source>
+        <translation>Projektet blev eksporteret</translation>
     </message>
 </context>
 <context>
@@ -6585,6 +6667,279 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>by this transition, while it is active</source>
         <translation>ved denne transition, mens det er aktivt</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Filen er skrevet i {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Filen blev ikke læst: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>Elementet {0} blev ikke læst</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Leverandørens data {0} er gemt i exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Kroppen i {0} blev til struktureret tekst; diagrammet er gemt i exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Kroppen i {0} er gemt i en form, som kun dens egen editor læser; eksporter den der som PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Et spring fører til trinnet {0}, som ikke findes</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>Elementet {0} i diagrammet er ikke forbundet og blev udeladt</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>Elementet {0} er ikke forbundet og blev udeladt</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>Biblioteket {0} hører ikke til Stepwise; kontrollen melder, hvor det bruges</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Kode i C er bevaret som kommentar og udføres ikke</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Der er to enheder med navnet {0}; den anden er i {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>Enhedernes konfiguration blev ikke læst; tildel ind- og udgange igen</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
+    </message>
+    <message>
+        <source>Addresses are counted in words, as {0} counts them; project.json says so</source>
+        <translation>Adresser tælles i ord, som {0} tæller dem; det står i project.json</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML har ingen plads til paneler; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML har ingen plads til traces; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML har ingen plads til tests; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML har ingen plads til tests; TEST &apos;{0}&apos; blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine enheder</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML har ingen plads til USING; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML har ingen plads til navnet på transitionen {0}; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML har én indikator pr. aktion; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>Version 0201 har ingen metoder; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>Version 0201 har ingen egenskaber; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>Version 0201 har ingen interfaces; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>Version 0201 har ingen unions; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>Version 0201 har ingen nedarvning; EXTENDS eller IMPLEMENTS i {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>Version 0201 har ikke typen {0}; andre værktøjer kender den ikke</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>Version 0201 har ingen plads til pragmaet {0} på et trin; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>Version 0201 har ingen plads til {0} for en task; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>Version 0201 har ingen plads til forbindelserne for programmet {0}; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemærkning</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>Enheder: %1
+Kroppe: %2
+Ikke bevaret: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importer et projekt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, filer fra TwinCAT eller CODESYS, struktureret tekst</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fil…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Mappe…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Kildefiler</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Forhåndsvisning</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Fra:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Nyt projekt i:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projekter fra andre værktøjer (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Denne mappe er ikke tom; angiv en ny</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Eksporter projektet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, til CODESYS og TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, til Beremiz og OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fil…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksporter</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Til:</translation>
     </message>
 </context>
 </TS>

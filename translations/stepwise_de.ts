@@ -495,6 +495,26 @@
         <source>An index must be an integer, not {0}</source>
         <translation>Ein Index muss eine Ganzzahl sein, nicht {0}</translation>
     </message>
+    <message>
+        <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
+        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; rufen Sie {0} in einem Programm der Task {1} auf</translation>
+    </message>
+    <message>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>The condition {0} is not one of defined, hasvalue, hasattribute, hastype with NOT, AND, OR</source>
+        <translation>Die Bedingung {0} besteht nicht aus defined, hasvalue, hasattribute oder hastype mit NOT, AND, OR</translation>
+    </message>
+    <message>
+        <source>The pragma {0} is missing for this {1}</source>
+        <translation>Zu diesem {1} fehlt das Pragma {0}</translation>
+    </message>
+    <message>
+        <source>Code in C is not executed</source>
+        <translation>Code in C wird nicht ausgeführt</translation>
+    </message>
 </context>
 <context>
     <name>EditHistory</name>
@@ -1656,6 +1676,56 @@
     <message>
         <source>{0} is not a time</source>
         <translation>{0} ist keine Zeit</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Darin ist nichts, das importiert werden kann</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Die Datei hat keine Elemente</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dies ist XML, kein strukturierter Text; importieren Sie es (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
     </message>
 </context>
 <context>
@@ -3569,8 +3639,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Abgebrochen: nichts wurde gespeichert</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 ist in %2 geschrieben und wird so gespeichert, wie die Datei vorgefunden wurde</translation>
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
@@ -3615,6 +3685,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
         <translation>Die Geschwindigkeit ist ein Faktor von 0,001 bis 10000</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>The project was exported</source>
+        <translation>Das Projekt wurde exportiert</translation>
     </message>
 </context>
 <context>
@@ -6585,6 +6667,279 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>by this transition, while it is active</source>
         <translation>durch diese Transition, während er aktiv ist</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Die Datei ist in {0} geschrieben</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Die Datei wurde nicht gelesen: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>Das Element {0} wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Der Rumpf von {0} ist in einer Form gespeichert, die nur der eigene Editor liest; exportieren Sie ihn dort als PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>Die Bibliothek {0} gehört nicht zu Stepwise; die Prüfung meldet ihre Verwendungen</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Es gibt zwei Bausteine namens {0}; der zweite steht in {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>Die Konfiguration der Geräte wurde nicht gelesen; weisen Sie die Ein- und Ausgänge neu zu</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
+    </message>
+    <message>
+        <source>Addresses are counted in words, as {0} counts them; project.json says so</source>
+        <translation>Adressen zählen in Wörtern, wie {0} sie zählt; so steht es in project.json</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: ein Ausdruck wiederholt sich endlos</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Panels; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Traces; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Tests; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML hat keinen Platz für Tests; der TEST &apos;{0}&apos; wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML hat keinen Platz für Namensräume; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML hat keinen Platz für USING; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML hat keinen Platz für den Namen der Transition {0}; er wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML hat eine Rückmeldevariable je Aktion; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>Version 0201 hat keine Methoden; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>Version 0201 hat keine Eigenschaften; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>Version 0201 hat keine Schnittstellen; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>Version 0201 hat keine Unions; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>Version 0201 hat keine Vererbung; EXTENDS oder IMPLEMENTS von {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>Version 0201 kennt den Typ {0} nicht; andere Werkzeuge werden ihn nicht kennen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>Version 0201 hat keinen Platz für das Pragma {0} eines Schritts; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>Version 0201 hat keinen Platz für {0} einer Task; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>Version 0201 hat keinen Platz für die Verbindungen des Programms {0}; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>Bausteine: %1
+Rümpfe: %2
+Nicht erhalten: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Projekt importieren</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, Dateien von TwinCAT oder CODESYS, strukturierter Text</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Quelldateien</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Von:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Neues Projekt in:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projekte anderer Werkzeuge (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Dieser Ordner ist nicht leer; nennen Sie einen neuen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Projekt exportieren</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, für CODESYS und TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, für Beremiz und OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Nach:</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,8 @@ int check(const Arguments& arguments) {
     if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("check")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
+    for (const auto& [path, encoding] : project->encodings)
+        std::cerr << path << ": note: the file is written in " << encoding << " and stays so\n";
     const driver::Checked checked = [&] {
         const Busy busy("checking " + project->name);
         return driver::check(project->buildInput());
@@ -30,8 +32,8 @@ int check(const Arguments& arguments) {
     if (!checked.analysis->hasErrors)
         tests = testing::checkTests(*project, arguments.wantsJson(), wantsColours(STDERR_FILENO));
     if (arguments.wantsJson()) objects.insert(objects.end(), tests.begin(), tests.end());
-    bool wrong =
-        printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(), objects);
+    bool wrong = printDiagnostics(checked, arguments.wantsJson(), arguments.has("--infos") || arguments.wantsJson(),
+                                  objects, Entry::Optional);
     if (!arguments.wantsJson()) {
         for (const std::string& problem : tests) std::cerr << problem;
         printFindings(findings, std::cerr);

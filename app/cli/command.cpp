@@ -2,6 +2,7 @@
 
 #include "app/cli/errors.h"
 #include "editor/kit/theme.h"
+#include "projects/exchange/imported.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/jit/jit.h"
@@ -41,9 +42,9 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(), runCommand(),   formatCommand(),
-                                             testCommand(),  traceCommand(), replayCommand(),
-                                             panelCommand(), docCommand(),   convertCommand()};
+    static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
+                                             traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
+                                             convertCommand(), importCommand(), exportCommand()};
     return all;
 }
 
@@ -86,12 +87,28 @@ int runCommandLine(const std::vector<std::string>& words) {
     return wrongUse({errors::OutputNotWritten(), ""});
 }
 
+namespace {
+
+/// Files of TwinCAT, CODESYS and PLCopen XML are imported in memory, everything else is a project of ours.
+Result<projects::Project> openPaths(const std::vector<std::string>& paths) {
+    const bool isForeign = std::any_of(paths.begin(), paths.end(), exchange::isForeignFile);
+    if (!isForeign) return projects::openProject(paths);
+    auto imported = exchange::importFiles(paths);
+    if (!imported) return imported.error();
+    for (const exchange::Note& note : imported->report.notes)
+        if (exchange::severityOf(note.kind) == exchange::NoteSeverity::Loss)
+            std::cerr << note.place << ": " << note.message.english() << "\n";
+    return exchange::toProject(*imported);
+}
+
+} // namespace
+
 Result<projects::Project> openNamedProject(const Arguments& arguments) {
     return openNamedProject(arguments, arguments.paths());
 }
 
 Result<projects::Project> openNamedProject(const Arguments& arguments, const std::vector<std::string>& paths) {
-    auto project = projects::openProject(paths);
+    auto project = openPaths(paths);
     if (!project) return project;
     const auto known = driver::libraryNames();
     for (const std::string& value : arguments.values("--library")) {
@@ -106,11 +123,15 @@ Result<projects::Project> openNamedProject(const Arguments& arguments, const std
 }
 
 bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,
-                      const std::vector<std::string>& moreJson) {
+                      const std::vector<std::string>& moreJson, Entry entry) {
     const bool colours = wantsColours(STDERR_FILENO);
     std::string out;
     size_t shown = 0;
-    for (const diagnostics::Diagnostic& diagnostic : checked.analysis->diagnostics) {
+    bool hasErrors = false;
+    for (diagnostics::Diagnostic diagnostic : checked.analysis->diagnostics) {
+        if (entry == Entry::Optional && diagnostic.kind == diagnostics::Kind::SeveralPrograms)
+            diagnostic.severity = diagnostics::Severity::Warning;
+        hasErrors |= diagnostic.severity == diagnostics::Severity::Error;
         if (!withInfos && diagnostic.severity == diagnostics::Severity::Info) continue;
         out += asJson ? (shown ? ",\n " : "[") + diagnostics::renderJson(*checked.sources, diagnostic)
                       : diagnostics::renderText(*checked.sources, diagnostic, colours);
@@ -121,7 +142,7 @@ bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfo
         std::cout << (shown ? out + "]" : "[]") << "\n";
     else
         std::cerr << out;
-    return checked.analysis->hasErrors;
+    return hasErrors;
 }
 
 void needApplication() {

@@ -30,8 +30,12 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command panelCommand();
 [[nodiscard]] Command docCommand();
 [[nodiscard]] Command convertCommand();
+[[nodiscard]] Command importCommand();
+[[nodiscard]] Command exportCommand();
 
 // --- shared by the commands
+/// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.
+enum class Entry : uint8_t { Needed, Optional };
 int wrongUse(const Error& error);
 /// Opens PATH… with the libraries of --library added.
 [[nodiscard]] Result<projects::Project> openNamedProject(const Arguments& arguments);
@@ -40,7 +44,7 @@ int wrongUse(const Error& error);
 /// Prints diagnostics to stderr (text) or stdout (json list, with the objects of `moreJson` behind); true when there
 /// are errors.
 bool printDiagnostics(const driver::Checked& checked, bool asJson, bool withInfos,
-                      const std::vector<std::string>& moreJson = {});
+                      const std::vector<std::string>& moreJson = {}, Entry entry = Entry::Needed);
 /// Colours only on a terminal and without NO_COLOR.
 [[nodiscard]] bool wantsColours(int fileDescriptor);
 /// Charts and panels need an application object, but no display.

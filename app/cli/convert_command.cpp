@@ -56,7 +56,7 @@ int convert(const Arguments& arguments) {
             continue;
         }
         const std::string path = onDisk(arguments, file.path);
-        if (auto written = projects::writeFileAtomically(path, file.text); !written) return wrongUse(written.error());
+        if (auto written = projects::writeSourceText(path, file.text); !written) return wrongUse(written.error());
         std::cerr << "converted " << path << "\n";
     }
     if (unit && !known) return wrongUse({errors::NoUnitToConvert(), *unit});

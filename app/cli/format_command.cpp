@@ -81,21 +81,25 @@ int formatFiles(const Arguments& arguments) {
         options.indentWidth = static_cast<int>(*indent);
     }
     options.alignDeclarations = arguments.has("--align");
+    std::optional<projects::Encoding> encoding;
+    if (arguments.has("--utf8")) encoding = projects::Encoding::Utf8;
     const bool onlyCheck = arguments.has("--check"), json = arguments.wantsJson();
     size_t changed = 0;
     std::string list;
     for (const std::string& path : *files) {
-        const auto before = projects::readFile(path);
+        const auto before = projects::readSourceText(path);
         if (!before) return wrongUse(before.error());
-        const std::string after = format::format(*before, options);
-        if (after == *before) continue;
+        const std::string after = format::format(before->text, options);
+        const bool recodes = encoding && before->encoding != *encoding;
+        if (after == before->text && !recodes) continue;
         ++changed;
         list += (list.empty() ? "" : ",") + jsonString(path);
         if (!onlyCheck) {
-            if (auto written = projects::writeFileAtomically(path, after); !written) return wrongUse(written.error());
+            if (auto written = projects::writeSourceText(path, after, encoding); !written)
+                return wrongUse(written.error());
             if (!json) std::cout << "formatted " << path << "\n";
         } else if (!json) {
-            std::cout << difference(path, *before, after, wantsColours(STDOUT_FILENO));
+            std::cout << difference(path, before->text, after, wantsColours(STDOUT_FILENO));
         }
     }
     if (json)
@@ -114,6 +118,7 @@ Command formatCommand() {
              {{"--check", "", "change nothing; show the difference and exit 1 when there is one"},
               {"--indent", "4", "blanks per level"},
               {"--align", "", "also the colons of neighbouring declarations"},
+              {"--utf8", "", "also rewrite files in UTF-16 or Windows-1252 as UTF-8; else they keep their encoding"},
               {"--format", "text|json", "text (default), or an object with the changed files"}},
              "stepwise fmt --check projects/examples/motor"},
             formatFiles};

@@ -19,7 +19,7 @@ public:
                                                         const std::vector<std::string>& libraries) {
         driver::BuildInput input;
         for (const auto& [path, text] : sources) input.files.push_back({path, text});
-        input.libraries = libraries;
+        driver::setRecordedSettings(input, libraries);
         m_all.push_back(driver::build(input));
         if (!m_all.back().program)
             m_failure = m_all.back().failure.isEmpty() ? errors::RecordedProgramHasErrors() : m_all.back().failure;

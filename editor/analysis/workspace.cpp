@@ -3,7 +3,6 @@
 #include "editor/kit/post.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/messages.h"
-#include "runtime/base/text.h"
 
 #include <QDir>
 #include <QEventLoop>
@@ -17,20 +16,6 @@ constexpr int kPauseMs = 15;        // after a keystroke, before a check starts
 constexpr int kAutosaveMs = 10'000; // between side files
 std::string toStd(const QString& text) { return text.toStdString(); }
 
-/// What an older editor of Windows wrote: no byte of it is lost.
-std::string windows1252ToUtf8(const std::string& bytes) {
-    static constexpr char16_t upper[] = {0x20AC, 0x81,   0x201A, 0x192,  0x201E, 0x2026, 0x2020, 0x2021,
-                                         0x2C6,  0x2030, 0x160,  0x2039, 0x152,  0x8D,   0x17D,  0x8F,
-                                         0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
-                                         0x2DC,  0x2122, 0x161,  0x203A, 0x153,  0x9D,   0x17E,  0x178};
-    std::string out;
-    for (const char c : bytes) {
-        const auto byte = static_cast<unsigned char>(c);
-        appendUtf8(out, byte >= 0x80 && byte < 0xA0 ? upper[byte - 0x80] : byte);
-    }
-    return out;
-}
-
 /// Root may write everything: the mode says what is meant.
 bool hasNoWrite(const QString& absolute) {
     const QFileInfo info(absolute);
@@ -38,11 +23,6 @@ bool hasNoWrite(const QString& absolute) {
     return info.exists() && (!info.isWritable() || !(info.permissions() & kAny));
 }
 
-/// As an editor shows it: without a byte order mark, and always UTF-8.
-std::string readable(const std::string& bytes) {
-    if (bytes.starts_with("\xEF\xBB\xBF")) return readable(bytes.substr(3));
-    return firstInvalidUtf8(bytes) ? windows1252ToUtf8(bytes) : bytes;
-}
 } // namespace
 
 Workspace::Workspace(QObject* parent) : QObject(parent), m_isReadOnly(hasNoWrite) {
@@ -75,13 +55,17 @@ Result<void> Workspace::open(const QString& folder) {
     watchFiles();
     m_autosave.start();
     emit opened();
-    for (const QString& file : files())
-        if (firstInvalidUtf8(m_files[file].onDisk)) emit encodingConverted(file);
+    tellEncodings();
     startCheck();
     return {};
 }
 
-void Workspace::takeFile(const QString& file, const std::string& bytes) { m_files[file] = {readable(bytes), bytes}; }
+void Workspace::takeFile(const QString& file, const std::string& text) { m_files[file] = {text, text}; }
+
+void Workspace::tellEncodings() {
+    for (const auto& [path, encoding] : m_project->encodings)
+        emit encodingFound(QString::fromStdString(path), QString::fromStdString(encoding));
+}
 
 void Workspace::close() {
     if (!m_project) return;
@@ -120,6 +104,7 @@ driver::BuildInput Workspace::buildInput() const {
     driver::BuildInput input;
     if (!m_project) return input;
     input.libraries = m_project->libraries;
+    input.defines = m_project->defines;
     input.companions = m_project->companions;
     for (const auto& [file, content] : m_files)
         if (isTestFile(file))
@@ -179,8 +164,7 @@ Result<void> Workspace::save(const QString& file, ReadOnly readOnly) {
     if (it == m_files.end()) return Error{errors::NoSuchFileInProject(), toStd(file)};
     if (readOnly == ReadOnly::Keep && it->second.text != it->second.onDisk && isReadOnly(file))
         return Error{errors::FileReadOnly(), toStd(file)};
-    if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), it->second.text); !written)
-        return written;
+    if (auto written = projects::writeSourceText(toStd(absolutePath(file)), it->second.text); !written) return written;
     const bool was = isModified(file);
     it->second.onDisk = it->second.text;
     QFile::remove(sideFile(file));
@@ -199,7 +183,7 @@ Result<void> Workspace::saveAll() {
 void Workspace::revert(const QString& file) {
     const auto it = m_files.find(file);
     if (it == m_files.end()) return;
-    it->second.text = readable(it->second.onDisk);
+    it->second.text = it->second.onDisk;
     QFile::remove(sideFile(file));
     emit textReplaced(file);
     emit modificationChanged(file, isModified(file));
@@ -272,8 +256,8 @@ void Workspace::readDiskChange(const QString& absolute) {
     }
     m_watcher.addPath(absolute);
     emit accessChanged(file, isReadOnly(file));
-    std::string now = disk.readAll().toStdString();
-    if (now.starts_with("\xEF\xBB\xBF")) now.erase(0, 3);
+    const projects::DecodedText read = projects::decodeText(disk.readAll().toStdString());
+    const std::string& now = read.text;
     if (now == it->second.onDisk) return;
     const bool editedHere = isModified(file);
     it->second.onDisk = now;
@@ -281,10 +265,11 @@ void Workspace::readDiskChange(const QString& absolute) {
         emit changedOnDiskAndHere(file);
         return;
     }
-    it->second.text = readable(now);
+    it->second.text = now;
     emit textReplaced(file);
     emit modificationChanged(file, isModified(file));
-    if (firstInvalidUtf8(now)) emit encodingConverted(file);
+    if (read.encoding == projects::Encoding::Windows1252)
+        emit encodingFound(file, QString::fromUtf8(projects::nameOf(read.encoding).data()));
     m_pause.start();
 }
 
@@ -312,8 +297,8 @@ void Workspace::readFolderChange() {
         }
     }
     if (!changed) return;
-    for (const auto& [file, content] : m_files)
-        if (firstInvalidUtf8(content.onDisk)) emit encodingConverted(file);
+    m_project->encodings = project->encodings;
+    tellEncodings();
     watchFiles();
     emit filesChanged();
     startCheck();

@@ -82,8 +82,8 @@ signals:
     void analysed(std::shared_ptr<const plc::analysis::CodeModel> model);
     void saved(const QString& file);
     void accessChanged(const QString& file, bool isReadOnly);
-    /// The file was not UTF-8 and was read as Windows-1252: it counts as changed, saving it writes UTF-8.
-    void encodingConverted(const QString& file);
+    /// The file is not UTF-8; saving it writes the encoding it was found in.
+    void encodingFound(const QString& file, const QString& encoding);
 
 private:
     struct File {
@@ -91,7 +91,8 @@ private:
         std::string onDisk;
     };
     void startCheck();
-    void takeFile(const QString& file, const std::string& bytes);
+    void takeFile(const QString& file, const std::string& text);
+    void tellEncodings();
     void workerLoop();
     void readDiskChange(const QString& absolute);
     void readFolderChange();

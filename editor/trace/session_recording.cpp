@@ -42,7 +42,7 @@ Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& pa
         [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
             driver::BuildInput input;
             for (const auto& [name, text] : sources) input.files.push_back({name, text});
-            input.libraries = libraries;
+            driver::setRecordedSettings(input, libraries);
             driver::Built built = driver::build(input, progress);
             if (!built.program) {
                 failure = built.failure.isEmpty() ? errors::RecordedProgramHasErrors() : built.failure;

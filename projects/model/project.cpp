@@ -3,7 +3,7 @@
 namespace plc::projects {
 
 driver::BuildInput Project::buildInput() const {
-    driver::BuildInput input{sources, libraries, false, companions};
+    driver::BuildInput input{sources, libraries, false, companions, defines};
     for (const driver::SourceFile& test : tests) input.companions.push_back(test.text);
     return input;
 }

@@ -12,6 +12,7 @@ struct Project {
     std::string folder; // absolute; empty for loose ST files
     std::string name;
     std::vector<std::string> libraries; // lower case: "toolbox"
+    std::vector<std::string> defines;   // "Simulation", "Version=2": what conditional pragmas ask for
     std::string startPanel;             // panel file name without ".panel.json"
     std::vector<std::string> languages; // BCP 47, ordered; empty = {"en"}
     std::vector<std::string> fallback;  // chain of languages
@@ -23,6 +24,7 @@ struct Project {
     std::vector<driver::SourceFile> tests;   // tests/*.st
     std::vector<std::string> panels, traces; // file names
     std::vector<std::string> companions;     // texts of panels, alarms, texts and traces: a variable they name is used
+    std::vector<std::pair<std::string, std::string>> encodings; // sources that are not UTF-8: path, encoding
     [[nodiscard]] driver::BuildInput buildInput() const;
 };
 

@@ -32,7 +32,7 @@ void Session::State::adopt(std::shared_ptr<const driver::Built> built) {
     if (!built->input) return;
     std::vector<std::pair<std::string, std::string>> sources;
     for (const driver::SourceFile& file : built->input->files) sources.emplace_back(file.path, file.text);
-    history.describeProgram(built->program, std::move(sources), built->input->libraries);
+    history.describeProgram(built->program, std::move(sources), driver::recordedSettings(*built->input));
 }
 
 void Session::State::optimise(std::shared_ptr<const driver::Built> built) {

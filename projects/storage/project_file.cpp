@@ -109,16 +109,42 @@ std::vector<std::string> filesIn(const fs::path& folder, std::string_view ending
     return out;
 }
 
-Result<driver::SourceFile> readSource(const std::string& path, const std::string& shown) {
-    auto text = readFile(path);
-    if (!text) return text.error();
-    if (text->starts_with("\xEF\xBB\xBF")) text->erase(0, 3);
-    return driver::SourceFile{shown, std::move(*text)};
+/// Of a folder and the folders in it, relative, sorted; those that begin with a point are left out.
+std::vector<std::string> filesBelow(const fs::path& folder, std::string_view ending) {
+    std::vector<std::string> out = filesIn(folder, ending);
+    std::error_code ignored;
+    auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, ignored);
+    for (; !ignored && it != fs::recursive_directory_iterator(); it.increment(ignored)) {
+        if (!it->is_directory(ignored)) continue;
+        const fs::path inner = it->path().lexically_relative(folder);
+        if (it->path().filename().string().starts_with(".")) {
+            it.disable_recursion_pending();
+            continue;
+        }
+        for (const std::string& name : filesIn(it->path(), ending)) out.push_back((inner / name).generic_string());
+    }
+    std::sort(out.begin(), out.end());
+    return out;
 }
 
-Result<void> readSources(const fs::path& folder, const char* part, std::vector<driver::SourceFile>& out) {
-    for (const std::string& name : filesIn(folder / part, ".st")) {
-        auto file = readSource((folder / part / name).string(), (fs::path(part) / name).generic_string());
+bool isXml(std::string_view text) {
+    const size_t begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string_view::npos && text[begin] == '<';
+}
+
+Result<driver::SourceFile> readSource(const std::string& path, const std::string& shown, Project& project) {
+    auto text = readSourceText(path);
+    if (!text) return text.error();
+    if (isXml(text->text)) return Error{errors::SourceIsXml(), path};
+    if (text->encoding != Encoding::Utf8 && text->encoding != Encoding::Utf8Bom)
+        project.encodings.emplace_back(shown, std::string(nameOf(text->encoding)));
+    return driver::SourceFile{shown, std::move(text->text)};
+}
+
+Result<void> readSources(const fs::path& folder, const char* part, Project& project,
+                         std::vector<driver::SourceFile>& out) {
+    for (const std::string& name : filesBelow(folder / part, ".st")) {
+        auto file = readSource((folder / part / name).string(), (fs::path(part) / name).generic_string(), project);
         if (!file) return file.error();
         out.push_back(std::move(*file));
     }
@@ -165,6 +191,7 @@ Result<Project> openFolder(const fs::path& folder) {
     const Json& json = project.json;
     project.name = stringField(json, "name", project.name);
     project.libraries = listField(json, "libraries");
+    project.defines = listField(json, "defines");
     for (std::string& library : project.libraries) {
         library = foldCase(library);
         const auto known = driver::libraryNames();
@@ -183,14 +210,14 @@ Result<Project> openFolder(const fs::path& folder) {
     if (json.contains("settings") && json["settings"].is_object())
         project.calendarStart = stringField(json["settings"], "calendarStart");
     if (project.languages.empty()) project.languages = {"en"};
-    if (auto done = readSources(folder, "src", project.sources); !done) return done.error();
+    if (auto done = readSources(folder, "src", project, project.sources); !done) return done.error();
     if (project.sources.empty())
         for (const std::string& name : filesIn(folder, ".st")) {
-            auto source = readSource((folder / name).string(), name);
+            auto source = readSource((folder / name).string(), name, project);
             if (!source) return source.error();
             project.sources.push_back(std::move(*source));
         }
-    if (auto done = readSources(folder, "tests", project.tests); !done) return done.error();
+    if (auto done = readSources(folder, "tests", project, project.tests); !done) return done.error();
     project.panels = filesIn(folder / "hmi", ".panel.json");
     project.traces = filesIn(folder / "traces", ".trace.json");
     project.companions = readCompanions(project.folder);
@@ -217,11 +244,26 @@ Result<Project> openProject(const std::vector<std::string>& paths) {
         fs::path real = fs::canonical(path, ignored);
         if (!ignored && std::find(known.begin(), known.end(), real) != known.end()) continue;
         known.push_back(std::move(real));
-        auto file = readSource(path, path);
+        auto file = readSource(path, path, project);
         if (!file) return file.error();
         project.sources.push_back(std::move(*file));
     }
     return project;
+}
+
+Result<DecodedText> readSourceText(const std::string& path) {
+    const auto bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    return decodeText(*bytes);
+}
+
+Result<void> writeSourceText(const std::string& path, std::string_view utf8, std::optional<Encoding> wanted) {
+    Encoding encoding = wanted.value_or(Encoding::Utf8);
+    if (std::error_code ignored; !wanted && fs::is_regular_file(path, ignored))
+        if (const auto old = readSourceText(path)) encoding = old->encoding;
+    const auto bytes = encodeText(utf8, encoding);
+    if (!bytes) return Error{bytes.error().message, path};
+    return writeFileAtomically(path, *bytes);
 }
 
 Result<void> saveProjectFile(const Project& project) {

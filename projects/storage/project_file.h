@@ -2,6 +2,7 @@
 // our own file changes no byte. Functions, any thread.
 #pragma once
 #include "projects/model/project.h"
+#include "projects/storage/text_encoding.h"
 #include "runtime/base/result.h"
 
 namespace plc::projects {
@@ -11,6 +12,10 @@ namespace plc::projects {
 /// The texts of panels, alarms, operator texts and traces as they are on disk now (Project::companions).
 [[nodiscard]] std::vector<std::string> readCompanions(const std::string& folder);
 [[nodiscard]] Result<std::string> readFile(const std::string& path);
+/// A source as UTF-8, whatever of UTF-8, UTF-16 and Windows-1252 it is written in.
+[[nodiscard]] Result<DecodedText> readSourceText(const std::string& path);
+/// Writes a source in the encoding that the file has now (UTF-8 for a new one), or in `wanted`.
+Result<void> writeSourceText(const std::string& path, std::string_view utf8, std::optional<Encoding> wanted = {});
 /// All or nothing: the old file or the new one, never a mixture, whatever happens in between. A file with equal content
 /// is not written.
 Result<void> writeFileAtomically(const std::string& path, std::string_view content);

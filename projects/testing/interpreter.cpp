@@ -366,7 +366,7 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
            const std::vector<std::string>& libraries) -> std::shared_ptr<const image::CompiledProgram> {
         driver::BuildInput input;
         for (const auto& [path, text] : sources) input.files.push_back({path, text});
-        input.libraries = libraries;
+        driver::setRecordedSettings(input, libraries);
         return driver::build(input).program;
     };
     const auto loaded = history::History::load(file, rebuild);

@@ -134,7 +134,7 @@ void collectUses(const fs::path& file, std::vector<Use>& out) {
 
 std::vector<Use> usesInSources() {
     std::vector<Use> out;
-    for (const char* folder : {"app", "editor", "hmi", "runtime"})
+    for (const char* folder : {"app", "editor", "hmi", "projects", "runtime"})
         for (const auto& entry : fs::recursive_directory_iterator(sourceFolder + "/" + folder)) {
             const std::string ending = entry.path().extension().string();
             if (ending == ".cpp" || ending == ".h") collectUses(entry.path(), out);

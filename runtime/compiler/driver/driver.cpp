@@ -3,6 +3,7 @@
 
 #include "runtime/base/text.h"
 #include "runtime/compiler/codegen/codegen.h"
+#include "runtime/compiler/driver/definitions.h"
 #include "runtime/compiler/driver/expression_compiler.h"
 #include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
@@ -57,6 +58,7 @@ uint64_t versionOf(const BuildInput& input) {
     uint64_t hash = 14695981039346656037ull;
     for (const SourceFile& file : input.files) hash = mix(mix(hash, file.path), file.text);
     for (const std::string& library : input.libraries) hash = mix(hash, library);
+    for (const std::string& define : input.defines) hash = mix(hash, define);
     return hash;
 }
 
@@ -92,6 +94,20 @@ std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::
 
 } // namespace
 
+std::vector<std::string> recordedSettings(const BuildInput& input) {
+    std::vector<std::string> out = input.libraries;
+    for (const std::string& define : input.defines) out.push_back("#" + define);
+    return out;
+}
+
+void setRecordedSettings(BuildInput& input, const std::vector<std::string>& settings) {
+    for (const std::string& each : settings)
+        if (each.starts_with("#"))
+            input.defines.push_back(each.substr(1));
+        else
+            input.libraries.push_back(each);
+}
+
 std::vector<std::string> libraryNames() {
     std::vector<std::string> names;
     for (const library::Source& source : library::sources()) {
@@ -106,6 +122,24 @@ namespace {
 
 /// Where a build stands after reading, after checking; the rest is code.
 constexpr double kRead = 0.1, kChecked = 0.3;
+
+/// Files whose conditional pragmas ask for names are read again once the names of all files are known.
+void readConditionsAgain(const SourceSet& sources, const parse::Definitions& defines,
+                         std::vector<std::unique_ptr<syntax::SyntaxFile>>& files,
+                         std::vector<diagnostics::Sink>& sinks) {
+    const auto asks = [](const auto& file) { return file->asksForNames; };
+    if (std::none_of(files.begin(), files.end(), asks)) return;
+    parse::Definitions names = defines;
+    for (size_t i = 0; i < files.size(); ++i) addNames(*files[i], sources[FileId(i)].text(), names);
+    for (size_t i = 0; i < files.size(); ++i) {
+        if (!files[i]->asksForNames) continue;
+        const std::string_view text = sources[FileId(i)].text();
+        parse::Definitions known = names;
+        addVariables(*files[i], text, known);
+        sinks[i] = {};
+        files[i] = parse::parseFile(FileId(i), text, sinks[i], &known);
+    }
+}
 
 /// Nothing when it was cancelled.
 std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress) {
@@ -122,23 +156,27 @@ std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress)
                      std::string(source.text));
         libraryOf.push_back(library::namespaceOf(source.library));
     }
-    diagnostics::Sink sink;
+    std::vector<diagnostics::Sink> sinks(sources->files.size());
     std::vector<std::unique_ptr<syntax::SyntaxFile>> files;
+    const parse::Definitions defines = definitionsOf(input.defines);
     for (size_t i = 0; i < sources->files.size(); ++i) {
         if (!goesOn(progress, kRead * static_cast<double>(i) / static_cast<double>(sources->files.size()))) return {};
         const FileId id(i);
-        const std::string_view text = (*sources)[id].text();
-        auto file = parse::parseFile(id, text, sink);
-        file->library = libraryOf[i];
-        lower::lowerFile(*file, sink, input.keepsEveryResult ? lower::Keep::Every : lower::Keep::Needed);
-        files.push_back(std::move(file));
+        files.push_back(parse::parseFile(id, (*sources)[id].text(), sinks[i], &defines));
+    }
+    readConditionsAgain(*sources, defines, files, sinks);
+    std::vector<diagnostics::Diagnostic> diagnostics;
+    for (size_t i = 0; i < files.size(); ++i) {
+        files[i]->library = libraryOf[i];
+        lower::lowerFile(*files[i], sinks[i], input.keepsEveryResult ? lower::Keep::Every : lower::Keep::Needed);
+        for (diagnostics::Diagnostic& each : sinks[i].take()) diagnostics.push_back(std::move(each));
     }
     Checked checked;
     checked.sources = sources;
     sema::Options options;
     options.strict = input.strict;
     for (const std::string& text : input.companions) gatherNames(text, options.usedElsewhere);
-    checked.analysis = sema::analyze(*sources, std::move(files), sink.take(), options);
+    checked.analysis = sema::analyze(*sources, std::move(files), std::move(diagnostics), options);
     if (!goesOn(progress, kChecked)) return {};
     return checked;
 }

@@ -20,9 +20,14 @@ struct BuildInput {
     std::vector<std::string> libraries; // "toolbox", …; the standard is always there
     bool strict = false;
     std::vector<std::string> companions{}; // texts of panels, alarms, traces, tests: a variable they name is used
+    std::vector<std::string> defines{};    // NAME or NAME=VALUE, for conditional pragmas
     bool keepsEveryResult = true;          // of each line of an instruction list, for online values
     bool threadSanitizer = false;          // instruments the generated code (tests of the thread contract)
 };
+
+/// Libraries and defines in one list, as recordings keep them: "util", "#Simulation".
+[[nodiscard]] std::vector<std::string> recordedSettings(const BuildInput& input);
+void setRecordedSettings(BuildInput& input, const std::vector<std::string>& settings);
 
 /// Everything known after checking; `analysis->hasErrors` says whether it can run.
 struct Checked {

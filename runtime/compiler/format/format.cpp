@@ -353,7 +353,7 @@ bool sameContents(std::string_view a, std::string_view b) {
 
 std::string format(std::string_view text, const FormatOptions& options) {
     diagnostics::Sink sink;
-    const auto file = parse::parseFile(FileId(0), text, sink);
+    const auto file = parse::parseFile(FileId(0), text, sink, nullptr, parse::Branches::All);
     if (file->tokens.tokens.size() <= 1 && file->tokens.comments.empty()) return std::string(text);
     const Structure structure(*file, text, sink.all());
     std::string out = Formatter(text, options, *file, structure).run();

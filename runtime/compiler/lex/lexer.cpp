@@ -480,7 +480,19 @@ private:
         push(kind, begin, m_at);
     }
 
+    /// {{ … }}: code in C of Beremiz and OpenPLC, kept and passed over.
+    bool codeOfC() {
+        if (peek(1) != '{') return false;
+        const size_t end = m_text.find("}}", m_at);
+        if (end == std::string_view::npos) return false;
+        emit(m_at, m_at + 2, findings::CodeOfC());
+        push(TokenKind::Pragma, m_at, end + 2);
+        m_at = end + 2;
+        return true;
+    }
+
     void pragma() {
+        if (codeOfC()) return;
         const size_t begin = m_at++;
         char quote = '\0';
         while (m_at < m_text.size()) {

@@ -2,12 +2,16 @@
 
 namespace plc::parse {
 
-std::unique_ptr<syntax::SyntaxFile> parseFile(FileId file, std::string_view text, diagnostics::Sink& sink) {
+std::unique_ptr<syntax::SyntaxFile> parseFile(FileId file, std::string_view text, diagnostics::Sink& sink,
+                                              const Definitions* known, Branches branches) {
     auto tree = std::make_unique<syntax::SyntaxFile>();
     tree->file = file;
     const size_t before = sink.all().size();
     tree->tokens = lex::tokenize(file, text, sink);
-    Parser(*tree, tree->tokens, text, sink, before).parseFile();
+    Conditions conditions;
+    if (branches == Branches::Active) conditions = readConditions(file, text, tree->tokens, known, sink);
+    tree->asksForNames = conditions.asksForNames;
+    Parser(*tree, tree->tokens, text, sink, before, std::move(conditions)).parseFile();
     return tree;
 }
 

@@ -62,7 +62,7 @@ enum class BodyContext : uint8_t { Unit, Fragment };
 class Parser {
 public:
     Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
-           size_t lexicalErrors);
+           size_t lexicalErrors, Conditions conditions = {});
 
     // declarations.cpp
     void parseFile();
@@ -213,6 +213,7 @@ public:
 
     SyntaxFile& m_file;
     const lex::TokenList& m_list;
+    Conditions m_conditions; // which tokens of m_list count
     std::string_view m_text;
     diagnostics::Sink& m_sink;
     std::vector<Token> m_tokens;         // without pragmas and unknown characters

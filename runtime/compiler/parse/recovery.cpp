@@ -7,15 +7,15 @@ namespace plc::parse {
 using diagnostics::Diagnostic;
 
 Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
-               size_t lexicalErrors)
-    : m_file(file), m_list(tokens), m_text(text), m_sink(sink) {
+               size_t lexicalErrors, Conditions conditions)
+    : m_file(file), m_list(tokens), m_conditions(std::move(conditions)), m_text(text), m_sink(sink) {
     m_tokens.reserve(tokens.tokens.size());
     m_sourceIndex.reserve(tokens.tokens.size());
     bool newline = false;
     for (uint32_t i = 0; i < tokens.tokens.size(); ++i) {
         const Token& token = tokens.tokens[i];
         newline |= token.afterNewline;
-        if (token.kind == TokenKind::Pragma || token.kind == TokenKind::Error) continue;
+        if (token.kind == TokenKind::Pragma || token.kind == TokenKind::Error || m_conditions.isLeftOut(i)) continue;
         m_tokens.push_back(token);
         m_tokens.back().afterNewline = newline;
         m_sourceIndex.push_back(i);

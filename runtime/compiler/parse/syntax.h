@@ -396,7 +396,8 @@ struct SyntaxFile {
     Arena arena;
     lex::TokenList tokens;
     std::vector<Decl*> declarations;
-    std::string library; // namespace given by the loader: "Standard", "Toolbox"; empty for project files
+    bool asksForNames = false; // a conditional pragma asks for names of other files
+    std::string library;       // namespace given by the loader: "Standard", "Toolbox"; empty for project files
 };
 
 } // namespace plc::syntax

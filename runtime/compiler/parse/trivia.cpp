@@ -52,7 +52,8 @@ std::vector<Pragma> Parser::pragmasHere() {
     const uint32_t end = sourceIndex(m_at);
     const uint32_t begin = m_at == 0 ? 0 : sourceIndex(m_at - 1) + 1;
     for (uint32_t i = begin; i < end; ++i)
-        if (m_list.tokens[i].kind == TokenKind::Pragma) out.push_back(readPragma(m_list.tokens[i]));
+        if (m_list.tokens[i].kind == TokenKind::Pragma && !m_conditions.isLeftOut(i))
+            out.push_back(readPragma(m_list.tokens[i]));
     return out;
 }
 
@@ -61,7 +62,7 @@ Pragma Parser::readPragma(const Token& token) {
     Pragma pragma;
     pragma.range = rangeOf(token);
     std::string_view text = textOf(token);
-    if (!text.starts_with('{')) { // REGION, VERSION : 0.1
+    if (!text.starts_with('{') || text.starts_with("{{")) { // REGION, VERSION : 0.1; code in C
         pragma.text = text;
         return pragma;
     }

@@ -1,0 +1,67 @@
+// File > Import and File > Export: what would be read or written is shown with its report before anything is. The
+// dialogs live as long as they are open; GUI thread.
+#pragma once
+#include "projects/exchange/imported.h"
+#include "projects/exchange/plcopen_export.h"
+
+#include <QDialog>
+
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace plc::app {
+
+class MainWindow;
+
+class ImportDialog : public QDialog {
+    Q_OBJECT
+public:
+    ImportDialog(const QString& projectsFolder, QWidget* parent);
+    /// Reads a file or folder and shows what it holds.
+    void preview(const QString& path);
+    /// Writes the project; false with a complaint in the dialog when that is refused.
+    bool write();
+    [[nodiscard]] QString folder() const; // of the new project
+
+private:
+    void choose(bool isFolder);
+    void show(const Error& error);
+    void showFile();
+    void check();
+    QString m_projectsFolder;
+    std::optional<exchange::Imported> m_imported;
+    QLineEdit *m_source, *m_target;
+    QTreeWidget *m_files, *m_notes;
+    QPlainTextEdit* m_text;
+    QLabel *m_summary, *m_complaint;
+    QPushButton* m_import;
+};
+
+class ExportDialog : public QDialog {
+    Q_OBJECT
+public:
+    ExportDialog(const projects::Project& project, QWidget* parent);
+    bool write();
+    void setTarget(const QString& path);
+
+private:
+    void preview();
+    const projects::Project& m_project;
+    std::optional<exchange::Exported> m_exported;
+    QComboBox* m_version;
+    QLineEdit* m_target;
+    QTreeWidget* m_notes;
+    QLabel *m_summary, *m_complaint;
+    QPushButton* m_export;
+};
+
+void importProject(MainWindow& window);
+void exportProject(MainWindow& window);
+
+} // namespace plc::app

@@ -1,0 +1,49 @@
+// What an import makes of files of another tool: the texts of a project, what has no home in them, and the report. A
+// value; nothing is written before writeImported.
+#pragma once
+#include "projects/exchange/report.h"
+#include "projects/model/project.h"
+#include "runtime/base/result.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace plc::exchange {
+
+struct ImportedFile {
+    std::string path; // in the project: "src/Drives/Axis.st"
+    std::string text;
+};
+
+struct Imported {
+    std::string name;
+    std::vector<ImportedFile> files;
+    std::set<std::string> libraries; // of ours
+    bool hasWordAddresses = false;
+    nlohmann::ordered_json side = nlohmann::ordered_json::object(); // exchange.json, by unit and id
+    Report report;
+};
+
+/// Of a body, as hexadecimal: one that is the same as when it was imported goes out as the diagram it came from.
+[[nodiscard]] std::string hashOf(const std::string& text);
+/// Adds `text` as src/FOLDER/NAME.st; a second unit of that name gets a number.
+void addFile(Imported& imported, const std::string& folder, const std::string& name, std::string text);
+/// A name as a file's: characters that a file name cannot have become _.
+[[nodiscard]] std::string fileNameOf(const std::string& name);
+
+/// Reads a file or every file of a folder that an import knows; the report says which were left out.
+[[nodiscard]] Result<Imported> importFrom(const std::string& path);
+/// Loose files as one project; folders by themselves are not looked into.
+[[nodiscard]] Result<Imported> importFiles(const std::vector<std::string>& paths);
+/// A file that is read by importing it: of TwinCAT or CODESYS by its name, PLCopen XML by its content.
+[[nodiscard]] bool isForeignFile(const std::string& path);
+/// As a project in memory, without a folder.
+[[nodiscard]] projects::Project toProject(const Imported& imported);
+/// Writes the project; the folder must not exist or must be empty.
+Result<void> writeImported(const Imported& imported, const std::string& folder);
+/// XML of TwinCAT or PLCopen, by the first bytes: no source of ours.
+[[nodiscard]] bool looksLikeXml(std::string_view bytes);
+
+} // namespace plc::exchange

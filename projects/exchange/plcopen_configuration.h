@@ -1,0 +1,20 @@
+// <configuration> of PLCopen XML as CONFIGURATION … END_CONFIGURATION: resources, tasks with the settings of CODESYS,
+// instances, globals. Functions, any thread.
+#pragma once
+#include "projects/exchange/report.h"
+#include "projects/exchange/xml.h"
+
+#include <vector>
+
+namespace plc::exchange {
+
+struct ConfigurationText {
+    std::string text;
+    bool isEmpty = true;               // neither tasks nor instances nor globals
+    std::vector<pugi::xml_node> lists; // <globalVars> with a name of their own: lists beside the configuration
+};
+[[nodiscard]] ConfigurationText configurationText(pugi::xml_node configuration, const XmlFile& file, Report& report);
+/// "T#50ms" of "PT0.05S", "t#50ms", or "50" with the unit "ms"; empty when it is no duration.
+[[nodiscard]] std::string durationText(std::string_view text, std::string_view unit = {});
+
+} // namespace plc::exchange

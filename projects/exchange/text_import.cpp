@@ -1,0 +1,182 @@
+#include "projects/exchange/text_import.h"
+
+#include "projects/exchange/assemble.h"
+#include "projects/exchange/xml.h"
+#include "runtime/base/text.h"
+
+#include <algorithm>
+
+namespace plc::exchange {
+
+namespace {
+
+/// One line's first word, upper case.
+std::string firstWord(std::string_view line) {
+    const size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return {};
+    size_t end = begin;
+    while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) || line[end] == '_')) ++end;
+    std::string word(line.substr(begin, end - begin));
+    for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return word;
+}
+
+/// (* @KEY := 'value' *) of a line; empty key when it is none.
+std::pair<std::string, std::string> mark(std::string_view line) {
+    const std::string text = trimmed(line);
+    if (!text.starts_with("(* @") || !text.ends_with("*)")) return {};
+    std::string inner = trimmed(std::string_view(text).substr(4, text.size() - 6));
+    const size_t assign = inner.find(":=");
+    std::string key = trimmed(inner.substr(0, assign));
+    std::string value = assign == std::string::npos ? "" : trimmed(inner.substr(assign + 2));
+    if (value.size() >= 2 && value.front() == '\'' && value.back() == '\'') value = value.substr(1, value.size() - 2);
+    return {key, value};
+}
+
+std::string folderOf(std::string path) {
+    std::string out;
+    for (size_t at = 0; at < path.size(); ++at) {
+        if (path[at] == '\\') continue; // \/ stands between folders
+        out += path[at];
+    }
+    while (!out.empty() && out.front() == '/') out.erase(0, 1);
+    std::string folder;
+    for (size_t at = 0; at < out.size();) {
+        const size_t end = std::min(out.find('/', at), out.size());
+        if (end > at) folder += (folder.empty() ? "" : "/") + fileNameOf(out.substr(at, end - at));
+        at = end + 1;
+    }
+    return folder;
+}
+
+bool endsUnit(const std::string& word) {
+    return word == "END_FUNCTION_BLOCK" || word == "END_FUNCTION" || word == "END_PROGRAM" || word == "END_TYPE" ||
+           word == "END_ACTION";
+}
+
+class Codesys2Reader {
+public:
+    Codesys2Reader(const std::string& text, std::string place, Imported& out)
+        : m_text(text), m_place(std::move(place)), m_out(out) {}
+
+    void read() {
+        for (size_t at = 0; at < m_text.size();) {
+            const size_t end = std::min(m_text.find('\n', at), m_text.size());
+            readLine(std::string_view(m_text).substr(at, end - at));
+            ++m_line;
+            at = end + 1;
+        }
+        finish();
+    }
+
+private:
+    void readLine(std::string_view line) {
+        const auto [key, value] = mark(line);
+        const std::string word = firstWord(line);
+        if (!m_skipUntil.empty()) {
+            if (word == m_skipUntil) m_skipUntil.clear();
+            return;
+        }
+        if (!key.empty()) return readMark(key, value);
+        if (word == "PLC_CONFIGURATION" || word == "VISUALISATION" || word == "LIBRARY" ||
+            word == "TASK_CONFIGURATION" || word == "RESOURCE" || word == "ALARM_CONFIGURATION" ||
+            word == "WORKSPACE") {
+            m_out.report.add(m_place + ":" + std::to_string(m_line), remarks::ElementNotRead(word));
+            m_skipUntil = word == "PLC_CONFIGURATION" ? "PLC_END" : "END_" + word;
+            return;
+        }
+        if (m_current.empty() && trimmed(line).empty()) return;
+        if (word.starts_with("_") && word.ends_with("_BODY")) m_isDrawn = true;
+        if (m_isDrawn && !endsUnit(word)) {
+            m_drawn += std::string(line) + "\n";
+            return;
+        }
+        m_current += std::string(line) + "\n";
+        if (endsUnit(word)) finish();
+    }
+
+    void readMark(const std::string& key, const std::string& value) {
+        if (key == "PATH") m_path = value;
+        if (key == "GLOBAL_VARIABLE_LIST") m_list = value;
+        if (key == "OBJECT_END") finish();
+        if (key == "NESTEDCOMMENTS" && !m_current.empty() && kindOfDeclaration(m_current) == PieceKind::Globals)
+            finish();
+    }
+
+    void finish() {
+        std::string text = trimmedLines(m_current);
+        m_current.clear();
+        if (text.empty()) return;
+        const PieceKind kind = kindOfDeclaration(text);
+        std::string name = nameInDeclaration(text);
+        if (kind == PieceKind::Unknown && text.find_first_not_of(" \t\n;") == std::string::npos) return;
+        if (kind == PieceKind::Globals) {
+            name = m_list.empty() ? "Globals" : m_list;
+            text = "{gvl " + name + "}\n" + text;
+            m_list.clear();
+        }
+        if (m_isDrawn) {
+            m_out.report.add(m_place, remarks::ArchiveBody(name));
+            m_out.side["units"][name]["archive"] = m_drawn;
+            ++m_out.report.bodies["LD/FBD"];
+        } else if (kind != PieceKind::Globals && kind != PieceKind::Type) {
+            ++m_out.report.bodies["ST/IL"];
+        }
+        m_isDrawn = false;
+        m_drawn.clear();
+        if (kind == PieceKind::Action && !m_out.files.empty()) { // belongs to the unit before it
+            m_out.files.back().text += "\n" + text + "\n";
+            return;
+        }
+        ++m_out.report.units[kind == PieceKind::Unknown ? "text" : std::string(keywordOf(kind))];
+        addFile(m_out, folderOf(m_path), name.empty() ? "unit" : name, text + "\n");
+    }
+
+    const std::string& m_text;
+    std::string m_place;
+    Imported& m_out;
+    int m_line = 1;
+    std::string m_current, m_path, m_list, m_skipUntil, m_drawn;
+    bool m_isDrawn = false;
+};
+
+} // namespace
+
+bool isCodesys2Text(std::string_view text) {
+    return text.find("(* @NESTEDCOMMENTS") != std::string_view::npos ||
+           text.find("(* @END_DECLARATION") != std::string_view::npos ||
+           text.find("(* @PATH :=") != std::string_view::npos;
+}
+
+void importCodesys2Text(const std::string& text, const std::string& place, Imported& imported) {
+    imported.side["source"]["format"] = "CODESYS 2.3";
+    imported.side["source"]["product"] = "CODESYS 2.3";
+    Codesys2Reader(text, place, imported).read();
+}
+
+bool commentOutC(std::string& text) {
+    bool found = false;
+    for (size_t at = text.find("{{"); at != std::string::npos; at = text.find("{{", at)) {
+        const size_t end = text.find("}}", at);
+        if (end == std::string::npos) break;
+        std::string code = text.substr(at + 2, end - at - 2);
+        for (size_t star = 0; (star = code.find("*)", star)) != std::string::npos;) code.insert(star + 1, " ");
+        for (size_t star = 0; (star = code.find("(*", star)) != std::string::npos;) code.insert(star + 1, " ");
+        const std::string comment = "(* C:" + code + "*)";
+        text.replace(at, end + 2 - at, comment);
+        at += comment.size();
+        found = true;
+    }
+    return found;
+}
+
+void importLooseText(const std::string& text, const std::string& place, const std::string& folder,
+                     const std::string& name, Imported& imported) {
+    std::string kept = text;
+    if (commentOutC(kept)) imported.report.add(place, remarks::CodeSkipped());
+    if (!kept.ends_with('\n')) kept += '\n';
+    ++imported.report.units["file"];
+    addFile(imported, folder, name, std::move(kept));
+}
+
+} // namespace plc::exchange

@@ -1,0 +1,146 @@
+// SFC graphs in: divergences, convergences and jumps become FROM and TO, actions and conditions of every form are kept.
+#include "fixture.h"
+
+namespace plc::exchange {
+namespace {
+
+std::string in(std::initializer_list<const char*> ids) {
+    std::string out;
+    for (const char* id : ids)
+        out += "<connectionPointIn><connection refLocalId=\"" + std::string(id) +
+               "\" formalParameter=\"sfc\"/></connectionPointIn>";
+    return out;
+}
+std::string step(const std::string& id, const std::string& name, std::initializer_list<const char*> from,
+                 const std::string& more = {}) {
+    return "<step localId=\"" + id + "\" name=\"" + name + "\" " + more + "><position x=\"10\" y=\"20\"/>" + in(from) +
+           "<connectionPointOut formalParameter=\"\"/></step>";
+}
+std::string transition(const std::string& id, const std::string& condition, std::initializer_list<const char*> from) {
+    return "<transition localId=\"" + id + "\"><position x=\"0\" y=\"0\"/>" + in(from) +
+           "<condition><inline name=\"\"><ST><xhtml>" + condition + "</xhtml></ST></inline></condition></transition>";
+}
+std::string node(const std::string& tag, const std::string& id, std::initializer_list<const char*> from) {
+    return "<" + tag + " localId=\"" + id + "\"><position x=\"0\" y=\"0\"/>" + in(from) +
+           "<connectionPointOut formalParameter=\"\"/></" + tag + ">";
+}
+std::string jump(const std::string& id, const std::string& target, std::initializer_list<const char*> from) {
+    return "<jumpStep localId=\"" + id + "\" targetName=\"" + target + "\"><position x=\"0\" y=\"0\"/>" + in(from) +
+           "</jumpStep>";
+}
+
+class ChartImport : public ExchangeTest {
+protected:
+    std::string chart(const std::string& elements, const std::string& interface, const std::string& more = {}) {
+        imported = import(document(pou("Main", "program", interface, "<SFC>" + elements + "</SFC>", more)));
+        EXPECT_EQ(errorsOf(imported), "");
+        const std::string text = fileOf(imported, "src/Main.st");
+        const size_t begin = text.find("INITIAL_STEP");
+        return text.substr(begin, text.rfind("END_PROGRAM") - begin);
+    }
+    Imported imported;
+};
+
+TEST_F(ChartImport, StepsAndTransitionsInARowWithAJumpBack) {
+    EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + transition("2", "a", {"1"}) +
+                        step("3", "Run", {"2"}) + transition("4", "NOT a", {"3"}) + jump("5", "Init", {"4"}),
+                    bools({"a"})),
+              "INITIAL_STEP Init:\nEND_STEP\nTRANSITION FROM Init TO Run := a; END_TRANSITION\nSTEP "
+              "Run:\nEND_STEP\nTRANSITION FROM Run TO Init := NOT a; END_TRANSITION\n");
+    EXPECT_EQ(imported.side["units"]["Main"]["positions"]["Run"].dump(), "[10,20]");
+}
+
+TEST_F(ChartImport, AlternativesDivergeAndConverge) {
+    EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + node("selectionDivergence", "2", {"1"}) +
+                        transition("3", "a", {"2"}) + step("4", "L", {"3"}) + transition("5", "b", {"2"}) +
+                        step("6", "R", {"5"}) + transition("7", "NOT a", {"4"}) + transition("8", "NOT b", {"6"}) +
+                        node("selectionConvergence", "9", {"7", "8"}) + step("10", "End", {"9"}) +
+                        transition("11", "TRUE", {"10"}) + jump("12", "Init", {"11"}),
+                    bools({"a", "b"})),
+              "INITIAL_STEP Init:\nEND_STEP\nTRANSITION FROM Init TO L := a; END_TRANSITION\nSTEP "
+              "L:\nEND_STEP\nTRANSITION FROM Init TO R := b; END_TRANSITION\nSTEP R:\nEND_STEP\n"
+              "TRANSITION FROM L TO End := NOT a; END_TRANSITION\nTRANSITION FROM R TO End := NOT b; "
+              "END_TRANSITION\nSTEP End:\nEND_STEP\nTRANSITION FROM End TO Init := TRUE; END_TRANSITION\n");
+}
+
+TEST_F(ChartImport, ParallelBranchesOpenAndJoin) {
+    EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + transition("2", "a", {"1"}) +
+                        node("simultaneousDivergence", "3", {"2"}) + step("4", "L", {"3"}) + step("5", "R", {"3"}) +
+                        node("simultaneousConvergence", "6", {"4", "5"}) + transition("7", "b", {"6"}) +
+                        jump("8", "Init", {"7"}),
+                    bools({"a", "b"})),
+              "INITIAL_STEP Init:\nEND_STEP\nTRANSITION FROM Init TO (L, R) := a; END_TRANSITION\nSTEP "
+              "L:\nEND_STEP\nSTEP R:\nEND_STEP\nTRANSITION FROM (L, R) TO Init := b; END_TRANSITION\n");
+}
+
+TEST_F(ChartImport, ActionsKeepQualifierTimeAndInlineText) {
+    const std::string actions =
+        "<actionBlock localId=\"20\"><position x=\"0\" y=\"0\"/>" + in({"1"}) +
+        "<action localId=\"21\" qualifier=\"N\"><relPosition x=\"0\" y=\"0\"/><reference name=\"a\"/></action>"
+        "<action localId=\"22\" qualifier=\"L\" duration=\"T#2s\"><relPosition x=\"0\" y=\"0\"/><reference "
+        "name=\"Work\"/></action>"
+        "<action localId=\"23\" qualifier=\"P\"><relPosition x=\"0\" y=\"0\"/><inline><ST><xhtml>b := NOT "
+        "b;</xhtml></ST></inline></action></actionBlock>";
+    EXPECT_EQ(chart(step("1", "Init", {}, "initialStep=\"true\"") + actions + transition("2", "FALSE", {"1"}) +
+                        jump("3", "Init", {"2"}),
+                    bools({"a", "b"}),
+                    "<actions><action name=\"Work\"><body>" + st("b := TRUE;") + "</body></action></actions>"),
+              "INITIAL_STEP Init:\n    a(N);\n    Work(L, T#2s);\n    Init_Action1(P);\nEND_STEP\nTRANSITION FROM Init "
+              "TO Init := FALSE; END_TRANSITION\n\nACTION Work:\nb := TRUE;\nEND_ACTION\n\n"
+              "ACTION Init_Action1:\nb := NOT b;\nEND_ACTION\n");
+}
+
+TEST_F(ChartImport, ConditionsAsReferencesVariablesAndContacts) {
+    const auto with = [](const std::string& id, const std::string& condition, const char* from) {
+        return "<transition localId=\"" + id + "\"><position x=\"0\" y=\"0\"/>" + in({from}) + "<condition>" +
+               condition + "</condition></transition>";
+    };
+    const std::string named = "<transitions><transition name=\"Ready\"><body>" + st("Ready := a AND b;") +
+                              "</body></transition></transitions>";
+    EXPECT_EQ(chart(step("1", "S1", {}, "initialStep=\"true\"") + with("2", "<reference name=\"Ready\"/>", "1") +
+                        step("3", "S2", {"2"}) +
+                        "<inVariable localId=\"4\"><position x=\"0\" y=\"0\"/><connectionPointOut/><expression>a OR "
+                        "b</expression></inVariable>" +
+                        with("5", "<connectionPointIn><connection refLocalId=\"4\"/></connectionPointIn>", "3") +
+                        step("6", "S3", {"5"}) +
+                        "<leftPowerRail localId=\"7\"><position x=\"0\" y=\"0\"/></leftPowerRail><contact "
+                        "localId=\"8\"><position x=\"0\" y=\"0\"/>" +
+                        in({"7"}) +
+                        "<variable>a</variable></contact>"
+                        "<contact localId=\"9\" negated=\"true\"><position x=\"0\" y=\"0\"/>" +
+                        in({"8"}) + "<variable>b</variable></contact>" +
+                        with("10", "<connectionPointIn><connection refLocalId=\"9\"/></connectionPointIn>", "6") +
+                        jump("11", "S1", {"10"}),
+                    bools({"a", "b"}), named),
+              "INITIAL_STEP S1:\nEND_STEP\nTRANSITION FROM S1 TO S2 := a AND b; END_TRANSITION\nSTEP "
+              "S2:\nEND_STEP\nTRANSITION FROM S2 TO S3 := a OR b; END_TRANSITION\nSTEP S3:\nEND_STEP\n"
+              "TRANSITION FROM S3 TO S1 := a AND NOT b; END_TRANSITION\n");
+}
+
+TEST_F(ChartImport, StepActionsOfCodesysBecomeAssociations) {
+    const std::string data =
+        "<addData><data name=\"http://www.3s-software.com/plcopenxml/sfc/element\" "
+        "handleUnknown=\"implementation\"><attributes xmlns=\"\"><attribute guid=\"1\">Init</attribute>"
+        "<attribute guid=\"2\">Init_entry</attribute><attribute guid=\"3\">Init_active</attribute><attribute "
+        "guid=\"4\">Init_exit</attribute></attributes></data></addData>";
+    std::string actions = "<actions>";
+    for (const char* name : {"Init_entry", "Init_active", "Init_exit"})
+        actions += "<action name=\"" + std::string(name) + "\"><body>" + st("a := TRUE;") + "</body></action>";
+    const std::string text = chart("<step localId=\"1\" name=\"Init\" initialStep=\"true\"><position x=\"0\" "
+                                   "y=\"0\"/><connectionPointOut formalParameter=\"sfc\"/>" +
+                                       data + "</step>" + transition("2", "FALSE", {"1"}) + jump("3", "Init", {"2"}),
+                                   bools({"a"}), actions + "</actions>");
+    EXPECT_TRUE(text.starts_with(
+        "INITIAL_STEP Init:\n    Init_entry(P1);\n    Init_active(N);\n    Init_exit(P0);\nEND_STEP\n"))
+        << text;
+}
+
+TEST_F(ChartImport, WhatLeadsNowhereHasALine) {
+    imported = import(document(pou("Main", "program", bools({"a"}),
+                                   "<SFC>" + step("1", "Init", {}, "initialStep=\"true\"") +
+                                       transition("2", "a", {"1"}) + jump("3", "Gone", {"2"}) + "</SFC>")));
+    EXPECT_EQ(imported.report.losses(), 2u) << imported.report.toText();
+}
+
+} // namespace
+} // namespace plc::exchange

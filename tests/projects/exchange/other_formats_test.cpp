@@ -1,0 +1,228 @@
+// Files of TwinCAT, the native export of CODESYS V3, text of CODESYS 2.3 and loose ST in; text files in every encoding
+// and back as they were.
+#include "fixture.h"
+
+#include "projects/storage/project_file.h"
+
+namespace plc::exchange {
+namespace {
+
+class OtherFormats : public ExchangeTest {
+protected:
+    static std::string object(const std::string& inner) {
+        return "\xEF\xBB\xBF<?xml version=\"1.0\" encoding=\"utf-8\"?>\r\n<TcPlcObject Version=\"1.1.0.1\">\r\n" +
+               inner + "\r\n</TcPlcObject>";
+    }
+    static std::string cdata(const std::string& tag, const std::string& text) {
+        return "<" + tag + "><![CDATA[" + text + "]]></" + tag + ">";
+    }
+    static std::string st(const std::string& text) {
+        return "<Implementation>" + cdata("ST", text) + "</Implementation>";
+    }
+    Imported folder(const std::string& name) const {
+        auto imported = importFrom(path(name));
+        EXPECT_TRUE(imported) << imported.error().english();
+        return imported ? std::move(*imported) : Imported();
+    }
+};
+
+TEST_F(OtherFormats, ATwinCatTreeBecomesAProjectWithFoldersTasksAndMembers) {
+    write("tc/P/P.plcproj",
+          "<?xml version=\"1.0\"?><Project "
+          "xmlns=\"http://schemas.microsoft.com/developer/msbuild/2003\"><PropertyGroup><Name>Cell</Name></"
+          "PropertyGroup><ItemGroup>"
+          "<Compile Include=\"POUs\\Drive\\FB_Axis.TcPOU\"/></ItemGroup><ItemGroup><PlaceholderReference "
+          "Include=\"Tc2_Standard\"/><PlaceholderReference Include=\"Tc2_MC2\"/></ItemGroup></Project>");
+    write("tc/P/POUs/Drive/FB_Axis.TcPOU",
+          object("<POU Name=\"FB_Axis\" Id=\"{1}\" SpecialFunc=\"None\">" +
+                 cdata("Declaration",
+                       "// moves\r\nFUNCTION_BLOCK FB_Axis EXTENDS FB_Base\r\nVAR\r\n\tv : REAL;\r\nEND_VAR\r\n") +
+                 st("v := v + 1;\r\nLimit();") + "<Method Name=\"Stop\" Id=\"{2}\">" +
+                 cdata("Declaration", "METHOD PUBLIC Stop : BOOL\r\nVAR_INPUT\r\n\thard : BOOL;\r\nEND_VAR\r\n") +
+                 st("v := 0;\r\nStop := hard;") +
+                 "</Method>"
+                 "<Property Name=\"Speed\" Id=\"{3}\">" +
+                 cdata("Declaration", "PROPERTY PUBLIC Speed : REAL\r\n") + "<Get Name=\"Get\" Id=\"{4}\">" +
+                 cdata("Declaration", "VAR\r\nEND_VAR\r\n") + st("Speed := v;") +
+                 "</Get><Set Name=\"Set\" Id=\"{5}\">" + cdata("Declaration", "VAR\r\nEND_VAR\r\n") +
+                 st("v := Speed;") + "</Set></Property><Action Name=\"Limit\" Id=\"{6}\">" + st("v := MIN(v, 10.0);") +
+                 "</Action></POU>"));
+    write("tc/P/POUs/FB_Base.TcPOU",
+          object("<POU Name=\"FB_Base\">" +
+                 cdata("Declaration", "FUNCTION_BLOCK FB_Base IMPLEMENTS I_Axis\r\nVAR\r\nEND_VAR\r\n") + st("") +
+                 "<Method Name=\"Go\">" + cdata("Declaration", "METHOD Go : BOOL\r\n") + st("Go := TRUE;") +
+                 "</Method></POU>"));
+    write("tc/P/POUs/MAIN.TcPOU",
+          object("<POU Name=\"MAIN\">" +
+                 cdata("Declaration", "PROGRAM MAIN\r\nVAR\r\n\taxis : FB_Axis;\r\nEND_VAR\r\n") +
+                 st("axis();\r\nGVL.n := GVL.n + 1;") + "</POU>"));
+    write("tc/P/I_Axis.TcIO",
+          object("<Itf Name=\"I_Axis\">" + cdata("Declaration", "INTERFACE I_Axis\r\n") + "<Method Name=\"Go\">" +
+                 cdata("Declaration", "METHOD Go : BOOL\r\n") + "</Method></Itf>"));
+    write("tc/P/DUTs/ST_Point.TcDUT",
+          object("<DUT Name=\"ST_Point\">" +
+                 cdata("Declaration", "TYPE ST_Point :\r\nSTRUCT\r\n\tx : REAL;\r\nEND_STRUCT\r\nEND_TYPE\r\n") +
+                 "</DUT>"));
+    write("tc/P/GVL.TcGVL",
+          object("<GVL Name=\"GVL\">" +
+                 cdata("Declaration", "{attribute 'qualified_only'}\r\nVAR_GLOBAL\r\n\tn : INT;\r\nEND_VAR\r\n") +
+                 "</GVL>"));
+    write("tc/P/PlcTask.TcTTO", object("<Task "
+                                       "Name=\"PlcTask\"><CycleTime>10000</CycleTime><Priority>20</"
+                                       "Priority><PouCall><Name>MAIN</Name></PouCall></Task>"));
+    const Imported imported = folder("tc");
+    EXPECT_EQ(imported.name, "Cell");
+    EXPECT_EQ(
+        fileOf(imported, "src/POUs/Drive/FB_Axis.st"),
+        "// moves\nFUNCTION_BLOCK FB_Axis EXTENDS FB_Base\nVAR\n\tv : REAL;\nEND_VAR\nv := v + 1;\nLimit();\n\nMETHOD "
+        "PUBLIC Stop : BOOL\nVAR_INPUT\n\thard : BOOL;\nEND_VAR\nv := 0;\nStop := hard;\nEND_METHOD\n\n"
+        "PROPERTY PUBLIC Speed : REAL\nGET\nVAR\nEND_VAR\nSpeed := v;\nEND_GET\nSET\nVAR\nEND_VAR\nv := "
+        "Speed;\nEND_SET\nEND_PROPERTY\n\nACTION Limit:\nv := MIN(v, 10.0);\nEND_ACTION\nEND_FUNCTION_BLOCK\n");
+    EXPECT_EQ(fileOf(imported, "src/GVL.st"),
+              "{gvl GVL}\n{attribute 'qualified_only'}\nVAR_GLOBAL\n\tn : INT;\nEND_VAR\n");
+    EXPECT_NE(fileOf(imported, "src/configuration.st")
+                  .find("TASK PlcTask(INTERVAL := T#10ms, PRIORITY := 20);\n        PROGRAM MAIN WITH PlcTask : MAIN;"),
+              std::string::npos);
+    EXPECT_EQ(errorsOf(imported), "");
+    ASSERT_EQ(imported.report.notes.size(), 1u) << imported.report.toText();
+    EXPECT_EQ(imported.report.notes[0].kind, NoteKind::LibraryUnknown);
+}
+
+TEST_F(OtherFormats, ADrawnBodyOfTwinCatHasItsLineAndIsKept) {
+    write("x/P.TcPOU", object("<POU Name=\"P\">" + cdata("Declaration", "PROGRAM P\nVAR\nEND_VAR\n") +
+                              "<Implementation><NWL><XmlArchive><Data/></XmlArchive></NWL></Implementation></POU>"));
+    const Imported imported = folder("x");
+    ASSERT_EQ(imported.report.losses(), 1u);
+    EXPECT_EQ(imported.report.notes[0].kind, NoteKind::ArchiveBody);
+    EXPECT_NE(imported.side["units"]["P"]["archive"].get<std::string>().find("<XmlArchive>"), std::string::npos);
+}
+
+TEST_F(OtherFormats, DamagedFilesOfATreeAreLinesTheOthersAreRead) {
+    write("d/Good.TcPOU",
+          object("<POU Name=\"Good\">" + cdata("Declaration", "PROGRAM Good\nVAR\nEND_VAR\n") + st("") + "</POU>"));
+    write("d/Bad.TcPOU", "<?xml version=\"1.0\"?><TcPlcObject><POU Name=");
+    write("d/Empty.TcPOU", "");
+    const Imported imported = folder("d");
+    EXPECT_EQ(imported.files.size(), 1u);
+    EXPECT_EQ(imported.report.losses(), 2u) << imported.report.toText();
+}
+
+TEST_F(OtherFormats, TextOfCodesys2IsReadWithItsFoldersAndLists) {
+    write(
+        "c2/all.EXP",
+        "\r\n(* @NESTEDCOMMENTS := 'Yes' *)\r\n(* @PATH := '\\/Drives\\/X' *)\r\n(* @OBJECTFLAGS := '0, 8' "
+        "*)\r\nFUNCTION_BLOCK Fb\r\nVAR_INPUT\r\n\tx : INT;\r\nEND_VAR\r\n(* @END_DECLARATION := '0' *)\r\nx := 1; (* "
+        "caf\xE9 *)\r\nEND_FUNCTION_BLOCK\r\n"
+        "ACTION Reset:\r\nx := 0;\r\nEND_ACTION\r\n\r\n\r\n(* @NESTEDCOMMENTS := 'Yes' *)\r\n(* @PATH := '' *)\r\nTYPE "
+        "Color : (Red, Blue);\r\nEND_TYPE\r\n(* @END_DECLARATION := '0' *)\r\n\r\n(* @NESTEDCOMMENTS := 'Yes' *)\r\n"
+        "(* @GLOBAL_VARIABLE_LIST := 'Global_Variables' *)\r\n(* @PATH := '' *)\r\nVAR_GLOBAL\r\n\tc : "
+        "Color;\r\nEND_VAR\r\n\r\n(* @OBJECT_END := 'Global_Variables' *)\r\n"
+        "PROGRAM Main\r\nVAR\r\n\tf : Fb;\r\nEND_VAR\r\n(* @END_DECLARATION := '0' *)\r\n\tLD 1\r\n\tST "
+        "f.x\r\nEND_PROGRAM\r\n"
+        "PROGRAM Drawn\r\nVAR\r\nEND_VAR\r\n(* @END_DECLARATION := '0' *)\r\n_LD_BODY\r\n_NETWORKS : "
+        "1\r\n_NETWORK\r\nEND_PROGRAM\r\n");
+    const Imported imported = folder("c2");
+    EXPECT_EQ(fileOf(imported, "src/Drives/X/Fb.st"),
+              "FUNCTION_BLOCK Fb\nVAR_INPUT\n\tx : INT;\nEND_VAR\nx := 1; (* caf\xC3\xA9 "
+              "*)\nEND_FUNCTION_BLOCK\n\nACTION Reset:\nx := 0;\nEND_ACTION\n");
+    EXPECT_EQ(fileOf(imported, "src/Global_Variables.st"),
+              "{gvl Global_Variables}\nVAR_GLOBAL\n\tc : Color;\nEND_VAR\n");
+    fileOf(imported, "src/Color.st");
+    fileOf(imported, "src/Main.st");
+    EXPECT_EQ(fileOf(imported, "src/Drawn.st"), "PROGRAM Drawn\nVAR\nEND_VAR\nEND_PROGRAM\n");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+}
+
+TEST_F(OtherFormats, TheNativeExportOfCodesys3IsRead) {
+    const auto entry = [](const std::string& name, const std::string& guid, const std::string& parent,
+                          const std::string& declaration, const std::string& body) {
+        const auto document = [](const std::string& text) {
+            return "<Single Name=\"TextDocument\" Type=\"{t}\"><Single Name=\"TextBlobForSerialisation\" "
+                   "Type=\"string\">" +
+                   text + "</Single></Single>";
+        };
+        return "<Single Type=\"{e}\" Method=\"IArchivable\"><Single Name=\"MetaObject\" Type=\"{m}\"><Single "
+               "Name=\"Guid\" Type=\"System.Guid\">" +
+               guid + "</Single><Single Name=\"ParentGuid\" Type=\"System.Guid\">" + parent +
+               "</Single><Single Name=\"Name\" Type=\"string\">" + name +
+               "</Single></Single><Single Name=\"Object\" Type=\"{o}\"><Single Name=\"Interface\" Type=\"{i}\">" +
+               document(declaration) + "</Single>" +
+               (body.empty() ? "" : "<Single Name=\"Implementation\" Type=\"{b}\">" + document(body) + "</Single>") +
+               "</Single></Single>";
+    };
+    write("v3/all.export", "<ExportFile><StructuredView Guid=\"{g}\"><Single xml:space=\"preserve\" Type=\"{s}\" "
+                           "Method=\"IArchivable\"><List2 Name=\"EntryList\">" +
+                               entry("Fb", "1", "0", "FUNCTION_BLOCK Fb\nVAR\n\tn : INT;\nEND_VAR\n", "n := n + 1;") +
+                               entry("Twice", "2", "1", "METHOD Twice : INT\n", "Twice := 2 * n;") +
+                               entry("Color", "3", "0", "TYPE Color : (Red, Blue); END_TYPE", "") +
+                               "</List2></Single></StructuredView></ExportFile>");
+    const Imported imported = folder("v3");
+    EXPECT_EQ(fileOf(imported, "src/Fb.st"), "FUNCTION_BLOCK Fb\nVAR\n\tn : INT;\nEND_VAR\nn := n + 1;\n\nMETHOD Twice "
+                                             ": INT\nTwice := 2 * n;\nEND_METHOD\nEND_FUNCTION_BLOCK\n");
+    EXPECT_EQ(fileOf(imported, "src/Color.st"), "TYPE Color : (Red, Blue); END_TYPE\n");
+    EXPECT_EQ(errorsOf(imported), "");
+}
+
+TEST_F(OtherFormats, LooseTextKeepsCodeInCAsAComment) {
+    write("st/a.st", "PROGRAM P\nVAR\n  n : INT;\nEND_VAR\n{{ n = 1; /* (* x *) */ }}\nn := 2;\nEND_PROGRAM\n");
+    const Imported imported = folder("st");
+    EXPECT_EQ(errorsOf(imported), "");
+    EXPECT_NE(fileOf(imported, "src/a.st").find("(* C: n = 1; /* ( * x * ) */ *)"), std::string::npos)
+        << fileOf(imported, "src/a.st");
+    EXPECT_EQ(imported.report.notes[0].kind, NoteKind::CodeSkipped);
+}
+
+TEST_F(OtherFormats, SourcesOfEveryEncodingAreReadAndWrittenBackAsFound) {
+    const std::string text = "PROGRAM P\n// \xC3\xA9 \xE2\x82\xAC\nEND_PROGRAM\n";
+    for (const projects::Encoding encoding :
+         {projects::Encoding::Utf8, projects::Encoding::Utf8Bom, projects::Encoding::Utf16Le,
+          projects::Encoding::Utf16Be, projects::Encoding::Windows1252}) {
+        const auto bytes = projects::encodeText(text, encoding);
+        ASSERT_TRUE(bytes);
+        const std::string file = write("e/src/p.st", *bytes);
+        const auto project = projects::openProject({path("e")});
+        ASSERT_TRUE(project);
+        EXPECT_EQ(project->sources.at(0).text, text);
+        const bool isUtf8 = encoding == projects::Encoding::Utf8 || encoding == projects::Encoding::Utf8Bom;
+        EXPECT_EQ(project->encodings.size(), isUtf8 ? 0u : 1u);
+        ASSERT_TRUE(projects::writeSourceText(file, text + "// \xC3\xBC\n"));
+        EXPECT_EQ(read(file), *projects::encodeText(text + "// \xC3\xBC\n", encoding));
+        ASSERT_TRUE(projects::writeSourceText(file, text, projects::Encoding::Utf8));
+        EXPECT_EQ(read(file), text);
+    }
+    write("w.st", "// \xE9\n");
+    const auto refused = projects::writeSourceText(path("w.st"), "// \xCE\xA9\n");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.english().find("does not have the character \xCE\xA9"), std::string::npos);
+    EXPECT_EQ(read(path("w.st")), "// \xE9\n");
+}
+
+TEST_F(OtherFormats, XmlIsNeverReadAsStructuredText) {
+    write("x.st", "<?xml version=\"1.0\"?><TcPlcObject/>");
+    const auto project = projects::openProject({path("x.st")});
+    ASSERT_FALSE(project);
+    EXPECT_NE(project.error().message.english().find("This is XML"), std::string::npos);
+    write("p.xml", "<project/>");
+    write("p.st", "PROGRAM P\nEND_PROGRAM\n");
+    write("p.TcPOU", "");
+    EXPECT_TRUE(isForeignFile(path("p.xml")));
+    EXPECT_TRUE(isForeignFile(path("p.TcPOU")));
+    EXPECT_FALSE(isForeignFile(path("p.st")));
+    EXPECT_FALSE(isForeignFile(path("gone.TcPOU")));
+}
+
+TEST_F(OtherFormats, SourcesInFoldersBelongToTheProject) {
+    write("f/project.json", "{}");
+    write("f/src/b.st", "PROGRAM B\nEND_PROGRAM\n");
+    write("f/src/deep/er/a.st", "PROGRAM A\nEND_PROGRAM\n");
+    write("f/src/.hidden/c.st", "PROGRAM C\nEND_PROGRAM\n");
+    const auto project = projects::openProject({path("f")});
+    ASSERT_TRUE(project);
+    ASSERT_EQ(project->sources.size(), 2u);
+    EXPECT_EQ(project->sources[0].path, "src/b.st");
+    EXPECT_EQ(project->sources[1].path, "src/deep/er/a.st");
+}
+
+} // namespace
+} // namespace plc::exchange
