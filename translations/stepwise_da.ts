@@ -1177,6 +1177,114 @@
         <source>The file&apos;s permissions can not be changed</source>
         <translation>Filens rettigheder kan ikke ændres</translation>
     </message>
+    <message>
+        <source>A coil writes a variable.</source>
+        <translation>En spole skriver en variabel.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Et ben har ingen kontakter; skriv et udtryk.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Et netværk kan ikke flyttes ind i sig selv.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Et netværk flyttes inden for sin blok af sætninger; brug klip og sæt ind i teksten til mere.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Slet kaldet i teksten: andre sætninger bruger måske dets udgange.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Slet denne udgang i teksten.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>Andre udgange afhænger af samme IF; giv først denne spole sit eget netværk.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Vælg en boks med tekst.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Vælg en spole.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Vælg en kontakt eller en ledning.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Vælg en kontakt, et ben eller en spole.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Vælg et netværk med kontakter.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Vælg et netværk med én udgang.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Vælg det netværk, der skal indsættes ved siden af.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Vælg det netværk, kommentaren hører til.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Vælg det, der skal ændres.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Vælg det, der skal slettes.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Flere variabler tildeles i én sætning; skil dem først ad i teksten.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>Sætninger på én linje kan ikke flyttes; skil dem først ad i teksten.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>Netværket læser det, det skriver; tilføj denne spole i sit eget netværk.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>Der er ingen funktionsblok {0}.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Denne ændring kan ikke laves i billedet; ret teksten.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Dette har ingen operand.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Dette er ikke en sætning: {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Dette er ikke et udtryk: {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Dette netværk har ingen betingelse; sæt det under et IF i teksten.</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -3961,26 +4069,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Slet (Del)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Vis alt</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Eksportér diagrammet</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Udskriv…</translation>
-    </message>
-    <message>
         <source>The unit %1 is not in the text any more</source>
         <translation>Enheden %1 er ikke længere i teksten</translation>
     </message>
@@ -3991,10 +4079,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 is not a chart</source>
         <translation>%1 er ikke et diagram</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
@@ -4115,10 +4199,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Release the step</source>
         <translation>Frigiv trinnet</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksportér som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -5811,6 +5891,37 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen …</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alt</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Eksporter tegningen</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
     </message>
 </context>
 </TS>

@@ -40,9 +40,9 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(), runCommand(),   formatCommand(),
-                                             testCommand(),  traceCommand(), replayCommand(),
-                                             panelCommand(), docCommand(),   convertCommand()};
+    static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
+                                             traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
+                                             convertCommand(), ladderCommand()};
     return all;
 }
 
