@@ -1290,6 +1290,117 @@
         <translation>Der er ingen aktion {0}</translation>
     </message>
     <message>
+        <source>A coil writes a variable.</source>
+        <translation>En spole skriver en variabel.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Et ben har ingen kontakter; skriv et udtryk.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Et netværk kan ikke flyttes ind i sig selv.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Et netværk flyttes inden for sin blok af sætninger; brug klip og sæt ind i teksten til mere.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Slet kaldet i teksten: andre sætninger bruger måske dets udgange.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Slet denne udgang i teksten.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>Andre udgange afhænger af samme IF; giv først denne spole sit eget netværk.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Vælg en boks med tekst.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Vælg en spole.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Vælg en kontakt eller en ledning.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Vælg en kontakt, et ben eller en spole.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Vælg et netværk med kontakter.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Vælg et netværk med én udgang.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Vælg det netværk, der skal indsættes ved siden af.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Vælg det netværk, kommentaren hører til.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Vælg det, der skal ændres.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Vælg det, der skal slettes.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Flere variabler tildeles i én sætning; skil dem først ad i teksten.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>Sætninger på én linje kan ikke flyttes; skil dem først ad i teksten.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>Netværket læser det, det skriver; tilføj denne spole i sit eget netværk.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>Der er ingen funktionsblok {0}.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Denne ændring kan ikke laves i billedet; ret teksten.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Dette har ingen operand.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Dette er ikke en sætning: {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Dette er ikke et udtryk: {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Dette netværk har ingen betingelse; sæt det under et IF i teksten.</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
     </message>
@@ -5116,6 +5227,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Gap across</source>
         <translation>Afstand vandret</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Enheden %1 er ikke længere i teksten</translation>
     </message>
     <message>
         <source>Gap down</source>
@@ -5135,6 +5248,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Resize</source>
         <translation>Ændr størrelse</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Vælg det trin, grenen går ud fra</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5271,6 +5386,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Same size</source>
         <translation>Samme størrelse</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 er en variabel: den har ingen krop</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -6940,6 +7057,37 @@ Ikke bevaret: %3</translation>
     <message>
         <source>To:</source>
         <translation>Til:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alt</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Eksporter tegningen</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
     </message>
 </context>
 </TS>

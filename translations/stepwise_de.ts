@@ -1262,6 +1262,117 @@
         <translation>ASSERT nicht erfüllt: {0} ({1})</translation>
     </message>
     <message>
+        <source>A coil writes a variable.</source>
+        <translation>Eine Spule schreibt eine Variable.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Ein Anschluss hat keine Kontakte; geben Sie einen Ausdruck ein.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Ein Netzwerk kann nicht in sich selbst verschoben werden.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Ein Netzwerk lässt sich innerhalb seines Anweisungsblocks verschieben; nehmen Sie für mehr Ausschneiden und Einfügen im Text.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Löschen Sie den Aufruf im Text: andere Anweisungen könnten seine Ausgänge verwenden.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Löschen Sie diesen Ausgang im Text.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>Andere Ausgänge hängen vom selben IF ab; geben Sie dieser Spule zuerst ein eigenes Netzwerk.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Wählen Sie einen Kasten mit Text.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Wählen Sie eine Spule.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Wählen Sie einen Kontakt oder eine Leitung.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Wählen Sie einen Kontakt, einen Anschluss oder eine Spule.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Wählen Sie ein Netzwerk mit Kontakten.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Wählen Sie ein Netzwerk mit einem Ausgang.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Wählen Sie das Netzwerk, neben dem eingefügt wird.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Wählen Sie das Netzwerk, zu dem der Kommentar gehört.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Wählen Sie, was geändert werden soll.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Wählen Sie, was gelöscht werden soll.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Mehrere Variablen werden in einer Anweisung zugewiesen; trennen Sie sie zuerst im Text.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>Anweisungen in einer Zeile können nicht verschoben werden; trennen Sie sie zuerst im Text.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>Das Netzwerk liest, was es schreibt; fügen Sie diese Spule in einem eigenen Netzwerk hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>Es gibt keinen Funktionsbaustein {0}.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Diese Änderung ist im Bild nicht möglich; ändern Sie den Text.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Das hat keinen Operanden.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Das ist keine Anweisung: {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Das ist kein Ausdruck: {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Dieses Netzwerk hat keine Bedingung; stellen Sie es im Text unter ein IF.</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
         <source>{0} is {1}</source>
         <translation>{0} ist {1}</translation>
     </message>
@@ -5116,6 +5227,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Gap across</source>
         <translation>Abstand waagrecht</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
     </message>
     <message>
         <source>Gap down</source>
@@ -5135,6 +5248,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Resize</source>
         <translation>Größe ändern</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5271,6 +5386,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Same size</source>
         <translation>Gleiche Größe</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -6940,6 +7057,37 @@ Nicht erhalten: %3</translation>
     <message>
         <source>To:</source>
         <translation>Nach:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
     </message>
 </context>
 </TS>
