@@ -41,9 +41,9 @@ std::string overview() {
 } // namespace
 
 const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {checkCommand(), runCommand(),   formatCommand(),
-                                             testCommand(),  traceCommand(), replayCommand(),
-                                             panelCommand(), docCommand(),   convertCommand()};
+    static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
+                                             traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
+                                             convertCommand(), whyCommand()};
     return all;
 }
 

@@ -30,6 +30,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command panelCommand();
 [[nodiscard]] Command docCommand();
 [[nodiscard]] Command convertCommand();
+[[nodiscard]] Command whyCommand();
 
 // --- shared by the commands
 int wrongUse(const Error& error);

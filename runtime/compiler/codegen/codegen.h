@@ -24,8 +24,10 @@ using facts::Tier;
 struct Options {
     Tier tier = Tier::Quick;
     bool threadSanitizer = false;
-    Progress* progress = nullptr; // cancels between functions; what was emitted till then is of no use
-    double progressFrom = 0;      // the share of the whole that is done before
+    bool watched = false;                    // quick code that reports what it computes (image/watch.h)
+    const std::vector<bool>* only = nullptr; // functions to emit; the others lie in code that is there already
+    Progress* progress = nullptr;            // cancels between functions; what was emitted till then is of no use
+    double progressFrom = 0;                 // the share of the whole that is done before
 };
 
 /// One of several modules that together hold the quick code: each emits the functions whose number modulo `count` is

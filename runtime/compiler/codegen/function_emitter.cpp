@@ -137,6 +137,8 @@ void FunctionEmitter::emitPrologue() {
               image::FaultCode::StackOverflow);
     }
 
+    if (m.options.watched) m_where = b.CreateOr(m_this64, b.CreateShl(m_frame64, int64(32)));
+    watch(image::WatchKind::Begin, &m_tree, int64(m_index));
     unsigned argument = 4;
     for (uint32_t i = 0; i < m_tree.locals.size(); ++i) {
         const Local& local = m_tree.locals[i];
@@ -148,6 +150,7 @@ void FunctionEmitter::emitPrologue() {
                 const Address target = localAddress(i);
                 b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), given, llvm::MaybeAlign(1),
                                m.types()[local.type].size);
+                watchPlace(image::WatchKind::Write, nullptr, target);
             }
         } else if (local.isInOut) {
             const bool isParameter = local.kind == LocalKind::InOut;
@@ -233,6 +236,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
                                                 llvm::APFloat(llvm::APFloat::IEEEdouble(), llvm::APInt(64, bits)));
         }
         b.CreateAlignedStore(value, pointer(target), alignOf(target).valueOrOne());
+        watchPlace(image::WatchKind::Write, nullptr, target);
         return;
     }
     if (type.initial.empty()) {
@@ -254,6 +258,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
 void FunctionEmitter::emitEpilogue() {
     enter(m_return);
     flushBudget();
+    watch(image::WatchKind::End, &m_tree);
     if (m_abi.returned == 0) {
         b.CreateRetVoid();
     } else {

@@ -57,6 +57,7 @@ uint64_t versionOf(const BuildInput& input) {
     uint64_t hash = 14695981039346656037ull;
     for (const SourceFile& file : input.files) hash = mix(mix(hash, file.path), file.text);
     for (const std::string& library : input.libraries) hash = mix(hash, library);
+    for (const auto& [name, text] : input.libraryTexts) hash = mix(mix(hash, name), text);
     return hash;
 }
 
@@ -92,6 +93,30 @@ std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::
 
 } // namespace
 
+namespace {
+
+struct LibraryText {
+    std::string name; // "toolbox/valves.st"
+    std::string_view text;
+};
+std::vector<LibraryText> libraryTextsOf(const BuildInput& input) {
+    std::vector<LibraryText> all;
+    for (const auto& [name, text] : input.libraryTexts) all.push_back({name, text});
+    if (!all.empty()) return all;
+    for (const library::Source& source : library::sources())
+        if (isWanted(source.library, input.libraries))
+            all.push_back({std::string(source.library) + "/" + std::string(source.fileName), source.text});
+    return all;
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> libraryTexts(const BuildInput& input) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const LibraryText& each : libraryTextsOf(input)) texts.emplace_back(each.name, std::string(each.text));
+    return texts;
+}
+
 std::vector<std::string> libraryNames() {
     std::vector<std::string> names;
     for (const library::Source& source : library::sources()) {
@@ -111,16 +136,15 @@ constexpr double kRead = 0.1, kChecked = 0.3;
 std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress) {
     auto sources = std::make_shared<SourceSet>();
     std::vector<std::string> libraryOf;
-    sources->files.reserve(input.files.size() + library::sources().size()); // texts must not move: the trees view them
+    const std::vector<LibraryText> libraries = libraryTextsOf(input);
+    sources->files.reserve(input.files.size() + libraries.size()); // texts must not move: the trees view them
     for (const SourceFile& file : input.files) {
         sources->add(file.path, file.text);
         libraryOf.emplace_back();
     }
-    for (const library::Source& source : library::sources()) {
-        if (!isWanted(source.library, input.libraries)) continue;
-        sources->add("library/" + std::string(source.library) + "/" + std::string(source.fileName),
-                     std::string(source.text));
-        libraryOf.push_back(library::namespaceOf(source.library));
+    for (const LibraryText& source : libraries) {
+        sources->add("library/" + source.name, std::string(source.text));
+        libraryOf.push_back(library::namespaceOf(source.name.substr(0, source.name.find('/'))));
     }
     diagnostics::Sink sink;
     std::vector<std::unique_ptr<syntax::SyntaxFile>> files;
