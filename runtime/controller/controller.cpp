@@ -164,7 +164,7 @@ bool Controller::State_::initialise(std::span<std::byte> bytes) {
     task = nullptr;
     prepareContext(bytes.data());
     entry = image::CallRecord{0, program->initializer, 0, program->layout.frameBegin};
-    InitialiserCall call{context.get(), start->entries[program->initializer]};
+    InitialiserCall call{context, start->entries[program->initializer]};
     const bool good = exit.run(&callInitialiser, &call);
     context->image = image.get();
     return good;
@@ -195,7 +195,7 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
     m->touch(image::OutsideKind::Function, m->program->functions[function].name);
     m->prepareContext(m->image.get());
     m->entry = image::CallRecord{0, function, instance, m->layout().frameBegin};
-    InitialiserCall call{m->context.get(), code->entries[function], instance};
+    InitialiserCall call{m->context, code->entries[function], instance};
     if (m->exit.run(&callInitialiser, &call)) return true;
     m->enterFault(false);
     return false;
@@ -387,7 +387,7 @@ bool Controller::State_::runTask(TaskRun& run) {
     task = run.task;
     header().taskPeriodNs = static_cast<uint64_t>(run.interval);
     prepareContext(image.get());
-    TaskCall call{context.get(), code, program.get(), task, &entry};
+    TaskCall call{context, code, program.get(), task, &entry};
     return exit.run(&callTask, &call);
 }
 

@@ -4,6 +4,7 @@
 #include "runtime/controller/fault_exit.h"
 #include "runtime/controller/forces.h"
 #include "runtime/controller/schedule.h"
+#include "runtime/image/watch.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -30,8 +31,7 @@ private:
 };
 
 struct Controller::State_ {
-    explicit State_(Settings s)
-        : settings(s), clock(s.clock ? s.clock : &steadyClock), context(std::make_unique<image::RuntimeContext>()) {}
+    explicit State_(Settings s) : settings(s), clock(s.clock ? s.clock : &steadyClock) {}
 
     Settings settings;
     SteadyClock steadyClock;
@@ -39,7 +39,8 @@ struct Controller::State_ {
     std::shared_ptr<const image::CompiledProgram> program;
     ImageBuffer image;
     std::vector<std::byte> safeOutputs;
-    std::unique_ptr<image::RuntimeContext> context;
+    image::WatchedContext watchedContext; // watched code finds its report behind the context
+    image::RuntimeContext* context = &watchedContext.base;
     FaultExit exit;
     std::vector<uint8_t> siteFlags;
     std::vector<uint8_t> dirtyPages; // of the image, and one behind

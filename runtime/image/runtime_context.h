@@ -1,8 +1,6 @@
 // THE CONTRACT, part 2: what generated code gets beside the image, and how it leaves on a fault. One RuntimeContext
 // belongs to one scan thread. Plain data with a fixed layout: codegen addresses its members by offsetof.
 #pragma once
-#include "runtime/image/watch.h"
-
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -59,8 +57,6 @@ struct RuntimeContext {
     /// more byte behind takes what lies outside. The recording then looks at those pages only.
     uint8_t* dirtyPages = nullptr;
     uint64_t stackLimit = 0; // set by each entry: recursive functions do not go below it on the thread's own stack
-    Watch watch = nullptr;   // watched code reports to it; `watcher` is its own
-    void* watcher = nullptr;
 };
 
 /// Entry of a program, function block body or task part: runs to its end or leaves through plcFault.

@@ -1,12 +1,11 @@
 // THE CONTRACT, part 5: what watched code reports while it runs (D13). Watched code is quick code that says, in the
-// order in which it happens, each statement, branch, value, read and write. `RuntimeContext::watch` receives it on the
-// thread that runs the scan again.
+// order in which it happens, each statement, branch, value, read and write, to whoever runs the scan again.
 #pragma once
+#include "runtime/image/runtime_context.h"
+
 #include <cstdint>
 
 namespace plc::image {
-
-struct RuntimeContext;
 
 /// `node` is the tree's: what it points to is said behind each kind.
 enum class WatchKind : uint32_t {
@@ -26,5 +25,12 @@ enum class WatchKind : uint32_t {
 /// `where`: THIS (image offset) in the low, frame in the high half.
 using Watch = void (*)(RuntimeContext* context, const void* node, WatchKind kind, uint64_t where, uint64_t a,
                        uint64_t b);
+
+/// What watched code runs with: the usual context, and where the reports go.
+struct WatchedContext {
+    RuntimeContext base;
+    Watch watch = nullptr; // `watcher` is its own
+    void* watcher = nullptr;
+};
 
 } // namespace plc::image

@@ -11,6 +11,7 @@
 // A Look is immutable: any thread may read it. Insight belongs to one thread; it never touches the running controller.
 #pragma once
 #include "runtime/compiler/tree/tree.h"
+#include "runtime/image/watch.h"
 #include "runtime/inside/rerun.h"
 
 #include <mutex>

@@ -18,8 +18,10 @@ bool contains(const SourceRange& outer, const SourceRange& inner) {
 Recorder::Recorder(Look& look, const LookOptions& options) : m_look(look), m_options(options) {}
 
 void Recorder::attach(image::RuntimeContext& context) {
-    context.watch = &Recorder::receive;
-    context.watcher = this;
+    // The controller's context lies at the start of a watched one.
+    auto& watched = reinterpret_cast<image::WatchedContext&>(context);
+    watched.watch = &Recorder::receive;
+    watched.watcher = this;
     m_look.m_events.clear();
     m_look.m_activations.clear();
     m_look.m_copies.clear();
@@ -31,7 +33,8 @@ void Recorder::attach(image::RuntimeContext& context) {
 
 void Recorder::receive(image::RuntimeContext* context, const void* node, WatchKind kind, uint64_t where, uint64_t a,
                        uint64_t b) {
-    static_cast<Recorder*>(context->watcher)->report(*context, node, kind, where, a, b);
+    static_cast<Recorder*>(reinterpret_cast<image::WatchedContext*>(context)->watcher)
+        ->report(*context, node, kind, where, a, b);
 }
 
 void Recorder::report(image::RuntimeContext& context, const void* node, WatchKind kind, uint64_t where, uint64_t a,

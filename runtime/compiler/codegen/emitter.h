@@ -3,6 +3,7 @@
 #pragma once
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/facts/program_facts.h"
+#include "runtime/image/watch.h"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>

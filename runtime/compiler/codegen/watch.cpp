@@ -4,7 +4,7 @@
 
 namespace plc::codegen {
 
-using image::RuntimeContext;
+using image::WatchedContext;
 using image::WatchKind;
 
 /// Hands a report to whoever watches; one function, so that each report is one call.
@@ -15,7 +15,7 @@ llvm::Function* ModuleEmitter::watchFunction() {
     m_watch->setDoesNotThrow();
     llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", m_watch));
     llvm::Value* watcher =
-        b.CreateLoad(ptr, b.CreateConstInBoundsGEP1_64(i8, m_watch->getArg(0), offsetof(RuntimeContext, watch)));
+        b.CreateLoad(ptr, b.CreateConstInBoundsGEP1_64(i8, m_watch->getArg(0), offsetof(WatchedContext, watch)));
     std::vector<llvm::Value*> arguments;
     for (llvm::Argument& argument : m_watch->args()) arguments.push_back(&argument);
     b.CreateCall(type, watcher, arguments);
