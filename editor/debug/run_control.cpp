@@ -573,7 +573,7 @@ Result<void> RunControl::write(const QString& path, const QString& valueText) {
     if (!value) return value.error();
     if (m_recorded) return Error{errors::RecordingReadOnly(), path.toStdString()};
     if (m_viewed) return Error{errors::PastReadOnly(), path.toStdString()};
-    m_session->write(path.toStdString(), *value);
+    m_session->write(path.toStdString(), *value, "studio");
     return {};
 }
 
@@ -582,7 +582,7 @@ Result<void> RunControl::force(const QString& path, const QString& valueText) {
     if (m_recorded) return Error{errors::RecordingReadOnly(), path.toStdString()};
     const auto value = parse(path, valueText);
     if (!value) return value.error();
-    m_session->force(path.toStdString(), *value);
+    m_session->force(path.toStdString(), *value, "studio");
     return {};
 }
 

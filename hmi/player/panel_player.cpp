@@ -262,14 +262,15 @@ QString PanelPlayer::post(const WriteRequest& write) {
     if (!value)
         return no(whyNot(factsOf(target->types(), target->type(), true), write.value,
                          kit::messageText(value.error().message, language())));
+    const std::string origin = "panel " + m_panelName.toStdString() + ", " + write.element.toStdString(); // journal
     if (write.kind == WriteKind::Write) {
-        m_session->write(path, *value);
+        m_session->write(path, *value, origin);
         return {};
     }
     const Result<types::Value> released = toPlc(target->types(), target->type(), write.released);
     if (!released) return no(kit::messageText(released.error().message, language()));
     m_pressed.insert(write.target, write.released);
-    m_session->press(path, *value, *released);
+    m_session->press(path, *value, *released, origin);
     return {};
 }
 

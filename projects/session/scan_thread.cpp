@@ -289,6 +289,14 @@ void Session::State::scanFinished(std::span<const std::byte> image, uint64_t sca
     time.store(at.count(), std::memory_order_relaxed);
 }
 
+void Session::State::outsideActed(const image::Outside& outside) {
+    if (settings.record) history.outsideActed(outside);
+}
+
+void Session::State::actedWhileHalted(std::span<const image::OutsideNote> notes) {
+    if (settings.record) history.actedWhileHalted(notes);
+}
+
 void Session::State::programChanged(std::shared_ptr<const image::CompiledProgram> program) {
     if (settings.record) history.beginProgram(std::move(program));
 }

@@ -32,7 +32,8 @@ void Session::State::adopt(std::shared_ptr<const driver::Built> built) {
     if (!built->input) return;
     std::vector<std::pair<std::string, std::string>> sources;
     for (const driver::SourceFile& file : built->input->files) sources.emplace_back(file.path, file.text);
-    history.describeProgram(built->program, std::move(sources), driver::recordedSettings(*built->input));
+    history.describeProgram(built->program, std::move(sources), driver::recordedSettings(*built->input),
+                            driver::libraryTexts(*built->input));
 }
 
 void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
@@ -194,17 +195,18 @@ void Session::reset(controller::ResetKind kind) {
     m->post(When::Leave, [s = m.get(), kind] { s->controller.reset(kind); });
 }
 
-void Session::write(std::string path, types::Value value) {
-    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)]() mutable {
-        s->writes.write(std::move(path), std::move(value));
-        if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
-    });
+void Session::write(std::string path, types::Value value, std::string origin) {
+    m->post(When::Now,
+            [s = m.get(), path = std::move(path), value = std::move(value), origin = std::move(origin)]() mutable {
+                s->writes.write(std::move(path), std::move(value), std::move(origin));
+                if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
+            });
 }
 
-void Session::press(std::string path, types::Value pressed, types::Value released) {
+void Session::press(std::string path, types::Value pressed, types::Value released, std::string origin) {
     m->post(When::Now, [s = m.get(), path = std::move(path), pressed = std::move(pressed),
-                        released = std::move(released)]() mutable {
-        s->writes.press(std::move(path), std::move(pressed), std::move(released));
+                        released = std::move(released), origin = std::move(origin)]() mutable {
+        s->writes.press(std::move(path), std::move(pressed), std::move(released), std::move(origin));
         if (!s->isQueueing.load())
             s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
     });
@@ -218,9 +220,11 @@ void Session::release(std::string path) {
     });
 }
 
-void Session::force(std::string path, types::Value value) {
-    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)] {
+void Session::force(std::string path, types::Value value, std::string origin) {
+    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value), origin = std::move(origin)] {
+        s->controller.actFor(origin);
         if (const Result<void> done = s->controller.force(path, value); !done) s->newRefusals.push_back(done.error());
+        s->controller.actFor({});
     });
 }
 

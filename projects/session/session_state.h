@@ -121,6 +121,8 @@ struct Session::State final : controller::ScanObserver {
     void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) override;
     void programChanged(std::shared_ptr<const image::CompiledProgram> program) override;
     void eventHappened(const controller::Event& event) override;
+    void outsideActed(const image::Outside& outside) override;
+    void actedWhileHalted(std::span<const image::OutsideNote> notes) override;
 
     int64_t lastRetainSave = 0; // worker
     uint64_t lastRetainScan = 0;

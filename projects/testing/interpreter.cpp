@@ -1,4 +1,5 @@
 #include "projects/testing/interpreter.h"
+#include "projects/session/versions.h"
 
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
@@ -361,13 +362,8 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
     if (m_project.folder.empty()) // beside the loose file
         file = (std::filesystem::path(m_program.testSources()[at.range.file].path()).parent_path() / name).string();
     if (!file.ends_with(".rec")) file += ".rec";
-    const auto rebuild =
-        [](const std::vector<std::pair<std::string, std::string>>& sources,
-           const std::vector<std::string>& libraries) -> std::shared_ptr<const image::CompiledProgram> {
-        driver::BuildInput input;
-        for (const auto& [path, text] : sources) input.files.push_back({path, text});
-        driver::setRecordedSettings(input, libraries);
-        return driver::build(input).program;
+    const auto rebuild = [](const history::History::Sources& sources) -> std::shared_ptr<const image::CompiledProgram> {
+        return driver::build(session::recordedInput(sources)).program;
     };
     const auto loaded = history::History::load(file, rebuild);
     if (!loaded) return fail(at, errors::withPlace(loaded.error()));

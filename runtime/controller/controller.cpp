@@ -19,6 +19,8 @@ Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Se
         auto& s = *static_cast<State_*>(self);
         if (!s.hook) return true;
         const int64_t begin = s.clock->nowNs();
+        s.siteNow = site;
+        s.instanceNow = instance;
         s.hook(site, instance, frame);
         s.taskStart += s.clock->nowNs() - begin; // standing at a breakpoint is not the task's time
         return !s.wantsAbandon;
@@ -120,6 +122,7 @@ FaultExit::Refill Controller::State_::refill() {
 }
 
 const image::Code* Controller::State_::currentCode() const {
+    if (rerunCode) return rerunCode.get();
     if (!wantsQuick || !program->quick)
         if (const image::Code* optimised = program->optimised.load(std::memory_order_acquire)) return optimised;
     return program->quick.get();
@@ -182,7 +185,7 @@ bool Controller::State_::initialise(std::span<std::byte> bytes) {
     task = nullptr;
     prepareContext(bytes.data(), std::min(kInitialBudget, settings.loopBudgetPerScan));
     entry = image::CallRecord{0, program->initializer, 0, program->layout.frameBegin};
-    InitialiserCall call{context.get(), start->entries[program->initializer]};
+    InitialiserCall call{context, start->entries[program->initializer]};
     const bool good = exit.run(&callInitialiser, &call);
     context->image = image.get();
     return good;
@@ -209,9 +212,11 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
     if (!has(code)) return false;
     m->isRealTime = false;
     m->task = nullptr;
+    m->isAllDirty = true;
+    m->touch(image::OutsideKind::Function, m->program->functions[function].name);
     m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
     m->entry = image::CallRecord{0, function, instance, m->layout().frameBegin};
-    InitialiserCall call{m->context.get(), code->entries[function], instance};
+    InitialiserCall call{m->context, code->entries[function], instance};
     if (m->exit.run(&callInitialiser, &call)) return true;
     m->enterFault(false);
     return false;
@@ -222,6 +227,7 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
 void Controller::start() {
     if (m->state == State::Fault || m->state == State::Running) return;
     if (m->state == State::Stopped) m->firstPending = true;
+    if (!m->plcRuns()) m->touch(image::OutsideKind::Started);
     m->state = State::Running;
     m->report(EventKind::Started, {});
 }
@@ -235,6 +241,7 @@ void Controller::pause() {
 void Controller::stop() {
     if (m->state == State::Stopped || m->state == State::Fault) return;
     m->state = State::Stopped;
+    m->touch(image::OutsideKind::Stopped);
     m->makeOutputsSafe();
     m->report(EventKind::Stopped, {});
 }
@@ -279,6 +286,8 @@ void Controller::reset(ResetKind kind) {
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
     m->schedule.skip(false);
+    m->isAllDirty = true;
+    m->touch(image::OutsideKind::Reset, kind == ResetKind::Warm ? "warm" : kind == ResetKind::Cold ? "cold" : "origin");
     m->report(EventKind::Reset, kind == ResetKind::Warm   ? errors::Warm()
                                 : kind == ResetKind::Cold ? errors::Cold()
                                                           : errors::Origin());
@@ -294,55 +303,65 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
         if (at->count() < instant) return true;
         instant = s.schedule.lastInstant(at->count());
     }
-    s.code = s.currentCode();
-    if (!s.code) return true;
-    s.wantsAbandon = false;
-    s.isAllDirty = s.isAllDirty || !s.code->marksWrites;
-    const bool plcRuns = s.plcRuns();
-    const bool isFirst = s.firstPending && plcRuns;
-    const uint64_t skipped = s.schedule.begin(instant, at ? at->count() : instant, isFirst);
-    if (plcRuns && !isFirst) s.skipped += skipped;
+    return s.scanAt(instant, at ? at->count() : instant);
+}
 
-    image::ImageHeader& header = s.header();
-    header.timeNs = instant;
-    header.calendarNs = s.settings.calendarStartNs + instant;
-    header.scan = s.scan;
+bool Controller::State_::scanAt(int64_t instant, int64_t at) {
+    code = currentCode();
+    if (!code) return true;
+    if (isTouched) [[unlikely]]
+        tellOutside();
+    isScanning = true;
+    wantsAbandon = false;
+    isAllDirty = isAllDirty || !code->marksWrites;
+    const bool isRunning = plcRuns();
+    const bool isFirst = firstPending && isRunning;
+    const uint64_t skipped = schedule.begin(instant, at, isFirst);
+    if (isRunning && !isFirst) this->skipped += skipped;
 
-    if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
-    if (s.schedule.hasSimulation() && !s.simulationFault) {
-        header.firstScan = s.simulationFirstPending ? 1 : 0;
-        s.simulationFirstPending = false;
-        if (!s.runTasks(true)) {
-            if (s.wantsAbandon) return s.finishScan(-1), false;
-            s.enterFault(true);
+    image::ImageHeader& head = header();
+    head.timeNs = instant - clockBack;
+    head.calendarNs = settings.calendarStartNs + instant - clockBack;
+    head.scan = scan;
+
+    if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), isRunning);
+    if (schedule.hasSimulation() && !simulationFault) {
+        head.firstScan = simulationFirstPending ? 1 : 0;
+        simulationFirstPending = false;
+        if (!runTasks(true)) {
+            if (wantsAbandon) return finishScan(-1), false;
+            enterFault(true);
         }
-    } else if (s.schedule.hasSimulation()) {
-        s.schedule.skip(true);
+    } else if (schedule.hasSimulation()) {
+        schedule.skip(true);
     }
-    s.applyForces();
+    applyForces();
     bool good = true;
-    if (plcRuns) {
-        header.firstScan = s.firstPending ? 1 : 0;
-        s.firstPending = false;
-        if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
-        good = s.runTasks(false);
-        if (!good && s.wantsAbandon) return s.finishScan(-1), false;
-        if (good) s.applyForces();
+    if (isRunning) {
+        head.firstScan = firstPending ? 1 : 0;
+        firstPending = false;
+        if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), isRunning);
+        good = runTasks(false);
+        if (!good && wantsAbandon) return finishScan(-1), false;
+        if (good) applyForces();
     } else {
-        s.schedule.skip(false);
+        schedule.skip(false);
     }
-    if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
-    s.finishScan(instant);
-    if (!good) s.enterFault(false);
+    if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), isRunning);
+    finishScan(instant);
+    if (!good) enterFault(false);
     return good;
 }
 
 /// Records the scan; instant < 0: it was abandoned and does not count.
 void Controller::State_::finishScan(int64_t instant) {
+    isScanning = false;
     if (instant < 0) {
         state = State::Stopped;
         isHalted = false;
         schedule.rebase(time);
+        notesWhileHalted.clear(); // with the scan
+        touch(image::OutsideKind::Stopped, "in the middle of a scan");
         makeOutputsSafe();
         report(EventKind::Stopped, errors::InTheMiddleOfAScan());
         return;
@@ -353,6 +372,10 @@ void Controller::State_::finishScan(int64_t instant) {
     const uint64_t number = scan++;
     time = instant;
     const std::span<const std::byte> bytes = image.span();
+    if (!notesWhileHalted.empty()) {
+        for (ScanObserver* observer : observers) observer->actedWhileHalted(notesWhileHalted);
+        notesWhileHalted.clear();
+    }
     for (ScanObserver* observer : observers) observer->scanFinished(bytes, number, Nanoseconds(instant));
     std::fill(dirtyPages.begin(), dirtyPages.end(), uint8_t(0));
     isAllDirty = false;
@@ -383,7 +406,7 @@ bool Controller::State_::runTask(TaskRun& run) {
     task = run.task;
     header().taskPeriodNs = static_cast<uint64_t>(run.interval);
     prepareContext(image.get(), settings.loopBudgetPerScan);
-    TaskCall call{context.get(), code, program.get(), task, &entry};
+    TaskCall call{context, code, program.get(), task, &entry};
     return exit.run(&callTask, &call);
 }
 
@@ -410,6 +433,7 @@ void Controller::State_::enterFault(bool isSimulation) {
     Fault f = describeFault(isSimulation);
     if (!isSimulation) f.scan = scan - 1; // it was recorded as the last scan
     Message text = isSimulation ? errors::InSimulation(f.message) : f.message;
+    touch(image::OutsideKind::Fault, isSimulation ? "simulation" : "");
     if (isSimulation) {
         simulationFault = std::move(f);
     } else {

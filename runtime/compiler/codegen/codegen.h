@@ -31,10 +31,11 @@ inline constexpr const char* kGuardsStack = "plc-guards-stack";
 struct Options {
     Tier tier = Tier::Quick;
     bool threadSanitizer = false;
-    Progress* progress = nullptr; // cancels between functions; what was emitted till then is of no use
-    double progressFrom = 0;      // the share of the whole that is done before
-    bool guardsEveryStack =
-        false; // every function asks for room on the machine's stack, not only those that look large
+    bool watched = false;                    // quick code that reports what it computes (image/watch.h)
+    const std::vector<bool>* only = nullptr; // functions to emit; the others lie in code that is there already
+    Progress* progress = nullptr;            // cancels between functions; what was emitted till then is of no use
+    double progressFrom = 0;                 // the share of the whole that is done before
+    bool guardsEveryStack = false; // every function asks for room on the stack, not only those that look large
 };
 
 /// One of several modules that together hold the quick code: each emits the functions whose number modulo `count` is

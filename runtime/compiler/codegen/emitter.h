@@ -3,6 +3,7 @@
 #pragma once
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/facts/program_facts.h"
+#include "runtime/image/watch.h"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>
@@ -81,7 +82,8 @@ public:
     enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Context, Fault, Any };
     llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters,
                                 Effects effects);
-    llvm::Function* raise();     // stores code, site and details, leaves
+    llvm::Function* raise(); // stores code, site and details, leaves
+    llvm::Function* watchFunction();
     llvm::Function* siteCheck(); // quick tier: notes the statement, stops when flagged
     llvm::FunctionCallee budgetUsedUp();
     llvm::GlobalVariable* constantBytes(std::string bytes, uint32_t align);
@@ -112,7 +114,9 @@ public:
     const Options& options;
     const ProgramFacts& facts;
     const Part part;
-    [[nodiscard]] bool isOwn(uint32_t function) const { return function % part.count == part.index; }
+    [[nodiscard]] bool isOwn(uint32_t function) const {
+        return function % part.count == part.index && (!options.only || (*options.only)[function]);
+    }
     llvm::IntegerType *i1, *i8, *i16, *i32, *i64;
     llvm::PointerType* ptr;
     llvm::Type *f32, *f64, *voidType;
@@ -143,7 +147,7 @@ private:
     std::map<uint32_t, llvm::Function*> m_abstractCalls;
     std::set<uint32_t> m_tainted;
     std::vector<std::pair<uint32_t, size_t>> m_rootsByOffset;
-    llvm::Function *m_raise = nullptr, *m_siteCheck = nullptr;
+    llvm::Function *m_raise = nullptr, *m_siteCheck = nullptr, *m_watch = nullptr;
     llvm::MDNode *m_imageNode = nullptr, *m_contextTag = nullptr;
     std::map<std::pair<uint32_t, uint32_t>, llvm::MDNode*> m_fieldNodes;
     std::map<size_t, llvm::MDNode*> m_rootNodes;
@@ -178,6 +182,15 @@ private:
     Value* int32(uint64_t v) { return b.getInt32(static_cast<uint32_t>(v)); }
     Value* int64(int64_t v) { return b.getInt64(static_cast<uint64_t>(v)); }
 
+    // watch.cpp: nothing unless the code is watched
+    void watch(image::WatchKind kind, const void* node, Value* a = nullptr, Value* more = nullptr);
+    void watchValue(const tree::Expr& expr, Value* value);
+    void watchText(const tree::Expr& expr, const Text& text);
+    void watchTextWrite(const Text& text);
+    void watchPlace(image::WatchKind kind, const void* node, const Address& address, uint32_t size = 0);
+    Value* m_where = nullptr;            // THIS and frame
+    const tree::Stmt* m_cause = nullptr; // the statement that runs
+
     // guards.cpp
     void guard(Value* isBad, image::FaultCode code, Value* d0 = nullptr, Value* d1 = nullptr, Value* d2 = nullptr);
     void raiseAlways(image::FaultCode code);
@@ -192,6 +205,7 @@ private:
 
     // places.cpp
     Address address(const tree::Place& place);
+    Address readAddress(const tree::Place& place); // of what is about to be read
     Address localAddress(uint32_t local);
     Address slotAddress(const tree::Place& place); // the IN_OUT slot itself, not followed
     Address followSlot(const tree::Place& place);
@@ -205,6 +219,7 @@ private:
     Value* offset(const Address& address);
     Value* load(const Address& address);
     void store(const Address& address, Value* value);
+    void plainStore(const Address& address, Value* value);
     void copy(const Address& to, const Address& from, uint32_t size);
     Text textAt(const Address& address);
     std::vector<std::pair<Value*, Value*>> boundsOf(const Address& address);
@@ -213,6 +228,7 @@ private:
 
     // expressions.cpp
     Value* scalar(const tree::Expr& expr);
+    Value* plainScalar(const tree::Expr& expr);
     Value* scalarConstant(const types::Value& value, types::TypeId type);
     Value* unary(const tree::Expr& expr);
     Value* binary(const tree::Expr& expr);
@@ -224,6 +240,7 @@ private:
     Value* bound(const tree::Expr& expr);
     Value* tryCast(const tree::Expr& expr);
     Address aggregate(const tree::Expr& expr);
+    Address plainAggregate(const tree::Expr& expr);
     void aggregateInto(const tree::Expr& expr, const Address& target);
     Range rangeOf(const tree::Expr& expr);
     void storeOk(const tree::Expr& expr, Value* ok);
@@ -258,6 +275,8 @@ private:
 
     // texts.cpp
     Text text(const tree::Expr& expr);
+    Text plainText(const tree::Expr& expr);
+    void plainTextInto(const tree::Expr& expr, const Text& target);
     void textInto(const tree::Expr& expr, const Text& target);
     void textIntrinsicInto(const tree::Expr& expr, const Text& target);
     Text textTemporary(types::TypeId type);
@@ -288,6 +307,7 @@ private:
     void body(const std::vector<tree::Stmt*>& statements);
     void breakBlock();
     void statement(const tree::Stmt& stmt);
+    void plainStatement(const tree::Stmt& stmt);
     void assign(const tree::Stmt& stmt);
     void bind(const tree::Stmt& stmt);
     void ifStatement(const tree::Stmt& stmt);

@@ -158,6 +158,8 @@ void FunctionEmitter::emitPrologue() {
     }
     chargeUnits(m.facts.work().atEntry(m_index));
 
+    if (m.options.watched) m_where = b.CreateOr(m_this64, b.CreateShl(m_frame64, int64(32)));
+    watch(image::WatchKind::Begin, &m_tree, int64(m_index));
     unsigned argument = 4;
     for (uint32_t i = 0; i < m_tree.locals.size(); ++i) {
         const Local& local = m_tree.locals[i];
@@ -169,6 +171,7 @@ void FunctionEmitter::emitPrologue() {
                 const Address target = localAddress(i);
                 b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), given, llvm::MaybeAlign(1),
                                m.types()[local.type].size);
+                watchPlace(image::WatchKind::Write, nullptr, target);
             }
         } else if (local.isInOut) {
             const bool isParameter = local.kind == LocalKind::InOut;
@@ -254,6 +257,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
                                                 llvm::APFloat(llvm::APFloat::IEEEdouble(), llvm::APInt(64, bits)));
         }
         b.CreateAlignedStore(value, pointer(target), alignOf(target).valueOrOne());
+        watchPlace(image::WatchKind::Write, nullptr, target);
         return;
     }
     if (type.initial.empty()) {
@@ -275,6 +279,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
 void FunctionEmitter::emitEpilogue() {
     enter(m_return);
     flushBudget();
+    watch(image::WatchKind::End, &m_tree);
     if (m_abi.returned == 0) {
         b.CreateRetVoid();
     } else {

@@ -31,10 +31,12 @@ void FunctionEmitter::whileLoop(const Stmt& stmt) {
     b.CreateBr(head);
     enter(head);
     setSite(stmt); // every pass: a breakpoint on the condition stops each time
+    watch(image::WatchKind::Statement, &stmt);
     Value* condition = scalar(*stmt.a);
     b.CreateCondBr(condition, pass, done);
     enter(pass);
     chargeUnits(m.facts.work().ofPass(stmt));
+    watch(image::WatchKind::Pass, &stmt);
     loopBody(stmt.body, done, head);
     enter(done);
 }
@@ -47,6 +49,7 @@ void FunctionEmitter::repeatLoop(const Stmt& stmt) {
     b.CreateBr(pass);
     enter(pass);
     chargeUnits(m.facts.work().ofPass(stmt));
+    watch(image::WatchKind::Pass, &stmt);
     loopBody(stmt.body, done, until);
     enter(until);
     m_site = site;
@@ -297,6 +300,7 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     b.CreateBr(pass);
 
     enter(pass);
+    watch(image::WatchKind::Pass, &loop.stmt);
     if (!m.isQuick()) m_counters.push_back({loop.stmt.place, counter, counterRange(loop)});
     loopBody(loop.stmt.body, done, next);
     if (!m.isQuick()) m_counters.pop_back();
@@ -363,6 +367,7 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     b.CreateCondBr(b.CreateSelect(isUp, upwards, downwards), pass, done);
     enter(pass);
     chargeUnits(m.facts.work().ofPass(loop.stmt));
+    watch(image::WatchKind::Pass, &loop.stmt);
     loopBody(loop.stmt.body, done, next);
     enter(next);
     const ForLoop atNext = here();

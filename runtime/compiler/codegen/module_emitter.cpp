@@ -191,8 +191,8 @@ void ModuleEmitter::addAttributes(llvm::Function& f) {
 llvm::Function* ModuleEmitter::function(uint32_t index) {
     llvm::Function*& f = m_functions[index];
     if (f) return f;
-    const auto linkage = part.count == 1 || program.functions[index].isAbstract ? llvm::GlobalValue::InternalLinkage
-                                                                                : llvm::GlobalValue::ExternalLinkage;
+    const bool isInternal = !isQuick() || program.functions[index].isAbstract; // watched code calls quick code
+    const auto linkage = isInternal ? llvm::GlobalValue::InternalLinkage : llvm::GlobalValue::ExternalLinkage;
     f = llvm::Function::Create(abi(index).type, linkage, "plc.f." + std::to_string(index), *module);
     addAttributes(*f);
     if (program.functions[index].isAbstract) {

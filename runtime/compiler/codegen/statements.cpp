@@ -29,6 +29,13 @@ void FunctionEmitter::breakBlock() {
 }
 
 void FunctionEmitter::statement(const Stmt& stmt) {
+    const tree::Stmt* around = std::exchange(m_cause, &stmt);
+    if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) watch(image::WatchKind::Statement, &stmt);
+    plainStatement(stmt);
+    m_cause = around;
+}
+
+void FunctionEmitter::plainStatement(const Stmt& stmt) {
     const uint64_t top = m_temporaryTop;
     if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
     switch (stmt.kind) {
@@ -161,10 +168,12 @@ void FunctionEmitter::bind(const Stmt& stmt) {
         slot.base = m_framePointer;
         slot.constant = m_facts.frame.offsets[place.local];
         b.CreateAlignedStore(at, pointer(slot), llvm::Align(1));
+        watchPlace(image::WatchKind::Write, &stmt, slot, 8);
         return;
     }
     Address slot = place.kind == tree::PlaceKind::InOutSlot ? slotAddress(place) : address(place);
     b.CreateAlignedStore(at, pointer(slot), llvm::Align(1));
+    watchPlace(image::WatchKind::Write, &stmt, slot, 8);
     for (auto [low, high] : bounds)
         for (Value* value : {low, high}) {
             slot.constant += 8;
@@ -176,18 +185,24 @@ void FunctionEmitter::bind(const Stmt& stmt) {
 void FunctionEmitter::ifStatement(const Stmt& first) {
     Block* done = newBlock("done");
     for (const Stmt* stmt = &first; stmt; stmt = facts::elseIf(*stmt)) {
-        if (stmt != &first) setSite(*stmt);
+        if (stmt != &first) {
+            setSite(*stmt);
+            m_cause = stmt;
+            watch(image::WatchKind::Statement, stmt);
+        }
         const uint64_t top = m_temporaryTop;
         Value* condition = scalar(*stmt->a);
         Block* yes = newBlock("then");
         Block* no = stmt->elseBody.empty() ? done : newBlock("else");
         b.CreateCondBr(condition, yes, no);
         enter(yes);
+        watch(image::WatchKind::Arm, stmt, int64(1));
         body(stmt->body);
         jump(done);
         m_temporaryTop = top;
         if (no == done) break;
         enter(no);
+        watch(image::WatchKind::Arm, stmt, int64(0));
         if (facts::elseIf(*stmt)) continue;
         body(stmt->elseBody);
         jump(done);
@@ -235,10 +250,12 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
         b.CreateCondBr(b.CreateICmpULE(b.CreateSub(selector, int64(w.range->low)), span), w.arm, next);
         enter(next);
     }
+    watch(image::WatchKind::Arm, &stmt, int64(-1));
     body(stmt.elseBody);
     jump(done);
     for (size_t i = 0; i < stmt.arms.size(); ++i) {
         enter(arms[i]);
+        watch(image::WatchKind::Arm, &stmt, int64(static_cast<int64_t>(i)));
         body(stmt.arms[i].body);
         jump(done);
     }

@@ -46,6 +46,7 @@ void FunctionEmitter::chargeTexts(llvm::ArrayRef<Value*> arguments) {
 void FunctionEmitter::assignText(const Text& to, const Text& from) {
     if (to.isWide == from.isWide) {
         textCall("assign", to.isWide, m.voidType, {to.pointer, to.capacity, from.pointer, from.capacity}, true);
+        watchTextWrite(to);
         return;
     }
     const std::vector<llvm::Type*> parameters{m.ptr, m.i32, m.ptr, m.i32};
@@ -59,6 +60,7 @@ void FunctionEmitter::assignText(const Text& to, const Text& from) {
             b.CreateCall(m.helper("plc_wtext_to_narrow", m.i8, parameters, ModuleEmitter::Effects::WritesArguments),
                          arguments),
             okSlot());
+    watchTextWrite(to);
 }
 
 Text FunctionEmitter::textTemporary(types::TypeId type) {
@@ -87,11 +89,17 @@ Text FunctionEmitter::widened(const Text& narrow, uint32_t capacity) {
 
 /// Text to read: a variable in place, a constant, or a temporary. CHAR and WCHAR count as texts of one character.
 Text FunctionEmitter::text(const Expr& expr) {
+    const Text made = plainText(expr);
+    watchText(expr, made);
+    return made;
+}
+
+Text FunctionEmitter::plainText(const Expr& expr) {
     if (m.types().family(expr.type) == Family::Character)
         return characterText(scalar(expr), m.types().storageKind(expr.type) == TypeKind::Wchar);
     switch (expr.kind) {
     case ExprKind::Load:
-        return textAt(address(*expr.place));
+        return textAt(readAddress(*expr.place));
     case ExprKind::Constant: {
         const bool isWide = m.types().kind(expr.type) == TypeKind::Wstring;
         std::string bytes;
@@ -124,6 +132,12 @@ Text FunctionEmitter::text(const Expr& expr) {
 }
 
 void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
+    plainTextInto(expr, target);
+    watchText(expr, target);
+    watchTextWrite(target);
+}
+
+void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
     switch (expr.kind) {
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);

@@ -59,6 +59,7 @@ uint64_t versionOf(const BuildInput& input) {
     for (const SourceFile& file : input.files) hash = mix(mix(hash, file.path), file.text);
     for (const std::string& library : input.libraries) hash = mix(hash, library);
     for (const std::string& define : input.defines) hash = mix(hash, define);
+    for (const auto& [name, text] : input.libraryTexts) hash = mix(mix(hash, name), text);
     return hash;
 }
 
@@ -108,6 +109,30 @@ void setRecordedSettings(BuildInput& input, const std::vector<std::string>& sett
             input.libraries.push_back(each);
 }
 
+namespace {
+
+struct LibraryText {
+    std::string name; // "toolbox/valves.st"
+    std::string_view text;
+};
+std::vector<LibraryText> libraryTextsOf(const BuildInput& input) {
+    std::vector<LibraryText> all;
+    for (const auto& [name, text] : input.libraryTexts) all.push_back({name, text});
+    if (!all.empty()) return all;
+    for (const library::Source& source : library::sources())
+        if (isWanted(source.library, input.libraries))
+            all.push_back({std::string(source.library) + "/" + std::string(source.fileName), source.text});
+    return all;
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> libraryTexts(const BuildInput& input) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const LibraryText& each : libraryTextsOf(input)) texts.emplace_back(each.name, std::string(each.text));
+    return texts;
+}
+
 std::vector<std::string> libraryNames() {
     std::vector<std::string> names;
     for (const library::Source& source : library::sources()) {
@@ -145,16 +170,15 @@ void readConditionsAgain(const SourceSet& sources, const parse::Definitions& def
 std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress) {
     auto sources = std::make_shared<SourceSet>();
     std::vector<std::string> libraryOf;
-    sources->files.reserve(input.files.size() + library::sources().size()); // texts must not move: the trees view them
+    const std::vector<LibraryText> libraries = libraryTextsOf(input);
+    sources->files.reserve(input.files.size() + libraries.size()); // texts must not move: the trees view them
     for (const SourceFile& file : input.files) {
         sources->add(file.path, file.text);
         libraryOf.emplace_back();
     }
-    for (const library::Source& source : library::sources()) {
-        if (!isWanted(source.library, input.libraries)) continue;
-        sources->add("library/" + std::string(source.library) + "/" + std::string(source.fileName),
-                     std::string(source.text));
-        libraryOf.push_back(library::namespaceOf(source.library));
+    for (const LibraryText& source : libraries) {
+        sources->add("library/" + source.name, std::string(source.text));
+        libraryOf.push_back(library::namespaceOf(source.name.substr(0, source.name.find('/'))));
     }
     std::vector<diagnostics::Sink> sinks(sources->files.size());
     std::vector<std::unique_ptr<syntax::SyntaxFile>> files;

@@ -300,7 +300,32 @@ struct EntryRow {
 
 } // namespace
 
-Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::Options& options) {
+namespace {
+
+/// The functions that watched code does not hold itself lie in the quick code.
+llvm::Error defineQuickFunctions(llvm::orc::LLJIT& jit, const tree::Program& program, const std::vector<bool>& only,
+                                 const image::Code& quick) {
+    auto& from = *static_cast<llvm::orc::LLJIT*>(quick.keepAlive.get());
+    llvm::orc::SymbolMap map;
+    for (uint32_t f = 1; f < program.functions.size(); ++f) {
+        if (only[f] || program.functions[f].isAbstract) continue;
+        const std::string name = "plc.f." + std::to_string(f);
+        auto address = from.lookup(name);
+        if (!address) return address.takeError();
+        map[jit.mangleAndIntern(name)] = {*address, llvm::JITSymbolFlags::Exported | llvm::JITSymbolFlags::Callable};
+    }
+    if (map.empty()) return llvm::Error::success();
+    return jit.getMainJITDylib().define(llvm::orc::absoluteSymbols(std::move(map)));
+}
+
+/// What watched code needs beside itself.
+struct QuickCode {
+    std::shared_ptr<const image::Code> code;
+    std::shared_ptr<llvm::orc::LLJIT> jit;
+};
+
+Result<std::shared_ptr<const image::Code>> compileOver(const tree::Program& program, const codegen::Options& options,
+                                                       const std::shared_ptr<const image::Code>& quick) {
     initialiseTargets();
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto machine = machineFor(isQuick);
@@ -322,6 +347,8 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     }
     if (auto error = library.define(llvm::orc::absoluteSymbols(runtimeSymbols(**jit)))) return failed(std::move(error));
 
+    if (quick)
+        if (auto error = defineQuickFunctions(**jit, program, *options.only, *quick)) return failed(std::move(error));
     const facts::ProgramFacts facts(program, options.tier);
     if (auto fits = facts.fits(); !fits) return fits.error();
     const uint32_t parts = partsFor(program, options);
@@ -332,6 +359,7 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     auto code = std::make_shared<image::Code>();
     code->hasSites = isQuick;
     code->marksWrites = marksWrites(program.layout);
+    if (quick) code->entries = quick->entries;
     code->entries.resize(program.functions.size(), nullptr);
     for (uint32_t part = 0; part < parts; ++part) {
         auto table = (*jit)->lookup("plc.entries." + std::to_string(part));
@@ -339,8 +367,28 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
         for (const EntryRow* row = table->toPtr<const EntryRow*>(); row->function != 0; ++row)
             code->entries[row->function] = row->code;
     }
-    code->keepAlive = std::shared_ptr<llvm::orc::LLJIT>(std::move(*jit));
+    std::shared_ptr<llvm::orc::LLJIT> own(std::move(*jit));
+    if (quick)
+        code->keepAlive = std::make_shared<QuickCode>(QuickCode{quick, std::move(own)});
+    else
+        code->keepAlive = std::move(own);
     return std::shared_ptr<const image::Code>(std::move(code));
+}
+
+} // namespace
+
+Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::Options& options) {
+    return compileOver(program, options, nullptr);
+}
+
+Result<std::shared_ptr<const image::Code>> compileWatched(const tree::Program& program, const std::vector<bool>& only,
+                                                          std::shared_ptr<const image::Code> quick,
+                                                          Progress* progress) {
+    codegen::Options options;
+    options.watched = true;
+    options.only = &only;
+    options.progress = progress;
+    return compileOver(program, options, quick);
 }
 
 } // namespace plc::jit
