@@ -6956,6 +6956,10 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Version 0201 has no place for libraries; {0} was left out</source>
         <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
     </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Filen er ingen programkilde og blev udeladt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ImportDialog</name>

@@ -6956,6 +6956,10 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
         <source>Version 0201 has no place for libraries; {0} was left out</source>
         <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
     </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::ImportDialog</name>

@@ -13,6 +13,7 @@ using lex::TokenKind;
 
 struct Opening {
     PieceKind kind = PieceKind::Unknown;
+    bool isClass = false; // edition 3: a block without a body
     std::string name;
 };
 
@@ -33,6 +34,8 @@ PieceKind kindOf(const lex::Token& token) {
         break;
     }
     switch (token.soft) {
+    case SoftWord::Class:
+        return PieceKind::FunctionBlock;
     case SoftWord::Interface:
         return PieceKind::Interface;
     case SoftWord::Method:
@@ -63,6 +66,7 @@ Opening openingOf(std::string_view declaration) {
             if (token.kind == TokenKind::Pragma || token.kind == TokenKind::EndOfFile) continue;
             if (opening.kind == PieceKind::Unknown) {
                 opening.kind = kindOf(token);
+                opening.isClass = token.soft == SoftWord::Class;
                 if (opening.kind == PieceKind::Unknown) break;
                 continue;
             }
@@ -121,7 +125,9 @@ void append(std::string& out, const Piece& piece) {
         if (member.kind != PieceKind::PropertyGet && member.kind != PieceKind::PropertySet) out += '\n';
         append(out, member);
     }
-    if (const std::string_view end = endOf(piece.kind); !end.empty()) {
+    std::string_view end = endOf(piece.kind);
+    if (piece.kind == PieceKind::FunctionBlock && openingOf(piece.declaration).isClass) end = "END_CLASS";
+    if (!end.empty()) {
         out += end;
         out += '\n';
     }

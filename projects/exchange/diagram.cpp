@@ -227,6 +227,7 @@ struct Diagram::State {
             const auto it = connectors.find(attribute(node, "name"));
             return it == connectors.end() ? std::nullopt : guarded(it->second, pinName);
         }
+        if (kind == "block" && isBlockInstance(node)) return instanceOutput(node, pinName); // it stores its outputs
         const std::string key = idOf(node) + ":" + foldCase(pinName);
         if (const auto it = known.find(key); it != known.end()) return again(node, pinName, it->second);
         std::optional<Flow> flow = guarded(node, pinName);
@@ -241,7 +242,6 @@ struct Diagram::State {
     /// Stops a loop that no block breaks.
     std::optional<Flow> guarded(pugi::xml_node node, const std::string& pinName) {
         const std::string id = idOf(node);
-        if (is(node, "block") && isBlockInstance(node)) return instanceOutput(node, pinName);
         if (!inProgress.insert(id).second) {
             report.add(place(node), remarks::DiagramLoop(shown(node)));
             return Flow("FALSE", Flow::kPrimary);

@@ -58,7 +58,7 @@ public:
         std::vector<fs::path> files;
         for (auto it = fs::recursive_directory_iterator(root, fs::directory_options::skip_permission_denied, problem);
              it != fs::recursive_directory_iterator(); it.increment(problem)) {
-            if (it->is_directory(problem) && it->path().filename().string().starts_with("."))
+            if (it->is_directory(problem) && isLeftOut(it->path()))
                 it.disable_recursion_pending();
             else if (it->is_regular_file(problem))
                 files.push_back(it->path());
@@ -69,8 +69,10 @@ public:
         for (const fs::path& each : files) {
             if (!isOneOf(ending(each), kSources)) continue;
             const std::string place = fs::relative(each, root, problem).generic_string();
-            if (auto done = readFile(each, place, folderOf(each, root)); !done)
-                out.report.add(place, remarks::FileNotRead(done.error().message));
+            if (auto done = readFile(each, place, folderOf(each, root)); !done) {
+                const bool isOther = done.error().message == errors::ImportXmlUnknown();
+                out.report.add(place, isOther ? remarks::FileSkipped() : remarks::FileNotRead(done.error().message));
+            }
         }
     }
 
@@ -78,6 +80,13 @@ public:
     TwinCatProject tasks;
 
 private:
+    /// Hidden folders, and what Beremiz generates beside its project.
+    static bool isLeftOut(const fs::path& folder) {
+        std::error_code problem;
+        const std::string name = folder.filename().string();
+        return name.starts_with(".") || (name == "build" && fs::exists(folder.parent_path() / "beremiz.xml", problem));
+    }
+
     void noteEncoding(Encoding encoding, const std::string& place) {
         if (encoding != Encoding::Utf8 && encoding != Encoding::Utf8Bom)
             out.report.add(place, remarks::EncodingRead(std::string(projects::nameOf(encoding))));

@@ -135,7 +135,10 @@ private:
     // ------------------------------------------------------------ files
 
     void writeFile(const File& file) {
+        const syntax::Decl* before = nullptr;
         for (const syntax::Decl* decl : file.tree->declarations) {
+            const bool isSameList = before && before->kind == DeclKind::Globals;
+            before = decl;
             switch (decl->kind) {
             case DeclKind::Pou:
                 if (decl->pou->kind == PouKind::Interface)
@@ -147,7 +150,7 @@ private:
                 writeType(file, *decl);
                 break;
             case DeclKind::Globals:
-                gatherGlobals(file, *decl);
+                gatherGlobals(file, *decl, isSameList);
                 break;
             case DeclKind::Configuration:
                 writeConfiguration(file, *decl->configuration);
@@ -414,10 +417,10 @@ private:
 
     // ------------------------------------------------------------ globals
 
-    void gatherGlobals(const File& file, const syntax::Decl& decl) {
+    void gatherGlobals(const File& file, const syntax::Decl& decl, bool followsList) {
         std::string name(decl.globals->name);
-        if (name.empty()) name = fs::path(file.path).stem().string();
-        if (!m_globals.empty() && m_globals.back().file == &file && m_globals.back().name == name) {
+        if (name.empty()) name = fs::path(file.path).stem().string(); // as the checker names it
+        if (followsList && !m_globals.empty() && m_globals.back().file == &file && m_globals.back().name == name) {
             m_globals.back().sections.push_back(decl.globals);
             m_globals.back().range = joined(m_globals.back().range, decl.range);
             return;

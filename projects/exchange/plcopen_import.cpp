@@ -334,7 +334,7 @@ private:
 
     static void declare(Piece& piece, const std::vector<std::pair<std::string, std::string>>& variables) {
         if (variables.empty()) return;
-        std::string section = "VAR // of the diagram\n";
+        std::string section = "VAR\n";
         for (const auto& [name, type] : variables) section += "    " + name + " : " + type + ";\n";
         piece.declaration = joinedLines(piece.declaration, section + "END_VAR\n");
     }
