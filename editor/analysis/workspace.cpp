@@ -168,8 +168,7 @@ Result<void> Workspace::save(const QString& file, ReadOnly readOnly) {
         readDiskChange(absolutePath(file));
         return Error{errors::FileChangedOutside(), toStd(file)};
     }
-    if (auto written = projects::writeSourceText(toStd(absolutePath(file)), it->second.text); !written)
-        return written;
+    if (auto written = projects::writeSourceText(toStd(absolutePath(file)), it->second.text); !written) return written;
     const bool was = isModified(file);
     it->second.onDisk = it->second.text;
     QFile::remove(sideFile(file));
