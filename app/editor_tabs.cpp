@@ -5,6 +5,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/own_keys.h"
+#include "editor/kit/post.h"
 #include "editor/kit/theme.h"
 #include "runtime/compiler/driver/driver.h"
 
@@ -279,7 +280,7 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
     connect(text, &StEditor::cursorMoved, chart, [text, chart] {
         if (chart->isVisible() && text->hasFocus()) chart->showCursor(text->cursorOffset());
     });
-    QMetaObject::invokeMethod(this, &EditorTabs::showBreakpoints, Qt::QueuedConnection);
+    kit::post(this, [this] { showBreakpoints(); });
 }
 
 /// A local of the instance that the text shows, else a global; "" when it is neither.

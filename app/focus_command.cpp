@@ -14,7 +14,7 @@ bool runBySlot(QWidget* focus, const QByteArray& command) {
     if (!focus || qobject_cast<editor::StEditor*>(focus)) return false;
     const QByteArray signature = command + "()";
     return focus->metaObject()->indexOfSlot(signature.constData()) >= 0 &&
-           QMetaObject::invokeMethod(focus, command.constData());
+           QMetaObject::invokeMethod(focus, command.constData(), Qt::DirectConnection);
 }
 
 bool runByAction(const QWidget* from, const QString& command) {

@@ -3,6 +3,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/plot_scale.h"
+#include "editor/kit/post.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/trace_plot.h"
 
@@ -252,8 +253,7 @@ void BreakpointView::takeEdits(QTreeWidgetItem* item) {
             each.instance = item->text(3).trimmed();
             each.isEnabled = item->checkState(0) == Qt::Checked;
         }
-    QMetaObject::invokeMethod(
-        this, [this, list] { m_control.setBreakpoints(list); }, Qt::QueuedConnection);
+    kit::post(this, [this, list] { m_control.setBreakpoints(list); });
 }
 
 // ------------------------------------------------------------------ tasks

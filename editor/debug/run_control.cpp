@@ -67,9 +67,7 @@ void RunControl::buildAside(std::function<void(std::shared_ptr<driver::Built>)> 
             if (progress->isCancelled()) return emit buildCancelled();
             then(built);
         };
-        QMetaObject::invokeMethod(
-            this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); },
-            Qt::QueuedConnection);
+        kit::post(this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); });
     });
 }
 
@@ -92,12 +90,9 @@ void RunControl::build(std::function<void(bool)> then) {
 RunControl::Hold RunControl::hold() {
     if (auto held = m_hold.lock()) return held;
     const Hold made(this, [](RunControl* self) {
-        QMetaObject::invokeMethod(
-            self,
-            [self] {
-                for (const auto& each : std::exchange(self->m_afterHold, {})) each();
-            },
-            Qt::QueuedConnection);
+        kit::post(self, [self] {
+            for (const auto& each : std::exchange(self->m_afterHold, {})) each();
+        });
     });
     m_hold = made;
     return made;
@@ -387,7 +382,7 @@ std::vector<session::Breakpoint> RunControl::breakpointsFor(const image::Compile
     }
     if (before != m_breakpoints) {
         moveBreakpoints({}, {}); // two may have come to one line
-        QMetaObject::invokeMethod(this, &RunControl::breakpointsChanged, Qt::QueuedConnection);
+        kit::post(this, [this] { emit breakpointsChanged(); });
     }
     return posted;
 }

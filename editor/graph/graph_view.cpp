@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
@@ -118,19 +119,16 @@ void GraphView::request(const Result<Edits>& edits, const QString& selectAfter) 
 }
 
 void GraphView::showWhole() {
-    QMetaObject::invokeMethod(
-        m_canvas,
-        [this] {
-            m_canvas->zoomToFit();
-            if (m_canvas->zoom() > 1) m_canvas->setZoom(1);
-            if (m_canvas->zoom() < 0.45) { // too long to be read as a whole: from the top
-                m_canvas->setZoom(0.8);
-                m_canvas->centerOn(m_canvas->sceneRect().center().x(), 0);
-                m_canvas->verticalScrollBar()->setValue(m_canvas->verticalScrollBar()->minimum());
-            }
-            updateMap();
-        },
-        Qt::QueuedConnection);
+    kit::post(m_canvas, [this] {
+        m_canvas->zoomToFit();
+        if (m_canvas->zoom() > 1) m_canvas->setZoom(1);
+        if (m_canvas->zoom() < 0.45) { // too long to be read as a whole: from the top
+            m_canvas->setZoom(0.8);
+            m_canvas->centerOn(m_canvas->sceneRect().center().x(), 0);
+            m_canvas->verticalScrollBar()->setValue(m_canvas->verticalScrollBar()->minimum());
+        }
+        updateMap();
+    });
 }
 
 void GraphView::updateMap() {

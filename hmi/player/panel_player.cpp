@@ -1,6 +1,7 @@
 #include "hmi/player/panel_player.h"
 #include "editor/kit/message_text.h"
 
+#include "editor/kit/post.h"
 #include "hmi/player/player_status.h"
 
 #include <QDir>
@@ -72,10 +73,8 @@ void PanelPlayer::connectScene() {
         else
             m_watch->acknowledge(acknowledge.alarm);
     });
-    connect(&scene(), &PanelScene::panelRequested, this, [this](const QString& name) {
-        QMetaObject::invokeMethod(
-            this, [this, name] { showPanel(name); }, Qt::QueuedConnection);
-    });
+    connect(&scene(), &PanelScene::panelRequested, this,
+            [this](const QString& name) { kit::post(this, [this, name] { showPanel(name); }); });
     connect(&scene(), &PanelScene::languageRequested, this, &PanelPlayer::requestLanguage);
 }
 
