@@ -1,6 +1,8 @@
 // Result<T>: what an expected failure of the outside world (file, command line, full disk) returns.
-// The error says what happened, where, and what to do about it. Values, any thread.
+// The error says what happened, where, and what to do about it; a message, not a text. Values, any thread.
 #pragma once
+#include "runtime/base/message.h"
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,9 +11,11 @@
 namespace plc {
 
 struct Error {
-    std::string message; // one sentence in the user's words, with the remedy where there is one
-    std::string place;   // "file:line" or a path; empty when the message says it all
-    std::string text() const { return place.empty() ? message : place + ": " + message; }
+    Message message;
+    std::string place; // "file:line" or a path; empty when the message says it all
+    [[nodiscard]] std::string english() const {
+        return place.empty() ? message.english() : place + ": " + message.english();
+    }
 };
 
 template <class T> class [[nodiscard]] Result {

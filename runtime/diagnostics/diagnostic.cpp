@@ -12,10 +12,9 @@ struct Entry {
     std::string_view name;
     Severity severity;
     std::string_view code;
-    std::string_view text;
 };
 constexpr Entry kEntries[] = {
-#define PLC_DIAGNOSTIC(Name, SeverityName, Code, Text) {#Name, Severity::SeverityName, Code, Text},
+#define PLC_DIAGNOSTIC(Name, SeverityName, Code, Text, ...) {#Name, Severity::SeverityName, Code},
 #include "runtime/diagnostics/diagnostics.def"
 };
 const Entry& entry(Kind kind) { return kEntries[static_cast<size_t>(kind)]; }
@@ -60,33 +59,16 @@ std::string rangeJson(const SourceSet& sources, SourceRange range) {
 } // namespace
 
 std::string_view codeOf(Kind kind) { return entry(kind).code; }
-std::string_view templateOf(Kind kind) { return entry(kind).text; }
 std::string_view nameOf(Kind kind) { return entry(kind).name; }
 Severity severityOf(Kind kind) { return entry(kind).severity; }
 
-std::string Diagnostic::message() const {
-    std::string out;
-    const std::string_view text = templateOf(kind);
-    for (size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '{' && i + 2 < text.size() && text[i + 2] == '}' && text[i + 1] >= '0' && text[i + 1] <= '9') {
-            const size_t index = static_cast<size_t>(text[i + 1] - '0');
-            if (index < arguments.size()) out += arguments[index];
-            i += 2;
-        } else {
-            out += text[i];
-        }
-    }
-    return out;
+Diagnostic& Sink::emit(SourceRange range, Finding finding) {
+    return add({finding.kind, severityOf(finding.kind), range, std::move(finding.message), {}, {}});
 }
 
-Diagnostic& Sink::emit(SourceRange range, Kind kind, std::vector<std::string> arguments) {
-    Diagnostic& d = m_all.emplace_back();
-    d.kind = kind;
-    d.severity = severityOf(kind);
-    d.range = range;
-    d.arguments = std::move(arguments);
-    if (d.severity == Severity::Error) ++m_errors;
-    return d;
+Diagnostic& Sink::add(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::Error) ++m_errors;
+    return m_all.emplace_back(std::move(diagnostic));
 }
 
 void Sink::sort() {
@@ -95,7 +77,7 @@ void Sink::sort() {
                      [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
     m_all.erase(std::unique(m_all.begin(), m_all.end(),
                             [&](const Diagnostic& a, const Diagnostic& b) {
-                                return key(a) == key(b) && a.arguments == b.arguments;
+                                return key(a) == key(b) && a.message == b.message;
                             }),
                 m_all.end());
 }
@@ -106,7 +88,7 @@ std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colou
                                   : d.severity == Severity::Warning ? "\033[1;33m"
                                                                     : "\033[1;36m";
     const std::string head = colour(tint) + std::string(severityName(d.severity)) + " " + std::string(codeOf(d.kind)) +
-                             colour("\033[0m") + ": " + d.message() + "\n";
+                             colour("\033[0m") + ": " + d.message.english() + "\n";
     if (!d.range.file.isValid()) return head;
     const SourceText& file = sources[d.range.file];
     const LineColumn at = file.lineColumn(d.range.begin);
@@ -125,7 +107,7 @@ std::string renderText(const SourceSet& sources, const Diagnostic& d, bool colou
     for (uint32_t i = d.range.begin; i < d.range.end && i < lineBegin + line.size(); ++i)
         if ((static_cast<unsigned char>(line[i - lineBegin]) & 0xC0) != 0x80) ++marks;
     out += colour(tint) + "^" + std::string(marks > 1 ? marks - 1 : 0, '~') + colour("\033[0m") + "\n";
-    for (const Fix& fix : d.fixes) out += "  " + std::string(number.size(), ' ') + " = " + fix.title + "\n";
+    for (const Fix& fix : d.fixes) out += "  " + std::string(number.size(), ' ') + " = " + fix.title.english() + "\n";
     return out;
 }
 
@@ -134,10 +116,10 @@ std::string renderJson(const SourceSet& sources, const Diagnostic& d) {
     out += d.range.file.isValid() ? jsonString(sources[d.range.file].path()) : "null";
     if (d.range.file.isValid()) out += ",\"range\":" + rangeJson(sources, d.range);
     out += ",\"code\":" + jsonString(codeOf(d.kind)) + ",\"severity\":" + jsonString(severityName(d.severity)) +
-           ",\"message\":" + jsonString(d.message());
+           ",\"message\":" + jsonString(d.message.english());
     out += ",\"fixes\":[";
     for (size_t i = 0; i < d.fixes.size(); ++i) {
-        out += (i ? ",{" : "{") + std::string("\"title\":") + jsonString(d.fixes[i].title) + ",\"edits\":[";
+        out += (i ? ",{" : "{") + std::string("\"title\":") + jsonString(d.fixes[i].title.english()) + ",\"edits\":[";
         for (size_t k = 0; k < d.fixes[i].edits.size(); ++k) {
             const TextEdit& edit = d.fixes[i].edits[k];
             out += (k ? ",{" : "{") + std::string("\"range\":") + rangeJson(sources, edit.range) +

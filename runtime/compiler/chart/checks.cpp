@@ -10,7 +10,6 @@
 
 namespace plc::chart {
 
-using diagnostics::Kind;
 using diagnostics::Sink;
 using syntax::Expr;
 using syntax::ExprKind;
@@ -27,8 +26,8 @@ void checkNames(const Chart& chart, Sink& sink) {
         if (!step.decl->name.isValid()) continue;
         const auto [it, isNew] = first.emplace(foldCase(step.decl->name.text), step.decl);
         if (!isNew) {
-            auto& d = sink.emit(step.decl->name.range, Kind::DuplicateStep, {std::string(step.decl->name.text)});
-            d.related.push_back({it->second->name.range, "first declared here"});
+            auto& d = sink.emit(step.decl->name.range, findings::DuplicateStep(step.decl->name.text));
+            d.related.push_back({it->second->name.range, notes::FirstDeclaredHere()});
         }
         names.emplace_back(step.decl->name.text);
     }
@@ -36,9 +35,9 @@ void checkNames(const Chart& chart, Sink& sink) {
         for (const auto* list : {&transition.decl->from, &transition.decl->to})
             for (const syntax::Name& name : *list) {
                 if (!name.isValid() || first.contains(foldCase(name.text))) continue;
-                auto& d = sink.emit(name.range, Kind::UnknownStep, {std::string(name.text)});
+                auto& d = sink.emit(name.range, findings::UnknownStep(name.text));
                 if (const auto near = nearestName(name.text, names))
-                    d.fixes.push_back({"Write " + *near, {{name.range, *near}}});
+                    d.fixes.push_back({fixes::Write(*near), {{name.range, *near}}});
             }
 }
 
@@ -62,20 +61,19 @@ void checkInitialSteps(const Chart& chart, Sink& sink) {
             have = step.decl;
             continue;
         }
-        auto& d = sink.emit(step.decl->name.range, Kind::SeveralInitialSteps,
-                            {std::string(have->name.text), std::string(step.decl->name.text)});
-        d.related.push_back({have->name.range, "the first one"});
+        auto& d =
+            sink.emit(step.decl->name.range, findings::SeveralInitialSteps(have->name.text, step.decl->name.text));
+        d.related.push_back({have->name.range, notes::TheFirstOne()});
     }
     for (uint32_t n = 0; n < chart.networks; ++n) {
         if (initial[n]) continue;
         if (connected[n] || chart.networks == 1) {
-            auto& d = sink.emit(any[n]->name.range, Kind::NoInitialStep);
+            auto& d = sink.emit(any[n]->name.range, findings::NoInitialStep());
             const SourceRange word{any[n]->range.file, any[n]->range.begin, any[n]->range.begin + 4};
-            d.fixes.push_back(
-                {"Make " + std::string(any[n]->name.text) + " the initial step", {{word, "INITIAL_STEP"}}});
+            d.fixes.push_back({fixes::MakeInitial(any[n]->name.text), {{word, "INITIAL_STEP"}}});
         } else {
             if (chart.find(any[n]->name.text) == firstOf[n])
-                sink.emit(any[n]->name.range, Kind::UnreachableStep, {std::string(any[n]->name.text)});
+                sink.emit(any[n]->name.range, findings::UnreachableStep(any[n]->name.text));
         }
     }
 }
@@ -101,7 +99,7 @@ void checkConditions(const Chart& chart, Sink& sink) {
             return std::any_of(chart[id].decl->pragmas.begin(), chart[id].decl->pragmas.end(),
                                [](const syntax::Pragma& p) { return equalsIgnoringCase(p.key, "minTime"); });
         });
-        if (!waits) sink.emit(transition.decl->condition->range, Kind::AlwaysTrueTransition);
+        if (!waits) sink.emit(transition.decl->condition->range, findings::AlwaysTrueTransition());
     }
 }
 
@@ -115,9 +113,9 @@ void checkQualifiers(const Chart& chart, Sink& sink) {
             const bool known =
                 timed || q.empty() || q == "n" || q == "r" || q == "s" || q == "p" || q == "p0" || q == "p1";
             if (!known)
-                sink.emit(a.qualifier.range, Kind::UnknownQualifier, {std::string(a.qualifier.text)});
+                sink.emit(a.qualifier.range, findings::UnknownQualifier(a.qualifier.text));
             else if (timed && !a.time)
-                sink.emit(a.qualifier.range, Kind::QualifierNeedsTime, {std::string(a.qualifier.text)});
+                sink.emit(a.qualifier.range, findings::QualifierNeedsTime(a.qualifier.text));
         }
 }
 
@@ -131,8 +129,8 @@ void checkDoubles(const Chart& chart, Sink& sink) {
             const std::string qualifier = a.qualifier.isValid() ? std::string(a.qualifier.text) : "N";
             const auto [it, isNew] = first.emplace(foldCase(a.action.text) + " " + foldCase(qualifier), &a);
             if (isNew) continue;
-            auto& d = sink.emit(a.range, Kind::AssociatedTwice, {std::string(a.action.text), qualifier});
-            d.related.push_back({it->second->range, "the first one"});
+            auto& d = sink.emit(a.range, findings::AssociatedTwice(a.action.text, qualifier));
+            d.related.push_back({it->second->range, notes::TheFirstOne()});
         }
     }
 }
@@ -145,7 +143,7 @@ void checkFinalSteps(const Chart& chart, Sink& sink) {
         // else told as not reached; alone beside other networks it is always active on purpose
         const bool stands = !step.in.empty() || (step.decl->isInitial && chart.networks == 1);
         if (step.out.empty() && stands && step.decl->name.isValid() && chart.find(step.decl->name.text) == StepId(i))
-            sink.emit(step.decl->name.range, Kind::FinalStep, {std::string(step.decl->name.text)});
+            sink.emit(step.decl->name.range, findings::FinalStep(step.decl->name.text));
     }
 }
 
@@ -248,8 +246,8 @@ void exploreNetwork(const Chart& chart, uint32_t network, Sink& sink) {
                 safe = false;
                 if (!unsafe.insert(s).second) continue;
                 const syntax::StepDecl& decl = *chart.steps[s].decl;
-                auto& d = sink.emit(decl.name.range, Kind::UnsafeChart, {std::string(decl.name.text)});
-                d.related.push_back({chart[move.id].decl->range, "by this transition, while it is active"});
+                auto& d = sink.emit(decl.name.range, findings::UnsafeChart(decl.name.text));
+                d.related.push_back({chart[move.id].decl->range, notes::ByThisTransition()});
             }
             if (!safe) continue;
             std::sort(next.begin(), next.end());
@@ -260,7 +258,7 @@ void exploreNetwork(const Chart& chart, uint32_t network, Sink& sink) {
     for (const Net::Move& move : net.moves) {
         if (!move.alive || move.from.size() < 2 || joinSeen[move.id.index()]) continue;
         const auto& decl = *chart[move.id].decl;
-        sink.emit(joined(decl.from.front().range, decl.from.back().range), Kind::UnreachableJoin);
+        sink.emit(joined(decl.from.front().range, decl.from.back().range), findings::UnreachableJoin());
     }
 }
 
@@ -287,15 +285,14 @@ void checkReachability(const Chart& chart, Sink& sink) {
     for (uint32_t i = 0; i < chart.steps.size(); ++i)
         if (!reached[i] && hasInitial[chart.steps[i].network] && chart.steps[i].decl->name.isValid() &&
             chart.find(chart.steps[i].decl->name.text) == StepId(i)) // a doubled name is told as that
-            sink.emit(chart.steps[i].decl->name.range, Kind::UnreachableStep,
-                      {std::string(chart.steps[i].decl->name.text)});
+            sink.emit(chart.steps[i].decl->name.range, findings::UnreachableStep(chart.steps[i].decl->name.text));
 }
 
 } // namespace
 
 void check(const Chart& chart, Sink& sink) {
     if (chart.steps.empty()) {
-        if (!chart.transitions.empty()) sink.emit(chart.transitions[0].decl->range, Kind::NoInitialStep);
+        if (!chart.transitions.empty()) sink.emit(chart.transitions[0].decl->range, findings::NoInitialStep());
         return;
     }
     checkNames(chart, sink);

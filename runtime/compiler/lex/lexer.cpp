@@ -10,8 +10,6 @@ namespace plc::lex {
 
 namespace {
 
-using diagnostics::Kind;
-
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isAlnum(char c) { return isDigit(c) || isAsciiLetter(c); }
@@ -57,7 +55,7 @@ public:
 
     TokenList run() {
         m_list.tokens.reserve(m_text.size() / 4 + 16);
-        if (const auto bad = firstInvalidUtf8(m_text)) emit(*bad, *bad + 1, Kind::InvalidUtf8);
+        if (const auto bad = firstInvalidUtf8(m_text)) emit(*bad, *bad + 1, findings::InvalidUtf8());
         if (m_text.starts_with("\xEF\xBB\xBF")) m_at = 3;
         while (skipBlanks()) lexToken();
         push(TokenKind::EndOfFile, m_text.size(), m_text.size());
@@ -68,9 +66,8 @@ private:
     char peek(size_t ahead = 0) const { return m_at + ahead < m_text.size() ? m_text[m_at + ahead] : '\0'; }
     std::string_view slice(size_t begin, size_t end) const { return m_text.substr(begin, end - begin); }
 
-    diagnostics::Diagnostic& emit(size_t begin, size_t end, Kind kind, std::vector<std::string> arguments = {}) {
-        return m_sink.emit({m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}, kind,
-                           std::move(arguments));
+    diagnostics::Diagnostic& emit(size_t begin, size_t end, diagnostics::Finding finding) {
+        return m_sink.emit({m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(end)}, std::move(finding));
     }
     void push(TokenKind kind, size_t begin, size_t end, SoftWord soft = SoftWord::None) {
         m_list.tokens.push_back({kind, soft, m_newline, static_cast<uint32_t>(begin), static_cast<uint32_t>(end)});
@@ -146,7 +143,8 @@ private:
             }
         }
         if (depth > 0) {
-            if (open == '(' || firstClose == std::string_view::npos) emit(begin, begin + 2, Kind::UnterminatedComment);
+            if (open == '(' || firstClose == std::string_view::npos)
+                emit(begin, begin + 2, findings::UnterminatedComment());
             m_at = firstClose == std::string_view::npos ? m_text.size() : firstClose + 2;
         }
         if (std::memchr(m_text.data() + begin, '\n', m_at - begin)) m_newline = true;
@@ -189,7 +187,7 @@ private:
         if (m_text[m_at] == '%' && !m_list.tokens.empty() && m_list.tokens.back().kind == TokenKind::At) {
             const size_t begin = m_at++; // AT %Z5
             m_at = wordEnd(m_at);
-            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "address"});
+            emit(begin, m_at, findings::InvalidLiteral(slice(begin, m_at), phrases::AddressLiteral()));
             push(TokenKind::DirectAddress, begin, m_at);
             return true;
         }
@@ -202,9 +200,9 @@ private:
             const auto end = static_cast<uint32_t>(m_at + row.text.size());
             std::string word(row.meant);
             if (row.kind == TokenKind::Not) word += ' ';
-            emit(m_at, end, Kind::ForeignOperator, {std::string(row.text), std::string(row.meant)})
+            emit(m_at, end, findings::ForeignOperator(row.text, row.meant))
                 .fixes.push_back(
-                    {"Write " + std::string(row.meant), {{{m_file, static_cast<uint32_t>(m_at), end}, word}}});
+                    {fixes::Write(std::string(row.meant)), {{{m_file, static_cast<uint32_t>(m_at), end}, word}}});
             return takeSymbol(row.kind, row.text.size());
         }
         return false;
@@ -307,18 +305,18 @@ private:
             if (number || next == '.') return duration(begin);
             break;
         case PrefixKind::Date:
-            if (number) return date(begin, TokenKind::DateLiteral, "date");
+            if (number) return date(begin, TokenKind::DateLiteral, phrases::DateLiteral());
             break;
         case PrefixKind::TimeOfDay:
-            if (number) return date(begin, TokenKind::TimeOfDayLiteral, "time of day");
+            if (number) return date(begin, TokenKind::TimeOfDayLiteral, phrases::TimeOfDayLiteral());
             break;
         case PrefixKind::DateTime:
-            if (number) return date(begin, TokenKind::DateTimeLiteral, "date and time");
+            if (number) return date(begin, TokenKind::DateTimeLiteral, phrases::DateAndTimeLiteral());
             break;
         case PrefixKind::Bcd:
             if (number) {
                 takeDigits(10);
-                return finishNumber(begin, TokenKind::IntegerLiteral, "BCD");
+                return finishNumber(begin, TokenKind::IntegerLiteral, Verbatim("BCD"));
             }
             break;
         case PrefixKind::Type:
@@ -326,8 +324,9 @@ private:
         }
         if (kind != PrefixKind::Type && kind != PrefixKind::Bcd &&
             (next == ' ' || next == ';' || next == ')' || next == ',' || next == '\n' || next == '\0')) {
-            emit(begin, m_at, Kind::InvalidLiteral,
-                 {std::string(slice(begin, m_at)), kind == PrefixKind::Duration ? "duration" : "date"});
+            emit(begin, m_at,
+                 findings::InvalidLiteral(slice(begin, m_at), kind == PrefixKind::Duration ? phrases::DurationLiteral()
+                                                                                           : phrases::DateLiteral()));
             return push(kind == PrefixKind::Duration ? TokenKind::DurationLiteral : TokenKind::DateLiteral, begin,
                         m_at);
         }
@@ -360,7 +359,7 @@ private:
         const size_t good = m_at;
         m_at = wordEnd(m_at);
         if (!valid || !ordered || good != m_at)
-            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "duration"});
+            emit(begin, m_at, findings::InvalidLiteral(slice(begin, m_at), phrases::DurationLiteral()));
         push(TokenKind::DurationLiteral, begin, m_at);
     }
     static int unitRank(std::string_view unit) {
@@ -371,7 +370,7 @@ private:
     }
 
     /// The digits and separators of the three calendar literals; how many of each: the numbers between them.
-    void date(size_t begin, TokenKind kind, const char* what) {
+    void date(size_t begin, TokenKind kind, messages::Thing what) {
         const size_t digits = m_at;
         while (isDigit(peek()) || peek() == '_' ||
                ((peek() == '-' || peek() == ':' || peek() == '.') && isDigit(peek(1))))
@@ -386,7 +385,7 @@ private:
         const bool shape = kind == TokenKind::DateLiteral        ? dashes == 2 && colons == 0
                            : kind == TokenKind::TimeOfDayLiteral ? dashes == 0 && (colons == 1 || colons == 2)
                                                                  : dashes == 3 && (colons == 1 || colons == 2);
-        if (!shape || good != m_at) emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), what});
+        if (!shape || good != m_at) emit(begin, m_at, findings::InvalidLiteral(slice(begin, m_at), std::move(what)));
         push(kind, begin, m_at);
     }
 
@@ -431,7 +430,8 @@ private:
                 takeDigits(10);
             }
         }
-        finishNumber(begin, real ? TokenKind::RealLiteral : TokenKind::IntegerLiteral, real ? "REAL" : "integer");
+        finishNumber(begin, real ? TokenKind::RealLiteral : TokenKind::IntegerLiteral,
+                     real ? messages::Thing(Verbatim("REAL")) : messages::Thing(phrases::IntegerLiteral()));
     }
     void based(size_t begin) {
         int base = 0;
@@ -441,19 +441,19 @@ private:
         const size_t good = m_at;
         m_at = wordEnd(m_at);
         if (!valid || good != m_at)
-            emit(begin, m_at, Kind::InvalidLiteral, {std::string(slice(begin, m_at)), "integer"});
+            emit(begin, m_at, findings::InvalidLiteral(slice(begin, m_at), phrases::IntegerLiteral()));
         push(TokenKind::IntegerLiteral, begin, m_at);
     }
-    void finishNumber(size_t begin, TokenKind kind, const char* what) {
+    void finishNumber(size_t begin, TokenKind kind, messages::Thing what) {
         const size_t good = m_at;
         m_at = wordEnd(m_at);
         if (good != m_at) {
             const std::string text(slice(begin, m_at));
-            auto& d = emit(begin, m_at, Kind::InvalidLiteral, {text, what});
+            auto& d = emit(begin, m_at, findings::InvalidLiteral(text, std::move(what)));
             if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'b' || text[1] == 'o')) { // 0x1F
                 const std::string own = (text[1] == 'x' ? "16#" : text[1] == 'b' ? "2#" : "8#") + text.substr(2);
                 d.fixes.push_back(
-                    {"Write " + own, {{{m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at)}, own}}});
+                    {fixes::Write(own), {{{m_file, static_cast<uint32_t>(begin), static_cast<uint32_t>(m_at)}, own}}});
             }
         }
         push(kind, begin, m_at);
@@ -473,9 +473,9 @@ private:
             --m_at;
             while (m_at > begin + 1 && m_text[m_at - 1] == ')') --m_at;
         }
-        emit(begin, m_at, Kind::UnterminatedString)
+        emit(begin, m_at, findings::UnterminatedString())
             .fixes.push_back(
-                {std::string("Insert ") + quote,
+                {fixes::Insert(std::string(1, quote)),
                  {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(m_at)}, std::string(1, quote)}}});
         push(kind, begin, m_at);
     }
@@ -494,7 +494,7 @@ private:
             }
         }
         m_at = std::min(m_text.find('\n', begin), m_text.size());
-        emit(begin, begin + 1, Kind::UnterminatedComment);
+        emit(begin, begin + 1, findings::UnterminatedComment());
         push(TokenKind::Pragma, begin, m_at);
     }
 
@@ -528,9 +528,9 @@ private:
     bool typographic(char32_t character, size_t next) {
         const auto isQuote = [](char32_t c) { return c >= 0x2018 && c <= 0x201F; };
         if (character >= 0x2010 && character <= 0x2015) {
-            emit(m_at, next, Kind::UnknownCharacter, {std::string(slice(m_at, next))})
-                .fixes.push_back(
-                    {"Write -", {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, "-"}}});
+            emit(m_at, next, findings::UnknownCharacter(slice(m_at, next)))
+                .fixes.push_back({fixes::Write(Verbatim("-")),
+                                  {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, "-"}}});
             push(TokenKind::Minus, m_at, next);
             m_at = next;
             return true;
@@ -542,8 +542,8 @@ private:
             const size_t closeBegin = at;
             const char32_t c = decodeUtf8(m_text, at);
             if (!isQuote(c) && c != '\'' && c != '"') continue;
-            emit(m_at, next, Kind::UnknownCharacter, {std::string(slice(m_at, next))})
-                .fixes.push_back({"Write plain quotes",
+            emit(m_at, next, findings::UnknownCharacter(slice(m_at, next)))
+                .fixes.push_back({fixes::WritePlainQuotes(),
                                   {{{m_file, static_cast<uint32_t>(m_at), static_cast<uint32_t>(next)}, plain},
                                    {{m_file, static_cast<uint32_t>(closeBegin), static_cast<uint32_t>(at)}, plain}}});
             push(TokenKind::StringLiteral, m_at, at);
@@ -574,7 +574,7 @@ private:
             std::snprintf(code, sizeof code, "U+%04X", byte);
             shown = code;
         }
-        if (readable && !again) emit(begin, m_at, Kind::UnknownCharacter, {std::move(shown)});
+        if (readable && !again) emit(begin, m_at, findings::UnknownCharacter(std::move(shown)));
         m_lastUnknown = slice(begin, m_at);
         m_lastUnknownAt = begin;
         push(TokenKind::Error, begin, m_at);

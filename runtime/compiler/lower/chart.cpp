@@ -63,14 +63,12 @@ public:
                         const bool isOther = spec && (isBool || isText || spec->kind != syntax::TypeSpecKind::Named ||
                                                       isElementary(spec->path));
                         if (isOther && !(row.isText ? isText : isBool)) {
-                            auto& diagnostic = sink.emit(spec->range, diagnostics::Kind::ChartFlagType,
-                                                         {std::string(row.name), row.isText ? "STRING" : "BOOL"});
+                            const Verbatim own(row.isText ? "STRING" : "BOOL");
+                            auto& diagnostic = sink.emit(spec->range, findings::ChartFlagType(row.name, own));
                             m_names.erase(foldCase(name.text));
-                            diagnostic.fixes.push_back({row.isText ? "Write STRING" : "Write BOOL",
-                                                        {{spec->range, row.isText ? "STRING" : "BOOL"}}});
+                            diagnostic.fixes.push_back({fixes::Write(own), {{spec->range, own.text}}});
                         } else if (!row.partner.empty() && !has(row.partner)) {
-                            sink.emit(name.range, diagnostics::Kind::ChartFlagAlone,
-                                      {std::string(row.name), std::string(row.partner)});
+                            sink.emit(name.range, findings::ChartFlagAlone(row.name, row.partner));
                         }
                     }
     }
@@ -177,9 +175,8 @@ private:
             m_steps.push_back(s);
             m_known[key] = s;
             if (const Name* other = variableNamed(s->name)) {
-                auto& diagnostic =
-                    m_sink.emit(s->name.range, diagnostics::Kind::DuplicateName, {std::string(s->name.text)});
-                diagnostic.related.push_back({other->range, "first declared here"});
+                auto& diagnostic = m_sink.emit(s->name.range, findings::DuplicateName(s->name.text));
+                diagnostic.related.push_back({other->range, notes::FirstDeclaredHere()});
                 m_clashing.insert(s);
             }
             syntax::VarDecl* decl = m_builder.declare(

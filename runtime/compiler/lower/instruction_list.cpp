@@ -9,7 +9,6 @@
 
 namespace plc::lower {
 
-using diagnostics::Kind;
 using syntax::ArgumentKind;
 using syntax::IlInstruction;
 
@@ -125,7 +124,7 @@ private:
             const IlInstruction& il = *instructions[i]->il;
             if (!il.label.isValid()) continue;
             if (!m_labels.emplace(foldCase(il.label.text), i).second)
-                m_sink.emit(il.label.range, Kind::DuplicateName, {std::string(il.label.text)});
+                m_sink.emit(il.label.range, findings::DuplicateName(il.label.text));
         }
     }
     bool uses(const IlInstruction& il) const {
@@ -195,7 +194,7 @@ private:
 
     void report(SourceRange range, std::string_view op) {
         ++m_reported;
-        m_sink.emit(range, Kind::IlNoAccumulator, {std::string(op)});
+        m_sink.emit(range, findings::IlNoAccumulator(op));
     }
     void emit(Stmt* stmt) { m_out.push_back(stmt); }
 
@@ -236,7 +235,7 @@ private:
             const bool live = outermost ? m_liveOut[i] : true;
             if (il.label.isValid()) {
                 if (!outermost) {
-                    m_sink.emit(il.label.range, Kind::NotAllowedHere, {"A label", "a parenthesis"});
+                    m_sink.emit(il.label.range, findings::NotAllowedHere(phrases::ALabel(), phrases::InAParenthesis()));
                 } else {
                     const std::string label = foldCase(il.label.text);
                     storeAtLabel(label, acc, origin);
@@ -267,7 +266,7 @@ private:
         const auto negated = [&](Expr* e) { return il.negate ? m_builder.unary(TokenKind::Not, e, range) : e; };
         const auto operand = [&]() -> Expr* {
             if (il.operand) return m_builder.clone(il.operand);
-            m_sink.emit(il.op.range, Kind::Expected, {"an operand", "the end of the line"});
+            m_sink.emit(il.op.range, findings::Expected(phrases::AnOperand(), phrases::TheEndOfTheLine()));
             Expr* e = m_builder.make<Expr>();
             e->range = range;
             return e;
@@ -341,7 +340,7 @@ private:
             }
         }
         if (!right) {
-            m_sink.emit(il.op.range, Kind::Expected, {"an operand", "the end of the line"});
+            m_sink.emit(il.op.range, findings::Expected(phrases::AnOperand(), phrases::TheEndOfTheLine()));
             return acc;
         }
         if (il.negate) right = m_builder.unary(TokenKind::Not, right, origin->range);
@@ -352,14 +351,15 @@ private:
 
     Expr* jump(const IlInstruction& il, Expr* acc, Stmt* origin, bool live, bool outermost) {
         if (!outermost) {
-            m_sink.emit(il.op.range, Kind::NotAllowedHere, {"JMP", "a parenthesis"});
+            m_sink.emit(il.op.range, findings::NotAllowedHere(Verbatim("JMP"), phrases::InAParenthesis()));
             return acc;
         }
         const auto target = targetOf(il);
         if (target == m_labels.end()) {
-            m_sink.emit(il.operand ? il.operand->range : il.op.range, Kind::UnknownLabel,
-                        {il.operand && il.operand->kind == ExprKind::NameRef ? std::string(il.operand->name.text)
-                                                                             : std::string()});
+            m_sink.emit(il.operand ? il.operand->range : il.op.range,
+                        findings::UnknownLabel(il.operand && il.operand->kind == ExprKind::NameRef
+                                                   ? il.operand->name.text
+                                                   : std::string_view()));
             return il.conditional ? acc : nullptr;
         }
         if (il.conditional && live) acc = capture(acc, origin);

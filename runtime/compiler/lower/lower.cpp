@@ -89,8 +89,9 @@ private:
             body.statements = lowerInstructions(body.instructions, context, false).statements;
         } else if (body.language == BodyLanguage::Sfc && body.chart) {
             if (pou.kind != PouKind::Program && pou.kind != PouKind::FunctionBlock) {
-                m_sink.emit(pou.name.range, diagnostics::Kind::NotAllowedHere,
-                            {"A chart", pou.kind == PouKind::Function ? "a FUNCTION" : "a METHOD"});
+                m_sink.emit(pou.name.range, findings::NotAllowedHere(phrases::AChart(), pou.kind == PouKind::Function
+                                                                                            ? phrases::InAFunction()
+                                                                                            : phrases::InAMethod()));
                 return;
             }
             chart::check(chart::build(*body.chart), m_sink);

@@ -4,8 +4,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 bool Parser::atStep() const {
     if (kind(1) != TokenKind::Identifier || peek(1).afterNewline) return false;
     return at(SoftWord::InitialStep) || at(SoftWord::Step);
@@ -41,7 +39,7 @@ SfcBody* Parser::parseChart() {
                             TokenKind::Elsif, TokenKind::Until, TokenKind::EndVar}))) {
             break;
         } else {
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             do advance();
             while (!atEnd() && !atChart() && !atPouMember() && !atStatementEnd() && !atDeclaration() &&
                    !atVarSection());
@@ -64,8 +62,8 @@ StepDecl* Parser::parseStep() {
     step->name = takeName();
     step->pragmas = pragmasHere();
     if (!take(TokenKind::Colon)) {
-        if (auto* d = report(rangeOf(previous()), Kind::Expected, {":", shown(peek())}))
-            d->fixes.push_back({"Insert :", {{afterPrevious(), ":"}}});
+        if (auto* d = report(rangeOf(previous()), findings::Expected(Verbatim(":"), shown(peek()))))
+            d->fixes.push_back({fixes::Insert(Verbatim(":")), {{afterPrevious(), ":"}}});
         m_lastErrorAt = SIZE_MAX;
     }
     {
@@ -96,7 +94,7 @@ void Parser::parseAssociations(StepDecl& step) {
         if (atChart() || atPouMember() || atDeclaration()) return;
         const size_t first = mark();
         if (startsStatementInStep()) {
-            auto* told = report(rangeOf(peek()), Kind::StatementInStep);
+            auto* told = report(rangeOf(peek()), findings::StatementInStep());
             do advance();
             while (!atEnd() && !atAny({TokenKind::EndStep, TokenKind::EndTransition}) && !atChart() && !atPouMember() &&
                    !atDeclaration() && !atVarSection());
@@ -105,7 +103,7 @@ void Parser::parseAssociations(StepDecl& step) {
             return;
         }
         ActionAssociation association;
-        association.action = takeName("an action");
+        association.action = takeName(phrases::AnAction());
         if (!association.action.isValid()) {
             while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !atChart() && !atDeclaration())
                 advance();
@@ -131,14 +129,14 @@ void Parser::parseAssociations(StepDecl& step) {
                 else if (atName())
                     association.indicators.push_back(takeName());
                 else {
-                    expected("a variable's name");
+                    expected(phrases::AVariablesName());
                     break;
                 }
                 firstOperand = false;
                 if (!take(TokenKind::Comma)) break;
             }
             if (!take(TokenKind::RightParen)) {
-                expected(")");
+                expected(Verbatim(")"));
                 while (!atEnd() && !atAny({TokenKind::RightParen, TokenKind::Semicolon}) && !atStatementEnd() &&
                        !onNewLine())
                     advance();
@@ -156,7 +154,7 @@ void Parser::parseAssociations(StepDecl& step) {
         else if (m_lastErrorAt != m_at && (onNewLine() || atStatementEnd()))
             missingSemicolon(false);
         else if (m_lastErrorAt != m_at) {
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !onNewLine()) advance();
         }
     }
@@ -166,7 +164,7 @@ void Parser::parseStepNames(std::vector<Name>& out) {
     const bool list = take(TokenKind::LeftParen);
     const size_t first = mark();
     do {
-        const Name name = takeName("a step's name");
+        const Name name = takeName(phrases::AStepsName());
         if (name.isValid()) out.push_back(name);
     } while ((list || (at(TokenKind::Comma) && kind(1) == TokenKind::Identifier)) && take(TokenKind::Comma));
     if (list) {
@@ -174,8 +172,8 @@ void Parser::parseStepNames(std::vector<Name>& out) {
     } else if (out.size() > 1) { // FROM a, b TO
         const SourceRange names = rangeFrom(first);
         const std::string own = "(" + std::string(m_text.substr(names.begin, names.end - names.begin)) + ")";
-        if (auto* d = report(names, Kind::Expected, {"(", std::string(out.front().text)}))
-            d->fixes.push_back({"Write " + own, {{names, own}}});
+        if (auto* d = report(names, findings::Expected(Verbatim("("), out.front().text)))
+            d->fixes.push_back({fixes::Write(own), {{names, own}}});
         m_lastErrorAt = SIZE_MAX;
     }
 }
@@ -201,11 +199,11 @@ TransitionDecl* Parser::parseTransition() {
     if (take(SoftWord::From))
         parseStepNames(transition->from);
     else
-        expected("FROM");
+        expected(Verbatim("FROM"));
     if (take(TokenKind::To))
         parseStepNames(transition->to);
     else
-        expected("TO");
+        expected(Verbatim("TO"));
     {
         const OpenBlock open(*this, TokenKind::EndTransition);
         if (take(TokenKind::Assign)) {
@@ -216,17 +214,17 @@ TransitionDecl* Parser::parseTransition() {
                 else if (m_lastErrorAt != m_at && (atStatementEnd() || atChart()))
                     missingSemicolon(false);
                 else if (m_lastErrorAt != m_at) {
-                    report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+                    report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
                 }
             }
         } else if (take(TokenKind::Colon)) {
             if (atInstructionList())
                 transition->ilCondition = parseInstructions(BodyContext::Unit);
             else {
-                expected(":= or instructions");
+                expected(phrases::AssignOrInstructions());
             }
         } else {
-            expected(":=");
+            expected(Verbatim(":="));
         }
         while (!atEnd() && !atStatementEnd() && !atChart() && !atPouMember() && !atDeclaration())
             advance(); // the rest of a condition that can not be read

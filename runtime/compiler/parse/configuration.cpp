@@ -4,8 +4,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 /// CONFIGURATION … END_CONFIGURATION (IEC 61131-3, 2.7)
 ConfigurationDecl* Parser::parseConfiguration() {
     ConfigurationDecl* configuration = make<ConfigurationDecl>();
@@ -41,7 +39,7 @@ void Parser::parseResourceParts(ResourceDecl& resource, ConfigurationDecl* confi
             const Token opening = peek();
             advance();
             inner->name = takeName();
-            if (take(SoftWord::On)) inner->on = takeName("a processor's name");
+            if (take(SoftWord::On)) inner->on = takeName(phrases::AProcessorsName());
             const OpenBlock open(*this, TokenKind::EndResource);
             parseResourceParts(*inner, nullptr, TokenKind::EndResource);
             expectEnd(TokenKind::EndResource, opening);
@@ -51,7 +49,8 @@ void Parser::parseResourceParts(ResourceDecl& resource, ConfigurationDecl* confi
                    atDeclaration()) {
             return;
         } else {
-            expected(configuration ? "RESOURCE, TASK or PROGRAM" : "TASK or PROGRAM");
+            expected(configuration ? phrases::OneOf({{"RESOURCE", "TASK"}}, Verbatim("PROGRAM"))
+                                   : phrases::OneOf({{"TASK"}}, Verbatim("PROGRAM")));
             do advance();
             while (!atEnd() && !at(TokenKind::Semicolon) && !atStatementEnd() && !atVarSection() &&
                    !at(TokenKind::Program) && !(at(SoftWord::Task) && kind(1) == TokenKind::Identifier) &&
@@ -67,7 +66,7 @@ TaskDecl* Parser::parseTask() {
     task->pragmas = pragmasHere();
     const size_t first = mark();
     advance();
-    task->name = takeName("a task's name");
+    task->name = takeName(phrases::ATasksName());
     if (take(TokenKind::LeftParen)) {
         std::vector<Argument> arguments;
         parseArguments(arguments, TokenKind::RightParen);
@@ -82,7 +81,7 @@ TaskDecl* Parser::parseTask() {
                 task->others.push_back(std::move(argument));
         }
     } else if (task->name.isValid()) {
-        expected("(");
+        expected(Verbatim("("));
     }
     if (!take(TokenKind::Semicolon)) {
         if (m_lastErrorAt != m_at)
@@ -106,8 +105,8 @@ ProgramInstance* Parser::parseProgramInstance() {
         else if (take(SoftWord::NonRetain))
             instance->nonRetain = true;
     }
-    instance->name = takeName("a program instance's name");
-    if (take(SoftWord::With)) instance->task = takeName("a task's name");
+    instance->name = takeName(phrases::AProgramInstancesName());
+    if (take(SoftWord::With)) instance->task = takeName(phrases::ATasksName());
     if (expect(TokenKind::Colon)) instance->type = takePath();
     if (take(TokenKind::LeftParen)) {
         // block WITH task is told apart first; the rest are connections
@@ -117,14 +116,14 @@ ProgramInstance* Parser::parseProgramInstance() {
                 const size_t at = mark();
                 argument.name = takeName();
                 advance();
-                const Name task = takeName("a task's name");
+                const Name task = takeName(phrases::ATasksName());
                 argument.value = makeName(task);
                 argument.range = rangeFrom(at);
                 instance->blockTasks.push_back(std::move(argument));
             } else {
                 Argument argument;
                 const size_t at = mark();
-                argument.name = takeName("an input or output");
+                argument.name = takeName(phrases::AnInputOrOutput());
                 Path rest;
                 while (take(TokenKind::Dot)) argument.name = takeName();
                 if (!argument.name.isValid()) break;
@@ -133,7 +132,7 @@ ProgramInstance* Parser::parseProgramInstance() {
                 else if (take(TokenKind::Assign))
                     argument.kind = ArgumentKind::Input;
                 else
-                    expected(":= or =>");
+                    expected(phrases::OneOf({{":="}}, Verbatim("=>")));
                 if (!atAny({TokenKind::Comma, TokenKind::RightParen})) argument.value = parseExpression();
                 argument.range = rangeFrom(at);
                 instance->connections.push_back(std::move(argument));
@@ -141,7 +140,7 @@ ProgramInstance* Parser::parseProgramInstance() {
             if (!take(TokenKind::Comma)) break;
         }
         if (!take(TokenKind::RightParen)) {
-            expected(")");
+            expected(Verbatim(")"));
             skipTo({TokenKind::Semicolon, TokenKind::EndResource, TokenKind::EndConfiguration});
         }
     }

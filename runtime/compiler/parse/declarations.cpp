@@ -4,8 +4,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 namespace {
 
 bool isModifier(SoftWord word) {
@@ -136,7 +134,7 @@ Decl* Parser::parseDeclaration() {
             case SoftWord::Class: // edition 3: a block without a body
                 decl->pou = parsePou(PouKind::FunctionBlock, TokenKind::EndClass);
                 if (const Body& body = decl->pou->body; body.language != BodyLanguage::None)
-                    m_sink.emit(body.range, Kind::NotAllowedHere, {"A body", "a CLASS"});
+                    m_sink.emit(body.range, findings::NotAllowedHere(phrases::ABody(), phrases::InAClass()));
                 decl->range = rangeFrom(first);
                 return decl;
             case SoftWord::Interface:
@@ -158,7 +156,7 @@ Decl* Parser::parseDeclaration() {
         [[fallthrough]];
     default:
         // code without a unit around it: one message, on to the next declaration
-        report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
         if (atVarSection()) {
             (void)parseVarSection();
         } else {
@@ -214,7 +212,7 @@ void Parser::parsePouHeader(Pou& pou) {
     advance();
     parseModifiers(pou.access, &pou.isAbstract, &pou.isFinal, &pou.isOverride);
     if (at(TokenKind::TypedPrefix))
-        expected("a name");
+        expected(phrases::AName());
     else
         pou.name = takeName();
     while (at(TokenKind::Dot)) advance(), (void)takeName(); // Block.Method
@@ -269,9 +267,9 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
         } else if (pou.body.language != BodyLanguage::None && body.language != BodyLanguage::None &&
                    pou.body.language != body.language) {
             m_lastErrorAt = SIZE_MAX; // one body, one language
-            report({m_file.file, body.range.begin, body.range.begin + 1}, Kind::UnexpectedToken,
-                   {std::string(m_text.substr(body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) -
-                                                                    body.range.begin))});
+            report({m_file.file, body.range.begin, body.range.begin + 1},
+                   findings::UnexpectedToken(m_text.substr(
+                       body.range.begin, m_text.find_first_of(" \t\r\n:;(", body.range.begin) - body.range.begin)));
         } else {
             if (pou.body.language == BodyLanguage::None) pou.body.language = body.language;
             pou.body.statements.insert(pou.body.statements.end(), body.statements.begin(), body.statements.end());
@@ -303,13 +301,13 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
             if (unitEnd) {                                               // closed by the wrong word
                 const std::string word(lex::spelling(end));
                 const SourceRange range = rangeOf(peek());
-                if (auto* d = report(range, Kind::Expected, {word, shown(peek())}))
-                    d->fixes.push_back({"Write " + word, {{range, word}}});
+                if (auto* d = report(range, findings::Expected(word, shown(peek()))))
+                    d->fixes.push_back({fixes::Write(word), {{range, word}}});
                 advance();
                 take(TokenKind::Semicolon);
                 return;
             }
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             advance();
             take(TokenKind::Semicolon);
         } else {
@@ -326,7 +324,7 @@ void Parser::parsePouParts(Pou& pou, TokenKind end) {
     const std::string word(lex::spelling(end));
     SourceRange range = rangeOf(previous());
     if (m_badOffsets.empty() || !atEnd())
-        insertFix(report(range, Kind::MissingEndAccepted, {word}), "\n" + word + "\n");
+        insertFix(report(range, findings::MissingEndAccepted(word)), "\n" + word + "\n");
     m_lastErrorAt = SIZE_MAX;
 }
 
@@ -369,9 +367,10 @@ Pou* Parser::parseMethod(bool inInterface) {
         if (!take(TokenKind::EndMethod)) {
             pou->hasEnd = false;
             if (at(SoftWord::Method) || at(SoftWord::Property) || at(TokenKind::EndInterface))
-                insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_METHOD"}), "\nEND_METHOD");
+                insertFix(report(rangeOf(previous()), findings::MissingEndAccepted(Verbatim("END_METHOD"))),
+                          "\nEND_METHOD");
             else {
-                expected("END_METHOD");
+                expected(Verbatim("END_METHOD"));
                 while (!atEnd() && !atAny({TokenKind::EndMethod, TokenKind::EndInterface}) && !atPouMember() &&
                        !atDeclaration())
                     advance();
@@ -437,9 +436,10 @@ Property* Parser::parseProperty(bool inInterface) {
     if (!take(TokenKind::EndProperty)) {
         if (inInterface || atPouMember() ||
             atAny({TokenKind::EndFunctionBlock, TokenKind::EndClass, TokenKind::EndProgram})) {
-            insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_PROPERTY"}), "\nEND_PROPERTY");
+            insertFix(report(rangeOf(previous()), findings::MissingEndAccepted(Verbatim("END_PROPERTY"))),
+                      "\nEND_PROPERTY");
         } else {
-            expected("GET, SET or END_PROPERTY");
+            expected(phrases::OneOf({{"GET", "SET"}}, Verbatim("END_PROPERTY")));
             while (!atEnd() &&
                    !atAny({TokenKind::EndProperty, TokenKind::EndFunctionBlock, TokenKind::EndClass,
                            TokenKind::EndProgram}) &&
@@ -468,7 +468,7 @@ Pou* Parser::parseInterface() {
         else if (atDeclaration() || atStatementEnd())
             break;
         else {
-            expected("METHOD, PROPERTY or END_INTERFACE");
+            expected(phrases::OneOf({{"METHOD", "PROPERTY"}}, Verbatim("END_INTERFACE")));
             do advance(); // an ACTION is a member too, but not of an interface
             while (!atEnd() && !atStatementEnd() && !atPouMember() && !atDeclaration());
             m_lastErrorAt = SIZE_MAX;
@@ -500,7 +500,8 @@ ActionDecl* Parser::parseAction() {
         if (atPouMember() || atEnd() ||
             atAny({TokenKind::EndProgram, TokenKind::EndFunctionBlock, TokenKind::EndClass}) || atDeclaration() ||
             atStep() || atTransition()) {
-            insertFix(report(rangeOf(previous()), Kind::MissingEndAccepted, {"END_ACTION"}), "\nEND_ACTION");
+            insertFix(report(rangeOf(previous()), findings::MissingEndAccepted(Verbatim("END_ACTION"))),
+                      "\nEND_ACTION");
         } else {
             expectEnd(TokenKind::EndAction, opening);
         }

@@ -4,8 +4,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 namespace {
 
 /// The first `$` sequence that means nothing (IEC 61131-3, table 6), as offset and length.
@@ -46,7 +44,7 @@ void Parser::setHeight(Expr& e) {
         if (argument.value) height = std::max(height, argument.value->height);
     e.height = height + 1;
     if (e.height <= kMaxHeight) return;
-    m_sink.emit(e.range, Kind::NestedTooDeep);
+    m_sink.emit(e.range, findings::NestedTooDeep());
     e = Expr{};
     e.range = rangeOf(previous());
     skipTo({TokenKind::Semicolon});
@@ -69,7 +67,8 @@ Expr* Parser::parseCondition() {
     Expr* e = parseBinary(1);
     if (at(TokenKind::Assign)) {
         const SourceRange range = rangeOf(peek());
-        if (auto* d = report(range, Kind::AssignInCondition)) d->fixes.push_back({"Write =", {{range, "="}}});
+        if (auto* d = report(range, findings::AssignInCondition()))
+            d->fixes.push_back({fixes::Write(Verbatim("=")), {{range, "="}}});
         advance();
         Expr* compare = make<Expr>();
         compare->kind = ExprKind::Binary;
@@ -202,7 +201,7 @@ Expr* Parser::parsePrimary() {
         break;
     }
     if (lex::isLiteral(token.kind)) return parseLiteral();
-    expected("an expression");
+    expected(phrases::AnExpression());
     return errorExpr();
 }
 
@@ -218,8 +217,8 @@ Expr* Parser::parseLiteral() {
         const std::string_view bad = badEscape(e->text, token.kind == TokenKind::WstringLiteral);
         if (!bad.empty()) {
             const auto begin = static_cast<uint32_t>(bad.data() - m_text.data());
-            m_sink.emit({m_file.file, begin, begin + static_cast<uint32_t>(bad.size())}, Kind::InvalidLiteral,
-                        {std::string(bad), "string"});
+            m_sink.emit({m_file.file, begin, begin + static_cast<uint32_t>(bad.size())},
+                        findings::InvalidLiteral(bad, phrases::StringLiteral()));
         }
     }
     return e;
@@ -250,7 +249,7 @@ Expr* Parser::parseTyped() {
     e->range = rangeOf(prefixToken);
     e->prefix = prefix;
     if (!at(TokenKind::Identifier)) {
-        expected("a value");
+        expected(phrases::AValue());
         return e;
     }
     e->kind = ExprKind::TypedName;
@@ -276,7 +275,7 @@ Expr* Parser::parseParenthesised() {
     Expr* e = m_inCondition ? parseCondition() : parseExpression();
     e->parenthesised = true;
     if (!take(TokenKind::RightParen)) {
-        expected(")");
+        expected(Verbatim(")"));
         if (at(TokenKind::Comma) && !m_inInitialiser)
             skipTo({TokenKind::Semicolon, TokenKind::RightParen, TokenKind::Then, TokenKind::Do, TokenKind::Of}),
                 take(TokenKind::RightParen);
@@ -335,7 +334,7 @@ Expr* Parser::parsePostfix(Expr* base) {
                 e->height = base->height + 1;
                 e = value;
             } else {
-                expected("a member's name");
+                expected(phrases::AMembersName());
                 e->kind = ExprKind::Member; // of no name: completion asks what stands before the point
                 e->range = {m_file.file, base->range.begin, dot.end};
                 e->height = base->height + 1;
@@ -348,7 +347,7 @@ Expr* Parser::parsePostfix(Expr* base) {
             e = make<Expr>();
             e->kind = ExprKind::Index;
             e->base = base;
-            if (at(TokenKind::RightBracket)) expected("an index");
+            if (at(TokenKind::RightBracket)) expected(phrases::AnIndex());
             parseArguments(e->arguments, TokenKind::RightBracket);
             break;
         }
@@ -421,19 +420,19 @@ void Parser::parseArguments(std::vector<Argument>& out, TokenKind close) {
         argument.range = rangeFrom(first);
         out.push_back(std::move(argument));
         if (take(TokenKind::Comma)) {
-            if (at(close)) expected("an argument");
+            if (at(close)) expected(phrases::AnArgument());
             continue;
         }
         if (at(close)) break;
         if (startsExpression() && m_lastErrorAt != m_at && !peek().afterNewline && !missingComma) {
             missingComma = true; // once: more of them are junk
-            expected(", or " + std::string(lex::spelling(close)));
+            expected(phrases::OneOf({{","}}, lex::spelling(close)));
             if (mark() != first) continue;
         }
         break;
     }
     if (take(close)) return;
-    expected(std::string(lex::spelling(close)));
+    expected(lex::spelling(close));
     // junk before the closing bracket of the same line
     for (size_t ahead = 0; ahead < 30 && kind(ahead) != TokenKind::EndOfFile && kind(ahead) != TokenKind::Semicolon &&
                            (ahead == 0 || !peek(ahead).afterNewline);

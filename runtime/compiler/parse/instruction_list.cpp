@@ -6,8 +6,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 namespace {
 
 /// Operators of IEC 61131-3 ed. 2, table 52, and the modifiers each may carry.
@@ -111,7 +109,7 @@ Stmt* Parser::parseInstruction() {
     const bool word = atAny({TokenKind::Identifier, TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Not,
                              TokenKind::Mod, TokenKind::Ampersand});
     if (!word) {
-        report(rangeOf(opToken), Kind::IlUnknownOperator, {shown(opToken)});
+        report(rangeOf(opToken), findings::IlUnknownOperator(shown(opToken)));
         skipLine();
         stmt->range = rangeFrom(first);
         return stmt;
@@ -130,7 +128,7 @@ Stmt* Parser::parseInstruction() {
         il->conditional = reading.conditional;
     }
     if (at(TokenKind::Assign) || at(TokenKind::Dot)) { // an ST statement among instructions
-        report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
         skipLine();
         stmt->range = rangeFrom(first);
         return stmt;
@@ -141,7 +139,7 @@ Stmt* Parser::parseInstruction() {
         advance();
         if (!onNewLine() && startsExpression()) il->operand = parsePrimaryIl();
         il->body = parseInstructions(BodyContext::Unit);
-        if (!take(TokenKind::RightParen)) report({m_file.file, opToken.begin, open.end}, Kind::IlParenthesis);
+        if (!take(TokenKind::RightParen)) report({m_file.file, opToken.begin, open.end}, findings::IlParenthesis());
     } else if (reading.op && reading.op->name == "CAL") {
         if (atName()) {
             const bool outer = std::exchange(m_inInstruction, true);
@@ -153,7 +151,7 @@ Stmt* Parser::parseInstruction() {
             }
             il->operand = target;
         } else {
-            expected("a block's name");
+            expected(phrases::ABlocksName());
         }
     } else if (!reading.op && at(TokenKind::LeftParen)) {
         advance();
@@ -165,7 +163,7 @@ Stmt* Parser::parseInstruction() {
     }
     take(TokenKind::Semicolon);
     if (!onNewLine() && !atStatementEnd() && !at(TokenKind::RightParen)) {
-        report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+        report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
         skipLine();
     }
     stmt->range = rangeFrom(first);

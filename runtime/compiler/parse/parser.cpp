@@ -16,13 +16,13 @@ syntax::Expr* parseExpression(syntax::SyntaxFile& file, std::string_view text, d
     const lex::TokenList tokens = lex::tokenize(file.file, text, sink);
     Parser parser(file, tokens, text, sink, before);
     if (parser.atEnd()) {
-        parser.expected("an expression");
+        parser.expected(phrases::AnExpression());
         return nullptr;
     }
     syntax::Expr* e = parser.parseExpression();
     parser.take(TokenKind::Semicolon);
     if (!parser.atEnd())
-        parser.report(parser.rangeOf(parser.peek()), diagnostics::Kind::UnexpectedToken, {parser.shown(parser.peek())});
+        parser.report(parser.rangeOf(parser.peek()), findings::UnexpectedToken(parser.shown(parser.peek())));
     return e->kind == syntax::ExprKind::Error ? nullptr : e;
 }
 

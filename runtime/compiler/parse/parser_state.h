@@ -160,15 +160,15 @@ public:
     Name nameOf(const Token& token) const;
     bool atName(size_t ahead = 0) const;
     [[nodiscard]] bool atKeywordAsName() const;
-    Name takeName(const char* what = "a name");
+    Name takeName(messages::Thing what = phrases::AName());
     Path takePath();
 
     // messages and recovery (recovery.cpp)
     /// Null when the mistake was reported already (the same token, or a token the lexer complained about).
-    diagnostics::Diagnostic* report(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {});
-    void expected(std::string what);
+    diagnostics::Diagnostic* report(SourceRange range, diagnostics::Finding finding);
+    void expected(messages::Thing what);
     bool expect(TokenKind kind);
-    std::string shown(const Token& token) const;
+    messages::Thing shown(const Token& token) const;
     SourceRange afterPrevious() const; // empty, where something is missing
     void insertFix(diagnostics::Diagnostic* diagnostic, std::string text);
     void missingSemicolon(bool accepted);

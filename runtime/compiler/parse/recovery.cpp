@@ -5,7 +5,6 @@
 namespace plc::parse {
 
 using diagnostics::Diagnostic;
-using diagnostics::Kind;
 
 Parser::Parser(SyntaxFile& file, const lex::TokenList& tokens, std::string_view text, diagnostics::Sink& sink,
                size_t lexicalErrors)
@@ -60,17 +59,18 @@ bool Parser::atKeywordAsName() const {
                                       kind(1) == TokenKind::At || kind(1) == TokenKind::Assign);
 }
 
-Name Parser::takeName(const char* what) {
+Name Parser::takeName(messages::Thing what) {
     if (!atName() && atKeywordAsName()) {
         const Name name = nameOf(peek());
-        if (auto* d = report(name.range, Kind::KeywordAsName, {std::string(name.text)}))
-            d->fixes.push_back({"Write " + std::string(name.text) + "_", {{name.range, std::string(name.text) + "_"}}});
+        if (auto* d = report(name.range, findings::KeywordAsName(name.text)))
+            d->fixes.push_back(
+                {fixes::Write(std::string(name.text) + "_"), {{name.range, std::string(name.text) + "_"}}});
         m_lastErrorAt = SIZE_MAX;
         advance();
         return name;
     }
     if (!atName()) {
-        expected(what);
+        expected(std::move(what));
         return {};
     }
     take(TokenKind::Hash);
@@ -91,7 +91,7 @@ Path Parser::takePath() {
 }
 
 /// The lexer's complaint about this or the token before stands for the syntax error it causes.
-Diagnostic* Parser::report(SourceRange range, Kind kind, std::vector<std::string> arguments) {
+Diagnostic* Parser::report(SourceRange range, diagnostics::Finding finding) {
     if (m_lastErrorAt == m_at) return nullptr;
     m_lastErrorAt = m_at;
     if (!m_badOffsets.empty()) {
@@ -102,26 +102,26 @@ Diagnostic* Parser::report(SourceRange range, Kind kind, std::vector<std::string
         // a comment that is never closed swallowed the rest
         if (atEnd() && m_badOffsets.back() >= previous().end) return nullptr;
     }
-    return &m_sink.emit(range, kind, std::move(arguments));
+    return &m_sink.emit(range, std::move(finding));
 }
 
-std::string Parser::shown(const Token& token) const {
-    if (token.kind == TokenKind::EndOfFile) return std::string(lex::spelling(token.kind));
+messages::Thing Parser::shown(const Token& token) const {
+    if (token.kind == TokenKind::EndOfFile) return phrases::TheEndOfTheFile();
     std::string_view text = textOf(token);
-    if (text.size() <= 40) return std::string(text);
+    if (text.size() <= 40) return text;
     size_t cut = 37;
     while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;
     return std::string(text.substr(0, cut)) + "...";
 }
 
-void Parser::expected(std::string what) {
+void Parser::expected(messages::Thing what) {
     const SourceRange range = atEnd() ? afterPrevious() : rangeOf(peek());
-    report(range, Kind::Expected, {std::move(what), shown(peek())});
+    report(range, findings::Expected(std::move(what), shown(peek())));
 }
 
 bool Parser::expect(TokenKind wanted) {
     if (take(wanted)) return true;
-    expected(std::string(lex::spelling(wanted)));
+    expected(lex::spelling(wanted));
     return false;
 }
 
@@ -135,14 +135,14 @@ void Parser::insertFix(Diagnostic* diagnostic, std::string text) {
     std::string title = text;
     while (!title.empty() && (title.back() == '\n' || title.back() == ' ')) title.pop_back();
     while (!title.empty() && (title.front() == '\n' || title.front() == ' ')) title.erase(0, 1);
-    diagnostic->fixes.push_back({"Insert " + title, {{afterPrevious(), std::move(text)}}});
+    diagnostic->fixes.push_back({fixes::Insert(title), {{afterPrevious(), std::move(text)}}});
 }
 
 void Parser::missingSemicolon(bool accepted) {
     // the last character of what is there: an empty range would show nothing
     SourceRange range = afterPrevious();
     if (range.begin > 0 && m_at > 0) --range.begin;
-    insertFix(report(range, accepted ? Kind::MissingSemicolonAccepted : Kind::MissingSemicolon), ";");
+    insertFix(report(range, accepted ? findings::MissingSemicolonAccepted() : findings::MissingSemicolon()), ";");
 }
 
 /// What may follow a statement without its semicolon: then only the semicolon is missing.
@@ -198,7 +198,7 @@ void Parser::endStatement() {
     const bool alone = previous().kind == TokenKind::Identifier || previous().kind == TokenKind::RightParen ||
                        previous().kind == TokenKind::IntegerLiteral;
     if (wordStarts || (assignment && alone)) return missingSemicolon(false);
-    report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+    report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
     skipStatement();
 }
 
@@ -235,15 +235,16 @@ bool Parser::endIsOpen(TokenKind end) const { return std::find(m_open.begin(), m
 bool Parser::expectEnd(TokenKind end, const Token& opening, SourceRange elseIf) {
     if (take(end)) return true;
     const std::string word(lex::spelling(end));
-    Diagnostic* diagnostic = report(rangeOf(opening), Kind::MissingEnd, {word, shown(opening)});
-    if (diagnostic && elseIf.file.isValid()) diagnostic->fixes.push_back({"Write ELSIF", {{elseIf, "ELSIF"}}});
+    Diagnostic* diagnostic = report(rangeOf(opening), findings::MissingEnd(word, shown(opening)));
+    if (diagnostic && elseIf.file.isValid())
+        diagnostic->fixes.push_back({fixes::Write(Verbatim("ELSIF")), {{elseIf, "ELSIF"}}});
     insertFix(diagnostic, "\n" + word + ";");
     return false;
 }
 
 Parser::Nesting::Nesting(Parser& p) : parser(p), tooDeep(++p.m_depth > kMaxDepth) {
     if (!tooDeep) return;
-    parser.report(parser.rangeOf(parser.peek()), Kind::NestedTooDeep);
+    parser.report(parser.rangeOf(parser.peek()), findings::NestedTooDeep());
 }
 
 } // namespace plc::parse

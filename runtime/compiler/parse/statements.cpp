@@ -4,8 +4,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 namespace {
 
 bool isAssignment(TokenKind kind) {
@@ -110,7 +108,7 @@ Block Parser::parseStatements(BodyContext context) {
                                TokenKind::EndWhile, TokenKind::EndVar, TokenKind::EndStruct})) {
                 return out; // the end of another unit: the caller says what is missing
             }
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             advance();
             take(TokenKind::Semicolon);
             continue;
@@ -136,7 +134,7 @@ Stmt* Parser::parseStatement() {
     const size_t first = mark();
     Stmt* stmt = nullptr;
     // its expressions need room too
-    if (!nesting.tooDeep && m_depth > kMaxDepth - 8) report(rangeOf(peek()), Kind::NestedTooDeep);
+    if (!nesting.tooDeep && m_depth > kMaxDepth - 8) report(rangeOf(peek()), findings::NestedTooDeep());
     if (m_depth > kMaxDepth - 8) {
         // jump over the whole depth: every level above would stumble over the same place
         while (!atEnd() && !atDeclaration() &&
@@ -205,10 +203,9 @@ Stmt* Parser::parseCompoundAssignment(Expr* place) {
     advance();
     advance();
     const std::string meant = " := " + name + " " + sign + (isStep ? " 1" : "");
-    if (auto* d =
-            report(range, Kind::ForeignOperator,
-                   {std::string(textOf(op)) + std::string(isStep ? sign : "="), name + meant + (isStep ? "" : " …")}))
-        d->fixes.push_back({"Write " + name + meant, {{{range.file, place->range.end, range.end}, meant}}});
+    if (auto* d = report(range, findings::ForeignOperator(std::string(textOf(op)) + std::string(isStep ? sign : "="),
+                                                          name + meant + (isStep ? "" : " …"))))
+        d->fixes.push_back({fixes::Write(name + meant), {{{range.file, place->range.end, range.end}, meant}}});
     Stmt* stmt = makeStmt(StmtKind::Assign);
     stmt->op = TokenKind::Assign;
     stmt->target = place;
@@ -229,7 +226,7 @@ Stmt* Parser::parseSimple() {
         (at(SoftWord::Jmp) || equalsIgnoringCase(textOf(peek()), "GOTO"))) {
         Stmt* stmt = makeStmt(StmtKind::Jump);
         advance();
-        stmt->name = takeName("a label");
+        stmt->name = takeName(phrases::ALabel());
         endStatement();
         return stmt;
     }
@@ -239,8 +236,8 @@ Stmt* Parser::parseSimple() {
         const TokenKind meant = kind(1) == TokenKind::LeftParen ? TokenKind::Error : misspelled(textOf(peek()));
         if (meant != TokenKind::Error) {
             const std::string word(lex::spelling(meant));
-            if (auto* d = report(rangeOf(peek()), Kind::Expected, {word, shown(peek())}))
-                d->fixes.push_back({"Write " + word, {{rangeOf(peek()), word}}});
+            if (auto* d = report(rangeOf(peek()), findings::Expected(word, shown(peek()))))
+                d->fixes.push_back({fixes::Write(word), {{rangeOf(peek()), word}}});
             m_tokens[m_at].kind = meant;
             return parseStatement();
         }
@@ -252,7 +249,7 @@ Stmt* Parser::parseSimple() {
         const bool operatorFunction =
             kind(1) == TokenKind::LeftParen && atAny({TokenKind::And, TokenKind::Or, TokenKind::Xor, TokenKind::Mod});
         if (!operatorFunction) {
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             if (!atStatementEnd()) advance();
             skipStatement();
             return makeStmt(StmtKind::Empty);
@@ -272,7 +269,8 @@ Stmt* Parser::parseSimple() {
     }
     if (op.kind == TokenKind::Equal) { // a = b;
         const SourceRange range = rangeOf(op);
-        if (auto* d = report(range, Kind::EqualsAsAssignment)) d->fixes.push_back({"Write :=", {{range, ":="}}});
+        if (auto* d = report(range, findings::EqualsAsAssignment()))
+            d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
         advance();
         Stmt* stmt = makeStmt(StmtKind::Assign);
         stmt->target = place;
@@ -288,8 +286,8 @@ Stmt* Parser::parseSimple() {
         // `name : = value`
         if (kind(1) == TokenKind::Equal) {
             const SourceRange range{m_file.file, peek().begin, peek(1).end};
-            if (auto* d = report(range, Kind::Expected, {":=", ": ="}))
-                d->fixes.push_back({"Write :=", {{range, ":="}}});
+            if (auto* d = report(range, findings::Expected(Verbatim(":="), Verbatim(": ="))))
+                d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
             advance();
             advance();
             stmt->kind = StmtKind::Assign;
@@ -329,8 +327,8 @@ void Parser::decimalComma(Expr* value) {
         return;
     const std::string meant = std::string(textOf(previous())) + "." + std::string(textOf(peek(1)));
     const SourceRange comma = rangeOf(peek());
-    if (auto* d = report({m_file.file, previous().begin, peek(1).end}, Kind::DecimalComma, {meant}))
-        d->fixes.push_back({"Write " + meant, {{comma, "."}}});
+    if (auto* d = report({m_file.file, previous().begin, peek(1).end}, findings::DecimalComma(meant)))
+        d->fixes.push_back({fixes::Write(meant), {{comma, "."}}});
     advance();
     advance();
 }
@@ -342,14 +340,14 @@ void Parser::expectWord(TokenKind word, const char* fixText) {
     for (size_t ahead = 1; ahead < 40; ++ahead) {
         const Token& token = peek(ahead);
         if (token.kind == word) {
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             m_at += ahead + 1;
             return;
         }
         if (token.afterNewline || token.kind == TokenKind::Semicolon || token.kind == TokenKind::EndOfFile) break;
     }
     const SourceRange range = onNewLine() && m_at > 0 ? rangeOf(previous()) : rangeOf(peek());
-    insertFix(report(range, Kind::Expected, {std::string(lex::spelling(word)), shown(peek())}), fixText);
+    insertFix(report(range, findings::Expected(lex::spelling(word), shown(peek()))), fixText);
     m_lastErrorAt = errorAt;
     if (at(TokenKind::Semicolon)) advance(); // IF a; b := 1; END_IF
 }
@@ -374,7 +372,7 @@ Stmt* Parser::parseIf() {
         branch.range = rangeFrom(first);
         stmt->branches.push_back(std::move(branch));
         if (hasElse && (at(TokenKind::Else) || at(TokenKind::Elsif)) && !(m_inCaseArm && at(TokenKind::Else)))
-            report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
     } while ((at(TokenKind::Elsif) || at(TokenKind::Else)) && !(hasElse && m_inCaseArm));
     if (expectEnd(TokenKind::EndIf, opening, elseIf)) take(TokenKind::Semicolon);
     return stmt;
@@ -459,7 +457,7 @@ Stmt* Parser::parseCase() {
             if (atCaseLabel() || at(TokenKind::IntegerLiteral)) { // the colon may be what is missing
                 parseCaseLabels(arm);
             } else {
-                expected("a CASE label");
+                expected(phrases::ACaseLabel());
                 if (!startsStatement()) advance();
                 if (stmt->arms.empty() && atEnd()) break;
             }
@@ -482,7 +480,8 @@ Stmt* Parser::parseFor() {
     stmt->target = parsePlace();
     if (at(TokenKind::Equal)) {
         const SourceRange range = rangeOf(peek());
-        if (auto* d = report(range, Kind::Expected, {":=", "="})) d->fixes.push_back({"Write :=", {{range, ":="}}});
+        if (auto* d = report(range, findings::Expected(Verbatim(":="), Verbatim("="))))
+            d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
         advance();
     } else {
         expect(TokenKind::Assign);
@@ -491,7 +490,7 @@ Stmt* Parser::parseFor() {
     if (take(TokenKind::To))
         stmt->to = parseExpression();
     else {
-        expected("TO");
+        expected(Verbatim("TO"));
         stmt->to = errorExpr();
         if (startsExpression() && !peek().afterNewline) stmt->to = parseExpression();
     }
@@ -522,7 +521,7 @@ Stmt* Parser::parseRepeat() {
         stmt->value = parseCondition();
         take(TokenKind::Semicolon);
     } else {
-        expected("UNTIL");
+        expected(Verbatim("UNTIL"));
         stmt->value = errorExpr();
     }
     if (expectEnd(TokenKind::EndRepeat, opening)) take(TokenKind::Semicolon);

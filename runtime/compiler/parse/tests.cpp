@@ -4,8 +4,6 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
-
 /// TEST 'name' … END_TEST: sections and statements, from a cold start in virtual time.
 TestDecl* Parser::parseTest() {
     TestDecl* test = make<TestDecl>();
@@ -70,7 +68,7 @@ Stmt* Parser::parseTestStatement() {
               kind(1) == TokenKind::DurationLiteral || kind(1) == TokenKind::StringLiteral ||
               kind(1) == TokenKind::Until || kind(1) == TokenKind::Not))
             return nullptr;
-        report(rangeOf(opening), Kind::TestUnknownStatement, {shown(opening)});
+        report(rangeOf(opening), findings::TestUnknownStatement(shown(opening)));
     }
     advance();
     Stmt* stmt = makeStmt(StmtKind::Run);
@@ -81,7 +79,7 @@ Stmt* Parser::parseTestStatement() {
             if (take(TokenKind::For))
                 stmt->to = parseExpression();
             else
-                expected("FOR and a time");
+                expected(phrases::ForAndATime());
         } else {
             stmt->to = parseExpression();
             stmt->countsScans = take(SoftWord::Scans);
@@ -110,7 +108,7 @@ Stmt* Parser::parseTestStatement() {
         stmt->value = parseExpression();
         if (take(TokenKind::Comma)) {
             if (atName() && kind(1) == TokenKind::Assign) {
-                if (!equalsIgnoringCase(textOf(peek()), "TOLERANCE")) expected("TOLERANCE");
+                if (!equalsIgnoringCase(textOf(peek()), "TOLERANCE")) expected(Verbatim("TOLERANCE"));
                 advance();
                 advance();
             }

@@ -79,7 +79,7 @@ Pragma Parser::readPragma(const Token& token) {
         pragma.key = unquoted(rest.substr(0, assign));
         rest = assign == std::string_view::npos ? std::string_view() : rest.substr(assign);
     } else if (!isKnownPragma(pragma.key) && !isSiemensAttribute(pragma.key)) {
-        m_sink.emit(pragma.range, diagnostics::Kind::UnknownPragma, {std::string(pragma.key)});
+        m_sink.emit(pragma.range, findings::UnknownPragma(pragma.key));
     }
     if (rest.starts_with(":=")) rest.remove_prefix(2);
     pragma.value = unquoted(rest);

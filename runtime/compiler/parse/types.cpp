@@ -6,7 +6,7 @@
 
 namespace plc::parse {
 
-using diagnostics::Kind;
+using messages::Thing;
 
 namespace {
 
@@ -139,7 +139,8 @@ declarations:
                 }
             if (!closed) {
                 section->range = rangeFrom(first);
-                insertFix(report(rangeOf(opening), Kind::MissingEnd, {"END_VAR", shown(opening)}), "\nEND_VAR");
+                insertFix(report(rangeOf(opening), findings::MissingEnd(Verbatim("END_VAR"), shown(opening))),
+                          "\nEND_VAR");
                 return section;
             }
         }
@@ -163,7 +164,7 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
     const size_t first = mark();
     const auto takeAddress = [&] {
         if (!take(TokenKind::At)) return;
-        if (!at(TokenKind::DirectAddress)) return expected("an address");
+        if (!at(TokenKind::DirectAddress)) return expected(phrases::AnAddress());
         decl->address = textOf(peek());
         decl->addressRange = rangeOf(peek());
         advance();
@@ -182,11 +183,11 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
     };
     if (!at(TokenKind::At)) {
         if (!atName() && !atKeywordAsName()) {
-            expected("a variable's name");
+            expected(phrases::AVariablesName());
             fail();
             return nullptr;
         }
-        do decl->names.push_back(takeName("a variable's name"));
+        do decl->names.push_back(takeName(phrases::AVariablesName()));
         while (take(TokenKind::Comma));
     }
     takeAddress();
@@ -197,16 +198,19 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
             (at(TokenKind::Identifier) && (kind(1) == TokenKind::Semicolon || kind(1) == TokenKind::Assign ||
                                            kind(1) == TokenKind::LeftParen || kind(1) == TokenKind::To));
         if (typeFollows) {
-            if (auto* d = report(afterPrevious().begin > 0 ? rangeOf(previous()) : rangeOf(peek()), Kind::MissingColon))
-                d->fixes.push_back({"Insert :", {{afterPrevious(), " :"}}});
+            if (auto* d =
+                    report(afterPrevious().begin > 0 ? rangeOf(previous()) : rangeOf(peek()), findings::MissingColon()))
+                d->fixes.push_back({fixes::Insert(Verbatim(":")), {{afterPrevious(), " :"}}});
             m_lastErrorAt = SIZE_MAX;
         } else if (assign && kind(1) == TokenKind::Identifier &&
                    (kind(2) == TokenKind::Semicolon || kind(2) == TokenKind::Assign)) { // x := INT;
             const SourceRange range = rangeOf(peek());
-            if (auto* d = report(range, Kind::Expected, {":", ":="})) d->fixes.push_back({"Write :", {{range, ":"}}});
+            if (auto* d = report(range, findings::Expected(Verbatim(":"), Verbatim(":="))))
+                d->fixes.push_back({fixes::Write(Verbatim(":")), {{range, ":"}}});
             advance();
         } else {
-            expected(atName() && !peek().afterNewline && kind(1) == TokenKind::Colon ? ", or :" : ":");
+            const bool mayBeList = atName() && !peek().afterNewline && kind(1) == TokenKind::Colon;
+            expected(mayBeList ? Thing(phrases::OneOf({{","}}, Verbatim(":"))) : Thing(Verbatim(":")));
             fail();
             decl->range = rangeFrom(first);
             return nullptr;
@@ -223,7 +227,8 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
         decl->initial = parseInitialiser(decl->type);
     else if (at(TokenKind::Equal)) {
         const SourceRange range = rangeOf(peek());
-        if (auto* d = report(range, Kind::Expected, {":=", "="})) d->fixes.push_back({"Write :=", {{range, ":="}}});
+        if (auto* d = report(range, findings::Expected(Verbatim(":="), Verbatim("="))))
+            d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
         advance();
         decl->initial = parseInitialiser(decl->type);
     }
@@ -238,7 +243,7 @@ VarDecl* Parser::parseVarDecl(SectionKind section) {
             if (another)
                 missingSemicolon(false);
             else {
-                report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+                report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
                 fail();
             }
         }
@@ -270,13 +275,13 @@ VarDecl* Parser::parseConfigDecl(SectionKind section) {
                 whole.end == name.range.end ? name : Name{m_text.substr(whole.begin, whole.end - whole.begin), whole});
             if (!take(TokenKind::Dot)) return;
         }
-        if (!at(TokenKind::DirectAddress)) return expected("a variable's path");
+        if (!at(TokenKind::DirectAddress)) return expected(phrases::AVariablesPath());
         decl->address = textOf(peek());
         decl->addressRange = rangeOf(peek());
         advance();
     };
     if (section == SectionKind::Access) {
-        const Name name = takeName("an access name");
+        const Name name = takeName(phrases::AnAccessName());
         if (name.isValid()) decl->names.push_back(name);
         expect(TokenKind::Colon);
     }
@@ -287,7 +292,7 @@ VarDecl* Parser::parseConfigDecl(SectionKind section) {
             decl->addressRange = rangeOf(peek());
             advance();
         } else {
-            expected("an address");
+            expected(phrases::AnAddress());
         }
     }
     if (expect(TokenKind::Colon)) decl->type = parseTypeSpec(false);
@@ -300,7 +305,7 @@ VarDecl* Parser::parseConfigDecl(SectionKind section) {
         if (m_lastErrorAt != m_at && (onNewLine() || at(TokenKind::EndVar)))
             missingSemicolon(false);
         else {
-            if (m_lastErrorAt != m_at) report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+            if (m_lastErrorAt != m_at) report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
             skipTo({TokenKind::Semicolon, TokenKind::EndVar});
             take(TokenKind::Semicolon);
         }
@@ -383,7 +388,7 @@ TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {
             spec = parseNamedSpec(inTypeBlock);
             break;
         default:
-            expected("a type");
+            expected(phrases::AType());
             spec = make<TypeSpec>();
             break;
         }
@@ -394,13 +399,13 @@ TypeSpec* Parser::parseTypeSpec(bool inTypeBlock) {
 
 /// ARRAY[3]: the count, as other languages write it.
 void Parser::missingBound(const Expr* low) {
-    auto* d = report(rangeOf(peek()), Kind::Expected, {"..", shown(peek())});
+    auto* d = report(rangeOf(peek()), findings::Expected(Verbatim(".."), shown(peek())));
     if (!d || low->kind != ExprKind::Literal || low->op != TokenKind::IntegerLiteral || low->text.size() > 9 ||
         low->text.find_first_not_of("0123456789") != std::string_view::npos)
         return;
     const int count = std::stoi(std::string(low->text));
     for (const std::string& bounds : {"0.." + std::to_string(count - 1), "1.." + std::to_string(count)})
-        d->fixes.push_back({"Write " + bounds, {{low->range, bounds}}});
+        d->fixes.push_back({fixes::Write(bounds), {{low->range, bounds}}});
 }
 
 TypeSpec* Parser::parseArraySpec() {
@@ -412,8 +417,9 @@ TypeSpec* Parser::parseArraySpec() {
     if (isRound) {
         size_t end = 1; // its other end
         while (end < 40 && kind(end) != TokenKind::RightParen && kind(end) != TokenKind::EndOfFile) ++end;
-        if (auto* d = report(rangeOf(peek()), Kind::Expected, {"[", "("}); d && kind(end) == TokenKind::RightParen)
-            d->fixes.push_back({"Write [ ]", {{rangeOf(peek()), "["}, {rangeOf(peek(end)), "]"}}});
+        if (auto* d = report(rangeOf(peek()), findings::Expected(Verbatim("["), Verbatim("(")));
+            d && kind(end) == TokenKind::RightParen)
+            d->fixes.push_back({fixes::Write(Verbatim("[ ]")), {{rangeOf(peek()), "["}, {rangeOf(peek(end)), "]"}}});
         advance();
         m_lastErrorAt = SIZE_MAX;
     }
@@ -441,17 +447,17 @@ TypeSpec* Parser::parseArraySpec() {
             spec->bounds.push_back(bounds);
         } while (take(TokenKind::Comma));
         if (!take(close))
-            expected(isRound ? ")" : "]");
+            expected(Verbatim(isRound ? ")" : "]"));
         else if (draft) {
             std::string stars = "*";
             for (size_t i = 1; i < spec->bounds.size(); ++i) stars += ", *";
             const SourceRange inside{m_file.file, open.end, previous().begin};
-            m_sink.emit(inside, Kind::OpenArrayBound)
-                .fixes.push_back({"Write ARRAY[" + stars + "]", {{inside, stars}}});
+            m_sink.emit(inside, findings::OpenArrayBound())
+                .fixes.push_back({fixes::Write(Verbatim("ARRAY[" + stars + "]")), {{inside, stars}}});
         }
     }
     if (!take(TokenKind::Of)) {
-        if (m_lastErrorAt != m_at) expected("OF");
+        if (m_lastErrorAt != m_at) expected(Verbatim("OF"));
         // go on behind the OF of this line
         for (size_t ahead = 0; ahead < 20 && !(ahead > 0 && peek(ahead).afterNewline) &&
                                kind(ahead) != TokenKind::Semicolon && kind(ahead) != TokenKind::EndOfFile;
@@ -541,13 +547,14 @@ void Parser::parseEnumerators(TypeSpec& spec) {
     while (!at(TokenKind::RightParen) && !atEnd() && !atStatementEnd()) {
         const size_t first = mark();
         EnumeratorDecl enumerator;
-        enumerator.name = takeName("an enumeration value");
+        enumerator.name = takeName(phrases::AnEnumerationValue());
         if (!enumerator.name.isValid()) break;
         if (take(TokenKind::Assign))
             enumerator.value = parseExpression();
         else if (at(TokenKind::Equal)) {
             const SourceRange range = rangeOf(peek());
-            if (auto* d = report(range, Kind::Expected, {":=", "="})) d->fixes.push_back({"Write :=", {{range, ":="}}});
+            if (auto* d = report(range, findings::Expected(Verbatim(":="), Verbatim("="))))
+                d->fixes.push_back({fixes::Write(Verbatim(":=")), {{range, ":="}}});
             advance();
             enumerator.value = parseExpression();
         }
@@ -558,13 +565,13 @@ void Parser::parseEnumerators(TypeSpec& spec) {
         spec.enumerators.push_back(std::move(enumerator));
         if (comma) continue;
         if (atName() && m_lastErrorAt != m_at) {
-            expected(", or )");
+            expected(phrases::OneOf({{","}}, Verbatim(")")));
             continue;
         }
         break;
     }
     if (take(TokenKind::RightParen)) return;
-    expected(")");
+    expected(Verbatim(")"));
     while (!atEnd() && !atAny({TokenKind::RightParen, TokenKind::Semicolon}) && !atStatementEnd() && !atDeclaration())
         advance();
     take(TokenKind::RightParen);
@@ -622,7 +629,7 @@ void Parser::parseTypeBlock(std::vector<Decl*>& out) {
         type->comment = docCommentAbove(sourceIndex(first) - pragmaCount);
         if (type->comment.empty() && isFirst) type->comment = comment;
         if (isFirst) type->pragmas.insert(type->pragmas.begin(), outer.begin(), outer.end());
-        type->name = takeName("a type's name");
+        type->name = takeName(phrases::ATypesName());
         if (!type->name.isValid()) {
             skipTo({TokenKind::Semicolon, TokenKind::EndType, TokenKind::EndStruct});
             if (!at(TokenKind::EndType)) advance();
@@ -644,11 +651,11 @@ void Parser::parseTypeBlock(std::vector<Decl*>& out) {
                                      at(SoftWord::Union) ||
                                      (at(TokenKind::Identifier) && kind(1) == TokenKind::Semicolon);
             if (typeFollows) {
-                if (auto* d = report(rangeOf(previous()), Kind::MissingColon))
-                    d->fixes.push_back({"Insert :", {{afterPrevious(), " :"}}});
+                if (auto* d = report(rangeOf(previous()), findings::MissingColon()))
+                    d->fixes.push_back({fixes::Insert(Verbatim(":")), {{afterPrevious(), " :"}}});
                 m_lastErrorAt = SIZE_MAX;
             } else {
-                expected(":");
+                expected(Verbatim(":"));
                 while (!atEnd() && !atAny({TokenKind::Semicolon, TokenKind::EndType}) && !atVarSection() &&
                        !atDeclaration())
                     advance();
@@ -668,7 +675,7 @@ void Parser::parseTypeBlock(std::vector<Decl*>& out) {
             else if (!block && onNewLine())
                 missingSemicolon(false);
             else if (!block) {
-                report(rangeOf(peek()), Kind::UnexpectedToken, {shown(peek())});
+                report(rangeOf(peek()), findings::UnexpectedToken(shown(peek())));
                 skipTo({TokenKind::Semicolon, TokenKind::EndType});
             }
         }

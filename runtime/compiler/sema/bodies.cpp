@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using library::BinaryOp;
 
 void World::checkBodies() {
@@ -118,7 +117,7 @@ void World::checkBody(Unit& unit) {
         const bool isCallback = equalsIgnoringCase(unit.name, "FB_Init") ||
                                 equalsIgnoringCase(unit.name, "FB_Reinit") || equalsIgnoringCase(unit.name, "FB_Exit");
         if ((!atEnd || !checker.returnsSet) && !isCallback && unit.resultVariable->reads == 0)
-            emit(unit.range, Kind::ResultNotSet, {unit.name});
+            emit(unit.range, findings::ResultNotSet(unit.name));
     }
 }
 

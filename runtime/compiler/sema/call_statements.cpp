@@ -3,7 +3,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::ArgumentKind;
 using syntax::SectionKind;
 
@@ -28,15 +27,15 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
             const bool callable =
                 denoted.kind == Denoted::Kind::Unit || denoted.kind == Denoted::Kind::Standard ||
                 (denoted.kind == Denoted::Kind::Place && isKind(denoted.place->type, TypeKind::Block));
-            auto& diagnostic =
-                emit(e.range, callable ? Kind::Expected : Kind::NotCallable,
-                     callable ? std::vector<std::string>{"()", ";"} : std::vector<std::string>{textOf(e.range)});
-            if (callable) diagnostic.fixes.push_back({"Call it", {{{e.range.file, e.range.end, e.range.end}, "()"}}});
+            auto& diagnostic = emit(e.range, callable ? findings::Expected(Verbatim("()"), Verbatim(";"))
+                                                      : findings::NotCallable(textOf(e.range)));
+            if (callable)
+                diagnostic.fixes.push_back({fixes::CallIt(), {{{e.range.file, e.range.end, e.range.end}, "()"}}});
             return;
         }
         const size_t errors = sink.all().size();
         const Operand value = expression(e);
-        if (!value.isUnknown() && sink.all().size() == errors) emit(e.range, Kind::NotCallable, {textOf(e.range)});
+        if (!value.isUnknown() && sink.all().size() == errors) emit(e.range, findings::NotCallable(textOf(e.range)));
         return;
     }
     const Denoted callee = denote(*e.base, Access::Call);
@@ -48,7 +47,7 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     if (callee.kind == Denoted::Kind::Unit && callee.unit->kind == UnitKind::Program) {
         Unit& unit = *callee.unit;
         if (!unit.instance) {
-            emit(e.base->range, Kind::NotCallable, {unit.name + " (no instance, or several)"});
+            emit(e.base->range, findings::NotCallable(phrases::NoSingleInstance(unit.name)));
             return;
         }
         Denoted exact = callee;
@@ -65,18 +64,18 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         made->range = e.range;
         made->call = arena.make<tree::Call>();
         prepareCall(*made->call, callee, e.range);
-        if (!e.arguments.empty()) emit(e.arguments.front().range, Kind::TooManyArguments, {callee.unit->name, "0"});
+        if (!e.arguments.empty()) emit(e.arguments.front().range, findings::TooManyArguments(callee.unit->name, 0));
         value = {made, &types};
     } else if (callee.kind == Denoted::Kind::Unit &&
                (callee.unit->kind == UnitKind::Function || callee.unit->kind == UnitKind::Method)) {
         value = callUnit(callee, e);
         if (value.expr && !value.isUnknown() && !isKind(value.type(), TypeKind::Void) &&
             callee.unit->kind == UnitKind::Function)
-            emit(e.base->range, Kind::FunctionResultIgnored, {callee.unit->name});
+            emit(e.base->range, findings::FunctionResultIgnored(callee.unit->name));
     } else if (callee.kind == Denoted::Kind::Standard) {
         value = settled(standardCall(callee.name, e, {}));
         if (!value.isUnknown() && value.expr->kind != tree::ExprKind::Sequence && !value.expr->ok)
-            emit(e.base->range, Kind::FunctionResultIgnored, {std::string(callee.name)});
+            emit(e.base->range, findings::FunctionResultIgnored(callee.name));
     } else if (callee.kind == Denoted::Kind::Nothing) {
         for (const syntax::Argument& argument : e.arguments)
             if (argument.value) {
@@ -88,8 +87,9 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         return;
     } else {
         const bool isType = callee.kind == Denoted::Kind::Unit || callee.kind == Denoted::Kind::Type;
-        emit(e.base->range, Kind::NotCallable,
-             {textOf(e.base->range) + (isType ? " (a type; declare an instance of it)" : "")});
+        const std::string name = textOf(e.base->range);
+        emit(e.base->range,
+             isType ? findings::NotCallable(phrases::TypeNotInstance(name)) : findings::NotCallable(name));
         return;
     }
     if (value.isUnknown() && value.expr->kind != tree::ExprKind::Call) return;
@@ -103,7 +103,7 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
 void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
                            std::vector<tree::Stmt*>& out, SourceRange range) {
     world.completeUnit(unit, e.range);
-    if (unit.isAbstract && callee.isExact) emit(e.base->range, Kind::AbstractInstance, {unit.name});
+    if (unit.isAbstract && callee.isExact) emit(e.base->range, findings::AbstractInstance(unit.name));
     const Matched matched = match(e, unit.name, unit.parameters);
     if (!matched.isGood) {
         for (const Match& each : matched.matches)
@@ -137,7 +137,7 @@ void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr
         }
         if (parameter.isInOut()) {
             if (!argument || !argument->value) {
-                emit(e.base->range, Kind::MissingArgument, {parameter.name, unit.name});
+                emit(e.base->range, findings::MissingArgument(parameter.name, unit.name));
                 continue;
             }
             tree::Place* target = inOutTarget(parameter, *argument, before, after);

@@ -18,7 +18,6 @@ bool fitsPartOfDate(const Unit& unit, const Variable& part, TypeKind to) {
 }
 } // namespace
 
-using diagnostics::Kind;
 using syntax::ArgumentKind;
 using syntax::SectionKind;
 
@@ -56,7 +55,7 @@ Checker::Matched Checker::match(const syntax::Expr& call, const std::string& nam
             if (!argument.value) continue;
             Match* match = nextPositional();
             if (!match) {
-                emit(argument.range, Kind::TooManyArguments, {name, std::to_string(inputs)});
+                emit(argument.range, findings::TooManyArguments(name, inputs));
                 out.isGood = false;
                 break;
             }
@@ -77,7 +76,7 @@ Checker::Matched Checker::match(const syntax::Expr& call, const std::string& nam
         if (!match) {
             std::vector<std::string> candidates;
             for (const Variable* parameter : parameters) candidates.push_back(parameter->name);
-            world.suggest(emit(argument.name.range, Kind::UnknownParameter, {name, std::string(argument.name.text)}),
+            world.suggest(emit(argument.name.range, findings::UnknownParameter(name, argument.name.text)),
                           argument.name.range, argument.name.text, candidates);
             out.isGood = false;
             continue;
@@ -85,22 +84,24 @@ Checker::Matched Checker::match(const syntax::Expr& call, const std::string& nam
         const SectionKind kind = match->parameter->kind;
         const bool isOutput = kind == SectionKind::Output;
         if (isOutput != (argument.kind == ArgumentKind::Output)) {
-            const char* what = isOutput ? "output" : kind == SectionKind::InOut ? "IN_OUT parameter" : "input";
-            auto& diagnostic = emit(argument.name.range, Kind::MixedOutputArgument,
-                                    {match->parameter->name, what, isOutput ? "=>" : ":="});
+            const Verbatim own(isOutput ? "=>" : ":=");
+            auto what = isOutput                     ? phrases::AnOutput()
+                        : kind == SectionKind::InOut ? phrases::AnInOutParameter()
+                                                     : phrases::AnInput();
+            auto& diagnostic =
+                emit(argument.name.range, findings::MixedOutputArgument(match->parameter->name, std::move(what), own));
             const std::string_view text = world.textOf(argument.range);
             const size_t at = text.find(isOutput ? ":=" : "=>");
             if (at != std::string_view::npos) {
                 const auto begin = argument.range.begin + static_cast<uint32_t>(at);
-                diagnostic.fixes.push_back({std::string("Write ") + (isOutput ? "=>" : ":="),
-                                            {{{argument.range.file, begin, begin + 2}, isOutput ? "=>" : ":="}}});
+                diagnostic.fixes.push_back({fixes::Write(own), {{{argument.range.file, begin, begin + 2}, own.text}}});
             }
             out.isGood = false;
             continue;
         }
         refer(argument.name.range, match->parameter->symbol, isOutput ? Access::Read : Access::Write);
         if (match->argument) {
-            emit(argument.name.range, Kind::ArgumentTwice, {match->parameter->name});
+            emit(argument.name.range, findings::ArgumentTwice(match->parameter->name));
             out.isGood = false;
             continue;
         }
@@ -132,7 +133,7 @@ tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& a
     const Denoted denoted = denote(*argument.value, isConstant ? Access::Read : Access::ReadWrite);
     if (denoted.kind == Denoted::Kind::Nothing || isKind(type, TypeKind::Unknown)) return nullptr;
     const auto refuse = [&]() -> tree::Place* {
-        emit(range, Kind::InOutNeedsVariable, {parameter.name, nameOf(type)});
+        emit(range, findings::InOutNeedsVariable(parameter.name, nameOf(type)));
         return nullptr;
     };
     const auto held = [&](Operand value) -> tree::Place* {
@@ -148,7 +149,7 @@ tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& a
         return value.isUnknown() ? nullptr : held(value);
     }
     if (denoted.isReadOnly && !isConstant) {
-        emit(range, Kind::NotAssignable, {denoted.whyReadOnly});
+        emit(range, findings::NotAssignable(denoted.whyReadOnly));
         return nullptr;
     }
     tree::Place* place = denoted.place;
@@ -216,11 +217,11 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
     Unit& unit = *callee.unit;
     world.completeUnit(unit, e.range);
     if (isExpression) {
-        emit(e.range, Kind::NotAllowedInExpression, {unit.name});
+        emit(e.range, findings::NotAllowedInExpression(unit.name));
         return unknown(e.range);
     }
     if (!function && !isMuted && !isInitialiser) {
-        emit(e.range, Kind::NotConstant);
+        emit(e.range, findings::NotConstant());
         return unknown(e.range);
     }
     tree::Expr* result = arena.make<tree::Expr>();
@@ -266,7 +267,7 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
         } else if (parameter.kind == SectionKind::InOut) {
             made.mode = tree::ArgumentMode::InOut;
             if (!argument || !argument->value) {
-                emit(e.base ? e.base->range : e.range, Kind::MissingArgument, {parameter.name, unit.name});
+                emit(e.base ? e.base->range : e.range, findings::MissingArgument(parameter.name, unit.name));
                 good = false;
                 continue;
             }
@@ -276,7 +277,7 @@ Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
             if (!argument || !argument->value) {
                 const bool hasDefault = parameter.declaration && parameter.declaration->initial;
                 if (!matched.isFormal && !hasDefault) {
-                    emit(e.base ? e.base->range : e.range, Kind::MissingArgument, {parameter.name, unit.name});
+                    emit(e.base ? e.base->range : e.range, findings::MissingArgument(parameter.name, unit.name));
                     good = false;
                     continue;
                 }
@@ -327,8 +328,7 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
     if ((!arguments.en && !arguments.eno) || value.isUnknown()) return value;
     const TypeId boolean = elementary(TypeKind::Bool);
     if (!function) {
-        emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant,
-             isExpression ? std::vector<std::string>{"ENO"} : std::vector<std::string>{});
+        emit(range, isExpression ? findings::NotAllowedInExpression(Verbatim("ENO")) : findings::NotConstant());
         return unknown(range);
     }
     value = settled(value);
@@ -386,11 +386,11 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
 Operand Checker::propertyValue(const Denoted& denoted, SourceRange range) {
     Property& property = *denoted.property;
     if (!property.get) {
-        emit(range, Kind::NoValue, {property.name});
+        emit(range, findings::NoValue(property.name));
         return unknown(range);
     }
     if (isExpression) {
-        emit(range, Kind::NotAllowedInExpression, {property.name});
+        emit(range, findings::NotAllowedInExpression(property.name));
         return unknown(range);
     }
     checkAccess(property.get->access, property.owner, property.name, range);
@@ -426,9 +426,9 @@ Operand Checker::call(const syntax::Expr& e, TypeId hint) {
         Unit& unit = *callee.unit;
         if (unit.kind == UnitKind::Function || unit.kind == UnitKind::Method) return callUnit(callee, e);
         if (unit.kind == UnitKind::Action || unit.kind == UnitKind::Program)
-            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {unit.name});
+            emit(e.range, isExpression ? findings::NotAllowedInExpression(unit.name) : findings::NoValue(unit.name));
         else
-            emit(e.base->range, Kind::NotCallable, {unit.name + " (a type; declare an instance of it)"});
+            emit(e.base->range, findings::NotCallable(phrases::TypeNotInstance(unit.name)));
         checkArguments();
         return unknown(e.range);
     }
@@ -436,12 +436,12 @@ Operand Checker::call(const syntax::Expr& e, TypeId hint) {
         return standardCall(callee.name, e, hint);
     case Denoted::Kind::Place:
         if (isKind(callee.place->type, TypeKind::Block))
-            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NoValue, {textOf(e.base->range)});
+            emit(e.range, isExpression ? findings::NotAllowedInExpression(textOf(e.base->range))
+                                       : findings::NoValue(textOf(e.base->range)));
         else if (!isKind(callee.place->type, TypeKind::Unknown))
-            emit(e.base->range, Kind::NotCallable,
-                 {textOf(e.base->range) + (library::findSignature(world.textOf(e.base->range))
-                                               ? " (a variable, which hides the function of this name)"
-                                               : "")});
+            emit(e.base->range, library::findSignature(world.textOf(e.base->range))
+                                    ? findings::NotCallable(phrases::VariableHidesFunction(textOf(e.base->range)))
+                                    : findings::NotCallable(textOf(e.base->range)));
         checkArguments();
         return unknown(e.range);
     case Denoted::Kind::Type:
@@ -449,7 +449,7 @@ Operand Checker::call(const syntax::Expr& e, TypeId hint) {
             return standardCall(world.textOf(e.base->range), e, hint); // TIME()
         [[fallthrough]];
     default:
-        emit(e.base->range, Kind::NotCallable, {textOf(e.base->range)});
+        emit(e.base->range, findings::NotCallable(textOf(e.base->range)));
         checkArguments();
         return unknown(e.range);
     }

@@ -5,11 +5,9 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 /// CASE by a text or a REAL: told, with the same written as IF … ELSIF where the places are clear.
 void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
-    auto& diagnostic = emit(stmt.value->range, Kind::CaseSelector, {nameOf(type)});
+    auto& diagnostic = emit(stmt.value->range, findings::CaseSelector(nameOf(type)));
     const FileId file = stmt.range.file;
     if (!file.isValid() || stmt.origin || stmt.arms.empty()) return;
     const std::string selector = textOf(stmt.value->range);
@@ -37,7 +35,7 @@ void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
     if (last == std::string::npos) return;
     const uint32_t at = stmt.range.begin + static_cast<uint32_t>(last);
     edits.push_back({{file, at, at + 8}, "END_IF"});
-    diagnostic.fixes.push_back({"Write IF and ELSIF instead", std::move(edits)});
+    diagnostic.fixes.push_back({fixes::WriteIfAndElsif(), std::move(edits)});
 }
 
 void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
@@ -72,7 +70,7 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         Operand value = expression(*e, type);
         if (value.isUnknown()) return std::nullopt;
         if (!value.isConstant()) {
-            emit(e->range, Kind::NotConstant);
+            emit(e->range, findings::NotConstant());
             return std::nullopt;
         }
         if (good && isKind(value.type(), TypeKind::Enum) && !isKind(type, TypeKind::Enum))
@@ -99,12 +97,12 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
                 each.high ? SourceRange{each.low->range.file, each.low->range.begin, each.high->range.end}
                           : each.low->range;
             if (less(*high, *low)) {
-                emit(range, Kind::ArraySizeInvalid, {std::to_string(*low), std::to_string(*high)});
+                emit(range, findings::ArraySizeInvalid(*low, *high));
                 continue;
             }
             for (const tree::CaseRange& other : seen) {
                 if (less(other.high, *low) || less(*high, other.low)) continue;
-                emit(range, Kind::DuplicateCase, {textOf(range)});
+                emit(range, findings::DuplicateCase(textOf(range)));
                 break;
             }
             seen.push_back({*low, *high});
@@ -120,7 +118,7 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
         statements(stmt.elseBody, made->elseBody);
         join();
     } else if (good && isKind(type, TypeKind::Enum)) {
-        std::string missing;
+        std::vector<std::string> missing;
         size_t count = 0;
         std::vector<std::string> names;
         for (const types::Enumerator& enumerator : types[type].enumerators) {
@@ -128,13 +126,13 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
                 return r.low <= enumerator.value && enumerator.value <= r.high;
             });
             if (covered) continue;
-            if (++count <= 3) missing += (missing.empty() ? "" : ", ") + enumerator.name;
+            if (++count <= 3) missing.push_back(enumerator.name);
             names.push_back(enumerator.name);
         }
-        if (count > 3) missing += ", …";
+        if (count > 3) missing.push_back("…");
         if (count && stmt.range.file.isValid() && !stmt.origin) {
             const SourceRange word{stmt.range.file, stmt.range.begin, stmt.range.begin + 4};
-            auto& diagnostic = emit(word, Kind::MissingCase, {missing});
+            auto& diagnostic = emit(word, findings::MissingCase(missing));
             std::string text;
             for (const std::string& name : names) text += nameOf(type) + "." + name + ": ;\n";
             const std::string_view whole = world.textOf(stmt.range);
@@ -147,8 +145,8 @@ void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
             }
             if (at < whole.size()) {
                 const auto place = stmt.range.begin + static_cast<uint32_t>(at);
-                diagnostic.fixes.push_back({"Add the missing branches", {{{stmt.range.file, place, place}, text}}});
-                diagnostic.fixes.push_back({"Add ELSE", {{{stmt.range.file, place, place}, "ELSE\n    ;\n"}}});
+                diagnostic.fixes.push_back({fixes::AddMissingBranches(), {{{stmt.range.file, place, place}, text}}});
+                diagnostic.fixes.push_back({fixes::AddElse(), {{{stmt.range.file, place, place}, "ELSE\n    ;\n"}}});
             }
         }
         complete = count == 0 && !types[type].enumerators.empty();

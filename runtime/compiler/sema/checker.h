@@ -43,7 +43,7 @@ struct Denoted {
     std::string_view name;        // Standard
     Variable* variable = nullptr; // the variable a place begins with
     bool isReadOnly = false;
-    std::string whyReadOnly;
+    messages::Thing whyReadOnly = std::string();
 };
 [[nodiscard]] inline Denoted placeOf(tree::Place* place) {
     Denoted out;
@@ -230,8 +230,8 @@ public:
     tree::Stmt* assignStmt(tree::Place* place, tree::Expr* value, SourceRange range);
     void noteResultSet(const Denoted& target);
 
-    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) {
-        return sink.emit(range, kind, std::move(arguments));
+    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) {
+        return sink.emit(range, std::move(finding));
     }
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
     [[nodiscard]] std::string textOf(SourceRange range) const {

@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::SectionKind;
 
 void World::forEachResource(const std::function<void(const Configuration&, const syntax::ResourceDecl&)>& visit) const {
@@ -50,7 +49,7 @@ void World::declareConfigurations() {
             if (const auto* known = top.find(variable.id);
                 known && std::any_of(known->begin(), known->end(),
                                      [](const Entity& e) { return e.variable && e.variable->isProgramInstance; }))
-                emit(variable.range, Kind::DuplicateName, {variable.name});
+                emit(variable.range, findings::DuplicateName(variable.name));
             if (!equalsIgnoringCase(variable.name, unit.name))
                 top.entities[variable.id].push_back({&variable, nullptr, nullptr});
         }
@@ -68,7 +67,7 @@ void World::declareConfigurations() {
                 std::vector<std::string> candidates;
                 for (const Unit& other : units)
                     if (other.kind == UnitKind::Program) candidates.push_back(other.name);
-                suggest(emit(range, Kind::UnknownType, {std::string(textOf(range))}), range, textOf(range), candidates);
+                suggest(emit(range, findings::UnknownType(textOf(range))), range, textOf(range), candidates);
                 continue;
             }
             refer(range, unit->symbol, true, false);
@@ -98,7 +97,7 @@ void World::addAccess(const syntax::VarDecl& declaration, const image::Place& pl
 void World::accessAddress(const syntax::VarDecl& declaration, const Scope& scope) {
     const auto address = parseAddress(declaration.address);
     if (!address || address->isOpen) {
-        emit(declaration.addressRange, Kind::AddressOutOfRange, {std::string(declaration.address), "%I, %Q or %M"});
+        emit(declaration.addressRange, findings::AddressOutOfRange(declaration.address, addressAreas()));
         return;
     }
     const TypeId own = types::TypeTable::of(address->kind),
@@ -106,7 +105,7 @@ void World::accessAddress(const syntax::VarDecl& declaration, const Scope& scope
     if (types.kind(type) == TypeKind::Unknown) return;
     const bool isBit = types.storageKind(type) == TypeKind::Bool;
     if (isBit != (address->kind == TypeKind::Bool) || (!isBit && types[type].size != types[own].size)) {
-        emit(declaration.type->range, Kind::TypeMismatch, {nameOf(own), nameOf(type)});
+        emit(declaration.type->range, findings::TypeMismatch(nameOf(own), nameOf(type)));
         return;
     }
     addAccess(declaration, {type, areaOf(address->area).begin + address->byte, isBit ? address->bit : int16_t(-1)}, {});
@@ -126,7 +125,7 @@ void World::accessPrograms() {
                 else if (const auto found = program->layout.find(text))
                     addAccess(*declaration, *found, instance.variable->name);
                 else
-                    emit(declaration->range, Kind::ConfigTarget, {text});
+                    emit(declaration->range, findings::ConfigTarget(text));
             }
         }
     }
@@ -156,12 +155,12 @@ void World::applyVarConfig() {
             for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
             const auto found = program->layout.find(text);
             if (!found) {
-                emit(range, Kind::ConfigTarget, {text});
+                emit(range, findings::ConfigTarget(text));
                 continue;
             }
             const TypeId type = declaration->type ? resolveSpec(declaration->type, scope) : found->type;
             if (!sameType(type, found->type)) {
-                emit(declaration->type->range, Kind::TypeMismatch, {nameOf(found->type), nameOf(type)});
+                emit(declaration->type->range, findings::TypeMismatch(nameOf(found->type), nameOf(type)));
                 continue;
             }
             if (section.kind == SectionKind::Access) {
@@ -177,7 +176,7 @@ void World::applyVarConfig() {
                 const auto address = parseAddress(declaration->address);
                 if (!address || address->isOpen) {
                     emit(declaration->addressRange.file.isValid() ? declaration->addressRange : range,
-                         Kind::AddressMissing, {text});
+                         findings::AddressMissing(text));
                 } else {
                     const image::AreaRange area = areaOf(address->area);
                     Copy copy;
@@ -224,7 +223,7 @@ void World::applyVarConfig() {
         const SourceRange range = open.variable->declaration->addressRange.file.isValid()
                                       ? open.variable->declaration->addressRange
                                       : open.variable->range;
-        emit(range, Kind::AddressMissing, {open.variable->name}).severity = diagnostics::Severity::Warning;
+        emit(range, findings::AddressMissing(open.variable->name)).severity = diagnostics::Severity::Warning;
     }
 }
 

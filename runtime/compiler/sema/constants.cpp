@@ -3,8 +3,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 const types::Value* World::constantOf(Variable& variable) {
     switch (variable.folding) {
     case Folding::Constant:
@@ -12,7 +10,7 @@ const types::Value* World::constantOf(Variable& variable) {
     case Folding::Dynamic:
         return nullptr;
     case Folding::Working:
-        emit(variable.range, Kind::TypeCycle, {variable.name});
+        emit(variable.range, findings::TypeCycle(variable.name));
         variable.folding = Folding::Dynamic;
         return nullptr;
     case Folding::Open:
@@ -38,7 +36,7 @@ const types::Value* World::constantOf(Variable& variable) {
         return nullptr;
     }
     if (!value.isConstant()) {
-        emit(initial->range, Kind::NotConstant);
+        emit(initial->range, findings::NotConstant());
         variable.folding = Folding::Dynamic;
         return nullptr;
     }

@@ -8,7 +8,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using types::Family;
 using types::TypeTable;
 
@@ -79,7 +78,7 @@ TypeId Checker::commonType(const Operand& a, const Operand& b) const {
 }
 
 void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
-    auto& diagnostic = emit(range, Kind::TypeMismatch, {nameOf(from), nameOf(to)});
+    auto& diagnostic = emit(range, findings::TypeMismatch(nameOf(from), nameOf(to)));
     const TypeKind a = types.storageKind(from), b = types.storageKind(to);
     const auto named = [](TypeKind kind) -> std::string {
         return kind == TypeKind::String    ? "STRING"
@@ -93,13 +92,13 @@ void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
             text.find_first_not_of("0123456789") == std::string::npos) { // a number without its unit
             for (const char* unit : {"ms", "s"}) {
                 const std::string duration = (b == TypeKind::Ltime ? "LT#" : "T#") + text + unit;
-                diagnostic.fixes.push_back({"Write " + duration, {{range, duration}}});
+                diagnostic.fixes.push_back({fixes::Write(duration), {{range, duration}}});
             }
-            diagnostic.arguments[0] = text;
+            diagnostic.message = findings::TypeMismatch(text, nameOf(to)).message;
             return;
         }
         if (library::findConversion(function))
-            diagnostic.fixes.push_back({"Convert with " + function,
+            diagnostic.fixes.push_back({fixes::ConvertWith(function),
                                         {{{range.file, range.begin, range.begin}, function + "("},
                                          {{range.file, range.end, range.end}, ")"}}});
     }
@@ -108,11 +107,11 @@ void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
 /// A number or another enumeration's value for a strict enumeration; a name of another enumeration may be meant as one
 /// of its own.
 void Checker::strictMismatch(SourceRange range, std::string what, TypeId to) {
-    auto& diagnostic = emit(range, Kind::StrictEnum, {std::move(what), nameOf(to)});
+    auto& diagnostic = emit(range, findings::StrictEnum(std::move(what), nameOf(to)));
     if (!range.file.isValid() || types[to].enumerators.empty() || types[to].enumerators.size() > 5) return;
     for (const types::Enumerator& enumerator : types[to].enumerators) {
         const std::string name = nameOf(to) + "." + enumerator.name;
-        diagnostic.fixes.push_back({"Write " + name, {{range, name}}});
+        diagnostic.fixes.push_back({fixes::Write(name), {{range, name}}});
     }
 }
 
@@ -120,10 +119,10 @@ bool Checker::isStrict(const Operand& operand) {
     if (!isKind(operand.type(), TypeKind::Enum) || !types[operand.type()].isStrict) return false;
     const std::string function = "TO_" + std::string(types::spelling(types.storageKind(operand.type())));
     const SourceRange range = operand.expr->range;
-    auto& diagnostic = emit(range, Kind::StrictCalculation, {nameOf(operand.type()), function});
+    auto& diagnostic = emit(range, findings::StrictCalculation(nameOf(operand.type()), function));
     if (range.file.isValid())
         diagnostic.fixes.push_back(
-            {"Convert with " + function,
+            {fixes::ConvertWith(function),
              {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
     return true;
 }
@@ -171,13 +170,12 @@ Operand Checker::convertedText(Operand operand, TypeId to) {
             const auto* narrow = std::get_if<std::string>(&operand.expr->value.data);
             const auto* wide = std::get_if<std::u16string>(&operand.expr->value.data);
             const size_t length = narrow ? narrow->size() : wide ? wide->size() : 0;
-            if (length > target.capacity)
-                emit(range, Kind::StringTooLong, {std::to_string(length), std::to_string(target.capacity)});
+            if (length > target.capacity) emit(range, findings::StringTooLong(length, target.capacity));
             if (types.kind(from) == types.kind(to)) return operand;
             if (wide) {
                 for (const char16_t c : *wide) {
                     if (c <= 0xFF) continue;
-                    emit(range, Kind::CharacterNotInString, {utf16ToUtf8(std::u16string(1, c))});
+                    emit(range, findings::CharacterNotInString(utf16ToUtf8(std::u16string(1, c))));
                     return unknown(range);
                 }
             }
@@ -188,7 +186,7 @@ Operand Checker::convertedText(Operand operand, TypeId to) {
     if (types.kind(from) == types.kind(to)) return operand; // any capacity: the assignment cuts
     switch (types::implicitConversion(types, from, to)) {
     case types::Implicit::Narrowing:
-        emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
+        emit(range, findings::LossyAssignment(nameOf(from), nameOf(to)));
         break;
     case types::Implicit::Forbidden:
         mismatch(range, from, to);
@@ -214,13 +212,13 @@ std::optional<Operand> Checker::convertedConstant(Operand& operand, TypeId to) {
     const Family toFamily = types::familyOf(types.storageKind(to));
     const types::Value& value = operand.expr->value;
     const bool isReal = std::holds_alternative<double>(value.data);
-    const auto refused = [&](Kind kind) {
-        emit(range, kind, {textOf(range), nameOf(to)});
+    const auto refused = [&] {
+        emit(range, findings::ConstantOutOfRange(textOf(range), nameOf(to)));
         return unknown(range);
     };
     if (toFamily == Family::Real) {
-        if (operand.isDivided) emit(range, Kind::IntegerDivisionToReal, {nameOf(to)});
-        return fits(value, to) ? convertNode(operand, to) : refused(Kind::ConstantOutOfRange);
+        if (operand.isDivided) emit(range, findings::IntegerDivisionToReal(nameOf(to)));
+        return fits(value, to) ? convertNode(operand, to) : refused();
     }
     if (toFamily == Family::Bool && operand.isFlexible && !isReal) {
         if (fits(value, to)) return convertNode(operand, to);
@@ -236,16 +234,16 @@ std::optional<Operand> Checker::convertedConstant(Operand& operand, TypeId to) {
             return unknown(range);
         }
         if (!target.isStrict && (!known || !operand.isFlexible))
-            emit(range, Kind::IntegerToEnum, {textOf(range), target.name});
+            emit(range, findings::IntegerToEnum(textOf(range), target.name));
         return convertNode(operand, to);
     }
     if (types::isInteger(toFamily) || (toFamily == Family::Character && operand.isFlexible)) {
         if (isReal) {
-            emit(range, Kind::LossyAssignment, {operand.isFlexible ? textOf(range) : nameOf(from), nameOf(to)});
+            emit(range, findings::LossyAssignment(operand.isFlexible ? textOf(range) : nameOf(from), nameOf(to)));
             return convertNode(operand, to);
         }
         if (fits(value, to)) return convertNode(operand, to);
-        if (operand.isFlexible || target.kind == TypeKind::Subrange) return refused(Kind::ConstantOutOfRange);
+        if (operand.isFlexible || target.kind == TypeKind::Subrange) return refused();
     }
     if (holdsAddress(target.kind) && !isReal && value.integer() == 0) return constant({to, int64_t(0)}, range);
     if (operand.isFlexible) operand = settled(operand);
@@ -331,7 +329,7 @@ bool Checker::tellEarlyOperation(const Operand& operand, TypeId to) {
     if (e.kind != tree::ExprKind::Binary || !types::isInteger(types::familyOf(fromKind)) || !isNumeric(to))
         return false;
     if (toFamily == Family::Real && e.binary == library::BinaryOp::Divide) {
-        emit(e.range, Kind::IntegerDivisionToReal, {nameOf(to)});
+        emit(e.range, findings::IntegerDivisionToReal(nameOf(to)));
         return true;
     }
     const bool widens = types::bitsOf(toKind) > types::bitsOf(fromKind) || toFamily == Family::Real;
@@ -339,7 +337,7 @@ bool Checker::tellEarlyOperation(const Operand& operand, TypeId to) {
     if (widens && types::bitsOf(fromKind) < 64 &&
         (e.binary == library::BinaryOp::Multiply ||
          (isSum && e.a->kind != tree::ExprKind::Constant && e.b->kind != tree::ExprKind::Constant)))
-        emit(e.range, Kind::WrapsBeforeWidening, {textOf(e.range), nameOf(from), nameOf(to)});
+        emit(e.range, findings::WrapsBeforeWidening(textOf(e.range), nameOf(from), nameOf(to)));
     return false;
 }
 
@@ -353,15 +351,15 @@ bool Checker::tellNarrowing(const Operand& operand, TypeId to) {
             strictMismatch(range, textOf(range), to);
             return false;
         }
-        emit(range, Kind::IntegerToEnum, {nameOf(from), nameOf(to)});
+        emit(range, findings::IntegerToEnum(nameOf(from), nameOf(to)));
         return true;
     }
-    auto& diagnostic = emit(range, Kind::LossyAssignment, {nameOf(from), nameOf(to)});
+    auto& diagnostic = emit(range, findings::LossyAssignment(nameOf(from), nameOf(to)));
     const TypeKind toKind = types.storageKind(to), fromKind = types.storageKind(from);
     if (!types::isElementary(fromKind) || !types::isElementary(toKind) || !range.file.isValid()) return true;
     const std::string function = std::string(types::spelling(fromKind)) + "_TO_" + std::string(types::spelling(toKind));
     diagnostic.fixes.push_back(
-        {"Convert with " + function,
+        {fixes::ConvertWith(function),
          {{{range.file, range.begin, range.begin}, function + "("}, {{range.file, range.end, range.end}, ")"}}});
     return true;
 }
@@ -371,7 +369,7 @@ Operand Checker::converted(Operand operand, TypeId to) {
     const TypeId from = operand.type();
     const SourceRange range = operand.expr->range;
     if (isKind(from, TypeKind::Void)) {
-        emit(range, Kind::NoValue, {textOf(range)});
+        emit(range, findings::NoValue(textOf(range)));
         return unknown(range);
     }
     if (from == to && !operand.isFlexible) return operand;

@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::SectionKind;
 
 namespace {
@@ -168,7 +167,7 @@ void World::resolveUsings() {
         std::vector<std::string> candidates;
         for (const Space& space : spaces) candidates.push_back(space.qualified);
         const SourceRange range = joined(path.front().range, path.back().range);
-        suggest(emit(range, Kind::UnknownUsing, {pathText(path)}), range, pathText(path), candidates);
+        suggest(emit(range, findings::UnknownUsing(pathText(path))), range, pathText(path), candidates);
         return nullptr;
     };
     for (Space& space : spaces)
@@ -224,9 +223,9 @@ Unit* World::declareUnit(const syntax::Pou& pou, Space& space, const syntax::Syn
         std::vector<Entity>& entities = space.entities[unit.id];
         for (const Entity& other : entities) {
             if (!other.unit && !other.type) continue;
-            auto& diagnostic = emit(unit.range, Kind::DuplicateName, {unit.name});
+            auto& diagnostic = emit(unit.range, findings::DuplicateName(unit.name));
             diagnostic.related.push_back(
-                {other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
+                {other.unit ? other.unit->range : other.type->declaration->name.range, notes::FirstDeclaredHere()});
             break;
         }
         entities.push_back({nullptr, &unit, nullptr});
@@ -288,7 +287,7 @@ void World::declareMembers(Unit& unit) {
         const auto it = unit.members.find(
             key(name.text)); // a variable may share its name: a call or an access from outside means the other
         if (it == unit.members.end() || (!it->second.unit && !it->second.property)) return false;
-        emit(name.range, Kind::DuplicateName, {std::string(name.text)});
+        emit(name.range, findings::DuplicateName(name.text));
         return true;
     };
     for (const syntax::Pou* method : pou.methods) {
@@ -341,9 +340,9 @@ void World::declareMembers(Unit& unit) {
         const Variable* namesake = known == unit.members.end() ? nullptr : known->second.variable;
         if (known != unit.members.end() && !isStepOfChart(namesake)) {
             const bool isBool = namesake && isNamed(namesake->spec, "BOOL"); // some charts have both
-            auto& diagnostic = emit(action->name.range, isBool ? Kind::ActionAndVariable : Kind::DuplicateName,
-                                    {std::string(action->name.text)});
-            if (namesake) diagnostic.related.push_back({namesake->range, "the variable"});
+            auto& diagnostic = emit(action->name.range, isBool ? findings::ActionAndVariable(action->name.text)
+                                                               : findings::DuplicateName(action->name.text));
+            if (namesake) diagnostic.related.push_back({namesake->range, notes::TheVariable()});
             if (!isBool) continue;
         }
         Unit& made = units.emplace_back();
@@ -418,8 +417,8 @@ Variable& World::addVariable(Unit& unit, Variable variable, const std::vector<sy
         const SourceRange first = member.variable ? member.variable->range
                                   : member.unit   ? member.unit->range
                                                   : SourceRange{};
-        auto& diagnostic = emit(added.range, Kind::DuplicateName, {added.name});
-        if (first.file.isValid()) diagnostic.related.push_back({first, "first declared here"});
+        auto& diagnostic = emit(added.range, findings::DuplicateName(added.name));
+        if (first.file.isValid()) diagnostic.related.push_back({first, notes::FirstDeclaredHere()});
     } else {
         member.variable = &added;
     }
@@ -510,8 +509,8 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
             symbol.isConstant = variable.isConstant;
             symbol.path = list->name.empty() ? variable.name : list->name + "." + variable.name;
             if (Variable*& first = list->variables[variable.id]) {
-                emit(variable.range, Kind::DuplicateName, {variable.name})
-                    .related.push_back({first->range, "first declared here"});
+                emit(variable.range, findings::DuplicateName(variable.name))
+                    .related.push_back({first->range, notes::FirstDeclaredHere()});
             } else {
                 first = &variable;
                 if (!qualifiedOnly) space.entities[variable.id].push_back({&variable, nullptr, nullptr});
@@ -545,7 +544,7 @@ EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, con
         symbols.back().type = made.type;
         for (uint32_t k = 0; k < i; ++k) {
             if (key(spec.enumerators[k].name.text) != key(declared.name.text)) continue;
-            emit(declared.name.range, Kind::DuplicateName, {std::string(declared.name.text)});
+            emit(declared.name.range, findings::DuplicateName(declared.name.text));
             break;
         }
         if (!qualifiedOnly && declared.name.isValid()) table[key(declared.name.text)].push_back({&made, i});
@@ -576,9 +575,9 @@ void World::declareType(const syntax::TypeDecl& declared, Space& space, const sy
     std::vector<Entity>& entities = space.entities[type.id];
     for (const Entity& other : entities) {
         if (!other.unit && !other.type) continue;
-        emit(declared.name.range, Kind::DuplicateName, {type.name})
+        emit(declared.name.range, findings::DuplicateName(type.name))
             .related.push_back(
-                {other.unit ? other.unit->range : other.type->declaration->name.range, "first declared here"});
+                {other.unit ? other.unit->range : other.type->declaration->name.range, notes::FirstDeclaredHere()});
         break;
     }
     entities.push_back({nullptr, nullptr, &type});

@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::ExprKind;
 
 using DK = Denoted::Kind;
@@ -21,7 +20,7 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
         if (!index.isUnknown()) {
             const types::Family family = types.family(index.type());
             if (!types::isInteger(family)) {
-                emit(argument.value->range, Kind::TypeMismatch, {nameOf(index.type()), "an index"});
+                emit(argument.value->range, findings::IndexNotInteger(nameOf(index.type())));
                 index = unknown(argument.value->range);
             } else if (types.storageKind(index.type()) != TypeKind::Lint) {
                 index = convertNode(index, elementary(TypeKind::Lint));
@@ -42,7 +41,7 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     }
     if (from.kind == DK::Nothing) return {};
     if (from.kind != DK::Place) {
-        emit(e.base->range, Kind::NotAnArray, {textOf(e.base->range)});
+        emit(e.base->range, findings::NotAnArray(textOf(e.base->range)));
         return {};
     }
     tree::Place* base = from.place;
@@ -61,8 +60,7 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
         if (indices.size() != type.dimensions.size()) {
             if (type.kind == TypeKind::Array && indices.size() == 1 && e.arguments.size() == 1) {
             }
-            emit(e.range, Kind::WrongIndexCount,
-                 {std::to_string(type.dimensions.size()), std::to_string(indices.size())});
+            emit(e.range, findings::WrongIndexCount(type.dimensions.size(), indices.size()));
             return {};
         }
         if (!good()) return {};
@@ -77,8 +75,8 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
             const int64_t index = indices[i].expr->value.integer();
             const types::Dimension& dimension = type.dimensions[i];
             if (index < dimension.low || index > dimension.high) {
-                emit(e.arguments[i].value->range, Kind::ConstantIndexOutOfRange,
-                     {std::to_string(index), std::to_string(dimension.low), std::to_string(dimension.high)});
+                emit(e.arguments[i].value->range,
+                     findings::ConstantIndexOutOfRange(index, dimension.low, dimension.high));
                 return {};
             }
             number = number * dimension.count() + static_cast<uint64_t>(index - dimension.low);
@@ -103,15 +101,15 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     case TypeKind::String:
     case TypeKind::Wstring: {
         if (indices.size() != 1) {
-            emit(e.range, Kind::WrongIndexCount, {"1", std::to_string(indices.size())});
+            emit(e.range, findings::WrongIndexCount(1, indices.size()));
             return {};
         }
         if (!good()) return {};
         if (indices[0].isConstant()) {
             const int64_t index = indices[0].expr->value.integer();
             if (index < 0 || index >= static_cast<int64_t>(type.capacity)) {
-                emit(e.arguments[0].value->range, Kind::ConstantIndexOutOfRange,
-                     {std::to_string(index), "0", std::to_string(int64_t(type.capacity) - 1)});
+                emit(e.arguments[0].value->range,
+                     findings::ConstantIndexOutOfRange(index, 0, int64_t(type.capacity) - 1));
                 return {};
             }
         }
@@ -126,7 +124,7 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     }
     case TypeKind::Pointer: { // p[i], as in CODESYS: the i-th variable from where it points to
         if (indices.size() != 1 || !good()) {
-            if (good()) emit(e.range, Kind::WrongIndexCount, {"1", std::to_string(indices.size())});
+            if (good()) emit(e.range, findings::WrongIndexCount(1, indices.size()));
             return {};
         }
         const Operand address = sameBits(load(base, e.base->range), elementary(TypeKind::Lword));
@@ -144,7 +142,7 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
         return out;
     }
     default:
-        emit(e.base->range, Kind::NotAnArray, {textOf(e.base->range)});
+        emit(e.base->range, findings::NotAnArray(textOf(e.base->range)));
         return {};
     }
 }
@@ -166,7 +164,7 @@ Denoted Checker::denoteDeref(const syntax::Expr& e, Access access) {
         if (from.kind == DK::Place && from.place->kind == tree::PlaceKind::Deref && from.place->pointer &&
             isKind(from.place->pointer->type, TypeKind::Reference))
             return from;
-        emit(e.base->range, Kind::NotAPointer, {textOf(e.base->range)});
+        emit(e.base->range, findings::NotAPointer(textOf(e.base->range)));
         return {};
     }
     tree::Place* place = arena.make<tree::Place>();
@@ -194,14 +192,14 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
         from.whyReadOnly = textOf(e.range);
     }
     if (from.kind != DK::Place) {
-        emit(e.base->range, Kind::NoValue, {textOf(e.base->range)});
+        emit(e.base->range, findings::NoValue(textOf(e.base->range)));
         return {};
     }
     tree::Place* base = from.place;
     const types::Family family = types.family(base->type);
     if (isKind(base->type, TypeKind::Unknown)) return {};
     if (!types::isInteger(family) || base->bit >= 0) {
-        emit(e.range, Kind::UnknownMember, {nameOf(base->type), std::string(e.text)});
+        emit(e.range, findings::UnknownMember(nameOf(base->type), e.text));
         return {};
     }
     std::string_view text = e.text;
@@ -225,7 +223,7 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
             width = 64;
             break;
         default:
-            emit(e.range, Kind::UnknownMember, {nameOf(base->type), std::string(e.text)});
+            emit(e.range, findings::UnknownMember(nameOf(base->type), e.text));
             return {};
         }
         text.remove_prefix(1);
@@ -234,7 +232,7 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
     const unsigned count = types::bitsOf(types.storageKind(base->type)) / width;
     if (text.empty() || number < 0 || number >= static_cast<int64_t>(count)) {
         const SourceRange at{e.range.file, e.range.end - static_cast<uint32_t>(e.text.size()), e.range.end};
-        emit(at, Kind::NoSuchBit, {nameOf(base->type), std::to_string(int64_t(count) - 1)});
+        emit(at, findings::NoSuchBit(nameOf(base->type), int64_t(count) - 1));
         return {};
     }
     Denoted out = from;
@@ -260,15 +258,14 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
 Denoted Checker::denoteAddress(const syntax::Expr& e) {
     const auto address = parseAddress(e.text);
     if (!address || address->isOpen) {
-        emit(e.range, Kind::AddressOutOfRange, {std::string(e.text), "%I, %Q or %M"});
+        emit(e.range, findings::AddressOutOfRange(e.text, addressAreas()));
         return {};
     }
     const image::AreaRange area = world.areaOf(address->area);
     if (address->byte + std::max(1u, types::bitsOf(address->kind) / 8) > area.size) {
-        emit(e.range, Kind::AddressOutOfRange,
-             {std::string(e.text), address->area == image::Area::Input    ? "%I"
-                                   : address->area == image::Area::Output ? "%Q"
-                                                                          : "%M"});
+        emit(e.range, findings::AddressOutOfRange(e.text, {{address->area == image::Area::Input    ? "%I"
+                                                            : address->area == image::Area::Output ? "%Q"
+                                                                                                   : "%M"}}));
         return {};
     }
     return placeOf(absolutePlace(area.begin + address->byte, elementary(address->kind), address->bit, e.range));

@@ -5,8 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 thread_local diagnostics::Sink* World::expressionSink = nullptr;
 
 CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, std::string_view text,
@@ -42,7 +40,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
     }
     Operand value = checker.settled(checker.expression(*parsed));
     if (!value.isUnknown() && checker.isKind(value.type(), TypeKind::Void))
-        checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
+        checker.emit(parsed->range, findings::NoValue(text));
     out.diagnostics = sink.take();
     const bool isWrong =
         std::any_of(out.diagnostics.begin(), out.diagnostics.end(),
@@ -50,7 +48,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
     if (!isWrong && !value.isUnknown())
         out.root = value.expr;
     else if (!isWrong) { // wrong without a word: say what is known
-        checker.emit(parsed->range, Kind::NoValue, {std::string(text)});
+        checker.emit(parsed->range, findings::NoValue(text));
         for (diagnostics::Diagnostic& diagnostic : sink.take()) out.diagnostics.push_back(std::move(diagnostic));
     }
     return out;

@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using lex::TokenKind;
 using syntax::ExprKind;
 using types::TypeTable;
@@ -84,15 +83,15 @@ Operand Checker::value(Denoted denoted, const syntax::Expr& e, TypeId hint) {
             bare.arguments.clear();
             return callUnit(denoted, bare);
         }
-        auto& diagnostic = emit(e.range, Kind::NoValue, {unit.name});
-        if (callable) diagnostic.fixes.push_back({"Call it", {{{e.range.file, e.range.end, e.range.end}, "()"}}});
+        auto& diagnostic = emit(e.range, findings::NoValue(unit.name));
+        if (callable) diagnostic.fixes.push_back({fixes::CallIt(), {{{e.range.file, e.range.end, e.range.end}, "()"}}});
         return unknown(e.range);
     }
     case Denoted::Kind::Type:
     case Denoted::Kind::List:
     case Denoted::Kind::Space:
     case Denoted::Kind::Standard:
-        emit(e.range, Kind::NoValue, {textOf(e.range)});
+        emit(e.range, findings::NoValue(textOf(e.range)));
         return unknown(e.range);
     }
     (void)hint;
@@ -136,8 +135,7 @@ Operand Checker::anyExpression(const syntax::Expr& e, TypeId hint) {
         return binary(e, hint);
     case ExprKind::AssignChain: {
         if (!function) {
-            emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant,
-                 isExpression ? std::vector<std::string>{":="} : std::vector<std::string>{});
+            emit(e.range, isExpression ? findings::NotAllowedInExpression(Verbatim(":=")) : findings::NotConstant());
             return unknown(e.range);
         }
         // b := c as a value: assign c to b, then read b
@@ -157,7 +155,7 @@ Operand Checker::anyExpression(const syntax::Expr& e, TypeId hint) {
     case ExprKind::StructInit:
         return aggregate(e, hint);
     case ExprKind::Repeat:
-        emit(e.range, Kind::NotAllowedHere, {textOf(e.range), "an expression"});
+        emit(e.range, findings::NotAllowedHere(textOf(e.range), phrases::InAnExpression()));
         return unknown(e.range);
     case ExprKind::This:
     case ExprKind::Super: {
@@ -175,12 +173,13 @@ Operand Checker::anyExpression(const syntax::Expr& e, TypeId hint) {
 /// [1, 2] and (a := 1) as a value: needs the type it is for, and constants inside.
 Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
     if (isExpression) {
-        emit(e.range, Kind::NotAllowedInExpression, {textOf(e.range)});
+        emit(e.range, findings::NotAllowedInExpression(textOf(e.range)));
         return unknown(e.range);
     }
     if (!hint.isValid() || !types.isAggregate(hint)) {
         if (!hint.isValid() || !isKind(hint, TypeKind::Unknown))
-            emit(e.range, Kind::NotAllowedHere, {e.kind == ExprKind::ArrayInit ? "[…]" : "(… := …)", "this place"});
+            emit(e.range, findings::NotAllowedHere(Verbatim(e.kind == ExprKind::ArrayInit ? "[…]" : "(… := …)"),
+                                                   phrases::Here()));
         return unknown(e.range);
     }
     InitialValue initial;
@@ -188,7 +187,7 @@ Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
     initial.bytes.resize(types[hint].size);
     world.initialise(initial, hint, 0, -1, &e, scope, nullptr);
     if (!initial.dynamics.empty()) {
-        emit(e.range, Kind::NotConstant);
+        emit(e.range, findings::NotConstant());
         return unknown(e.range);
     }
     return constant(types::readValue(types, hint, initial.bytes), e.range);
@@ -203,11 +202,12 @@ tree::Expr* Checker::condition(const syntax::Expr& e) {
         fits(operand.expr->value, boolean))
         return converted(operand, boolean).expr;
     if (isKind(operand.type(), TypeKind::Void))
-        emit(e.range, Kind::NoValue, {textOf(e.range)});
+        emit(e.range, findings::NoValue(textOf(e.range)));
     else {
-        auto& diagnostic = emit(e.range, Kind::ConditionNotBool, {nameOf(operand.type())});
+        auto& diagnostic = emit(e.range, findings::ConditionNotBool(nameOf(operand.type())));
         if (isNumeric(operand.type()))
-            diagnostic.fixes.push_back({"Compare with 0", {{{e.range.file, e.range.end, e.range.end}, " <> 0"}}});
+            diagnostic.fixes.push_back(
+                {fixes::CompareWithZero(), {{{e.range.file, e.range.end, e.range.end}, " <> 0"}}});
     }
     return unknown(e.range).expr;
 }

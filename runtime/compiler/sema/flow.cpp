@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::SectionKind;
 
 /// Globals nobody reads or writes. Located ones are what the machine has, constants what a list offers.
@@ -19,9 +18,9 @@ void World::checkUnusedGlobals() {
             continue;
         const std::string name = foldCase(variable.name);
         if (options.usedElsewhere.contains(name) || options.usedElsewhere.contains("." + name)) continue;
-        auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
+        auto& diagnostic = emit(variable.range, findings::UnusedVariable(variable.name));
         if (variable.declaration->names.size() == 1)
-            diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
+            diagnostic.fixes.push_back({fixes::RemoveDeclaration(), {{variable.declaration->range, ""}}});
     }
 }
 
@@ -55,7 +54,7 @@ void World::checkUnusedActions() {
         if (unit.kind != UnitKind::Action || unit.isLibrary() || !unit.symbol.isValid() || used[unit.symbol.index()] ||
             options.usedElsewhere.contains("." + foldCase(unit.name)) || hasSyntaxErrorAt(unit.range))
             continue;
-        emit(unit.range, Kind::UnusedVariable, {unit.name});
+        emit(unit.range, findings::UnusedVariable(unit.name));
     }
 }
 
@@ -84,9 +83,9 @@ void World::checkUsage() {
                 continue;
             if (variable.reads == 0 && variable.writes == 0) {
                 if (variable.isLocated) continue;
-                auto& diagnostic = emit(variable.range, Kind::UnusedVariable, {variable.name});
+                auto& diagnostic = emit(variable.range, findings::UnusedVariable(variable.name));
                 if (variable.declaration->names.size() == 1 && variable.declaration->range.file.isValid())
-                    diagnostic.fixes.push_back({"Remove the declaration", {{variable.declaration->range, ""}}});
+                    diagnostic.fixes.push_back({fixes::RemoveDeclaration(), {{variable.declaration->range, ""}}});
                 continue;
             }
             const TypeKind kind = types.kind(variable.type);
@@ -94,7 +93,7 @@ void World::checkUsage() {
             if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated &&
                 kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array &&
                 kind != TypeKind::Struct && kind != TypeKind::Union)
-                emit(variable.range, Kind::NeverWritten, {variable.name});
+                emit(variable.range, findings::NeverWritten(variable.name));
         }
     }
 }
@@ -226,9 +225,9 @@ void World::checkRecursion() {
                 break;
             }
         if (isFixed)
-            emit(range, Kind::Recursion, {functions[first].name, chain});
+            emit(range, findings::Recursion(functions[first].name, chain));
         else
-            emit(range, Kind::RecursiveMethod, {functions[first].name});
+            emit(range, findings::RecursiveMethod(functions[first].name));
     }
     for (tree::Function& function : functions) // dispatched through an interface
         if (function.methodSlot != Id<int>::kNone && std::any_of(calls.begin(), calls.end(), [&](const Call& c) {

@@ -6,7 +6,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::ExprKind;
 
 namespace {
@@ -24,11 +23,7 @@ struct Trial {
         checker.isInitialiser = true;
     }
     void keep() {
-        for (diagnostics::Diagnostic& diagnostic : sink.take()) {
-            const diagnostics::Severity severity = diagnostic.severity;
-            world.sink.emit(diagnostic.range, diagnostic.kind) = std::move(diagnostic);
-            (void)severity;
-        }
+        for (diagnostics::Diagnostic& diagnostic : sink.take()) world.sink.add(std::move(diagnostic));
     }
     void drop() {
         if (!world.frozen) world.references.resize(references);
@@ -74,12 +69,12 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
         for (const syntax::Argument& argument : arguments) {
             if (!argument.value) continue;
             if (!argument.name.isValid()) {
-                emit(argument.range, Kind::Expected, {"name :=", std::string(textOf(argument.value->range))});
+                emit(argument.range, findings::Expected(phrases::AMembersName(), textOf(argument.value->range)));
                 continue;
             }
             const types::Field* field = types[type].findField(argument.name.text);
             if (!field) {
-                suggest(emit(argument.name.range, Kind::UnknownMember, {nameOf(type), std::string(argument.name.text)}),
+                suggest(emit(argument.name.range, findings::UnknownMember(nameOf(type), argument.name.text)),
                         argument.name.range, argument.name.text, memberNames(type));
                 continue;
             }
@@ -88,7 +83,8 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                     refer(argument.name.range, member.variable->symbol, false, true);
             const types::Field copy = *field;
             if (copy.section == types::FieldSection::InOut) {
-                emit(argument.name.range, Kind::NotAllowedHere, {copy.name + " (VAR_IN_OUT)", "an initial value"});
+                emit(argument.name.range,
+                     findings::NotAllowedHere(phrases::AnInOut(copy.name), phrases::InAnInitialValue()));
                 continue;
             }
             initialise(out, copy.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : copy.type, offset + copy.offset,
@@ -99,12 +95,12 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
         if (kind == TypeKind::Block || kind == TypeKind::Struct || kind == TypeKind::Union)
             fields(*constructor);
         else if (!constructor->empty())
-            emit(constructor->front().range, Kind::NotAllowedHere, {"(…)", nameOf(type)});
+            emit(constructor->front().range, findings::NotAllowedHere(Verbatim("(…)"), phrases::In(nameOf(type))));
     }
     if (!value) return;
     if (value->kind == ExprKind::StructInit) {
         if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) {
-            emit(value->range, Kind::TypeMismatch, {"(… := …)", nameOf(type)});
+            emit(value->range, findings::TypeMismatch(Verbatim("(… := …)"), nameOf(type)));
             return;
         }
         return fields(value->arguments);
@@ -176,8 +172,7 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                 }
             };
         fill(value->arguments);
-        if (index > count)
-            emit(value->range, Kind::TooManyInitialValues, {std::to_string(index), std::to_string(count)});
+        if (index > count) emit(value->range, findings::TooManyInitialValues(index, count));
         return;
     }
     Trial trial(*this, scope);
@@ -222,7 +217,8 @@ void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, 
     if (!hasConstructor(spec)) return initialise(out, type, offset, bit, value, scope, nullptr);
     const syntax::TypeSpec* inner = innermost(spec);
     if (types.kind(type) != TypeKind::Array) {
-        if (!inner->constructors.empty()) emit(spec->range, Kind::NotAllowedHere, {"[(…)]", nameOf(type)});
+        if (!inner->constructors.empty())
+            emit(spec->range, findings::NotAllowedHere(Verbatim("[(…)]"), phrases::In(nameOf(type))));
         return initialise(out, type, offset, bit, value, scope,
                           inner->constructor.empty() ? nullptr : &inner->constructor);
     }
@@ -230,8 +226,7 @@ void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, 
     while (types.kind(element) == TypeKind::Array) element = types[element].element;
     const uint32_t size = types[element].size, count = size ? types[type].size / size : 0;
     if (inner->constructors.size() > count)
-        emit(spec->range, Kind::TooManyInitialValues,
-             {std::to_string(inner->constructors.size()), std::to_string(count)});
+        emit(spec->range, findings::TooManyInitialValues(inner->constructors.size(), count));
     if (initMethodOf(*this, element) && inner->constructors.empty()) { // one loop for all of them
         DynamicInit dynamic;
         dynamic.offset = offset;
@@ -248,7 +243,8 @@ void World::initialiseDeclared(InitialValue& out, TypeId type, uint32_t offset, 
             initialise(out, element, offset + i * size, -1, nullptr, scope, constructor);
         }
     }
-    if (value) emit(value->range, Kind::NotAllowedHere, {"An initial value", "a declaration that calls FB_Init"});
+    if (value)
+        emit(value->range, findings::NotAllowedHere(phrases::AnInitialValue(), phrases::InADeclarationWithFbInit()));
 }
 
 /// The initial value of a declared variable at `offset` of `out`.
@@ -320,8 +316,7 @@ void callInit(World& world, Checker& checker, tree::Place* place, Unit& method,
         for (syntax::Argument argument : *constructor) {
             if (argument.kind == syntax::ArgumentKind::Positional) {
                 if (next >= own.size()) {
-                    if (isLast)
-                        checker.emit(argument.range, Kind::TooManyArguments, {method.name, std::to_string(own.size())});
+                    if (isLast) checker.emit(argument.range, findings::TooManyArguments(method.name, own.size()));
                     break;
                 }
                 argument.kind = syntax::ArgumentKind::Input;

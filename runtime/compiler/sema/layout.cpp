@@ -8,7 +8,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using image::Area;
 
 namespace {
@@ -114,7 +113,7 @@ void World::locate(Variable& variable, std::string_view text) {
                                   : variable.range;
     if (!address || address->byte > kMaximumAddress) {
         if (hasSyntaxErrorAt(range)) return;
-        emit(range, Kind::AddressOutOfRange, {std::string(text), "%I, %Q or %M"});
+        emit(range, findings::AddressOutOfRange(text, addressAreas()));
         return;
     }
     variable.offset = areaOf(address->area).begin + address->byte;
@@ -124,7 +123,7 @@ void World::locate(Variable& variable, std::string_view text) {
         if (kind == TypeKind::Bool)
             variable.bit = address->bit;
         else if (kind != TypeKind::Unknown && address->bit != 0)
-            return (void)emit(range, Kind::TypeMismatch, {std::string(text), nameOf(variable.type)});
+            return (void)emit(range, findings::TypeMismatch(text, nameOf(variable.type)));
     }
     checkAddressSize(variable, text, range);
 }
@@ -140,10 +139,8 @@ void World::checkAddressSize(const Variable& variable, std::string_view text, So
     const char letter = has == 1 ? 'X' : has == 8 ? 'B' : has == 16 ? 'W' : has == 32 ? 'D' : 'L';
     const std::string own =
         std::string(text.substr(0, 2)) + letter + std::to_string(address->byte) + (has == 1 ? ".0" : "");
-    auto& diagnostic =
-        emit(range, Kind::AddressSize,
-             {std::string(text), std::to_string(holds), nameOf(variable.type), std::to_string(has), own});
-    if (range != variable.range) diagnostic.fixes.push_back({"Write " + own, {{range, own}}});
+    auto& diagnostic = emit(range, findings::AddressSize(text, holds, nameOf(variable.type), has, own));
+    if (range != variable.range) diagnostic.fixes.push_back({fixes::Write(own), {{range, own}}});
 }
 
 void World::measureAddresses() {
@@ -217,7 +214,7 @@ void World::layoutGlobals() {
             if (!address && !hasSyntaxErrorAt(variable.declaration->addressRange))
                 emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange
                                                                        : variable.range,
-                     Kind::AddressOutOfRange, {std::string(variable.declaration->address), "%I, %Q or %M"});
+                     findings::AddressOutOfRange(variable.declaration->address, addressAreas()));
             else if (address)
                 openAddresses.push_back({&variable, false});
         }
@@ -257,7 +254,7 @@ void World::layoutGlobals() {
     if (tooLarge) {
         uint64_t total = 0;
         for (const image::Root& root : layout.roots) total += types[root.type].size;
-        emit({}, Kind::ImageTooLarge, {std::to_string(total), std::to_string(kMaximumData)});
+        emit({}, findings::ImageTooLarge(total, kMaximumData));
     }
     layout.dataEnd = aligned(next, 64);
     image.assign(layout.dataEnd, std::byte{});
@@ -368,12 +365,11 @@ void World::checkOverlaps() {
                                       ? b.variable->declaration->addressRange
                                       : b.variable->range;
         const std::string free = nextFree(*b.variable, b.begin, b.end);
-        auto& diagnostic =
-            emit(range, Kind::OverlappingAddress,
-                 {a.variable->name, b.variable->name, std::string(b.variable->declaration->address), free});
-        diagnostic.related.push_back({a.variable->range, "declared here"});
+        auto& diagnostic = emit(range, findings::OverlappingAddress(a.variable->name, b.variable->name,
+                                                                    b.variable->declaration->address, free));
+        diagnostic.related.push_back({a.variable->range, notes::DeclaredHere()});
         if (b.variable->declaration->addressRange.file.isValid())
-            diagnostic.fixes.push_back({"Move " + b.variable->name + " to " + free, {{range, free}}});
+            diagnostic.fixes.push_back({fixes::MoveTo(b.variable->name, free), {{range, free}}});
     }
 }
 

@@ -10,7 +10,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using lex::TokenKind;
 using types::Value;
 
@@ -131,7 +130,7 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
         const Integer number = parseInteger(e.text);
         if (!number.isGood) return unknown(e.range); // the lexer said so
         if (number.isTooLarge || (number.isNegative && number.magnitude > (uint64_t(1) << 63))) {
-            emit(e.range, Kind::ConstantOutOfRange, {std::string(e.text), typed.isValid() ? what : "LWORD"});
+            emit(e.range, findings::ConstantOutOfRange(e.text, typed.isValid() ? what : "LWORD"));
             return unknown(e.range);
         }
         const auto bits = static_cast<int64_t>(number.isNegative ? 0 - number.magnitude : number.magnitude);
@@ -148,7 +147,7 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
     case TokenKind::RealLiteral: {
         const double number = parseReal(e.text);
         if (!std::isfinite(number)) {
-            emit(e.range, Kind::ConstantOutOfRange, {std::string(e.text), typed.isValid() ? what : "LREAL"});
+            emit(e.range, findings::ConstantOutOfRange(e.text, typed.isValid() ? what : "LREAL"));
             return unknown(e.range);
         }
         return finish(constant({elementary(TypeKind::Lreal), number}, e.range, true));
@@ -156,7 +155,7 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
     case TokenKind::DurationLiteral: {
         const auto duration = types::parseDuration(e.text);
         if (!duration) {
-            emit(e.range, Kind::InvalidLiteral, {std::string(e.text), "duration"});
+            emit(e.range, findings::InvalidLiteral(e.text, phrases::DurationLiteral()));
             return unknown(e.range);
         }
         const bool isLong = !e.text.empty() && (e.text.front() == 'L' || e.text.front() == 'l');
@@ -171,10 +170,10 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
                             : e.op == TokenKind::TimeOfDayLiteral ? types::parseTimeOfDay(e.text)
                                                                   : types::parseDateTime(e.text);
         if (!number) {
-            emit(e.range, Kind::InvalidLiteral,
-                 {std::string(e.text), e.op == TokenKind::DateLiteral        ? "date"
-                                       : e.op == TokenKind::TimeOfDayLiteral ? "time of day"
-                                                                             : "date and time"});
+            emit(e.range, findings::InvalidLiteral(e.text, e.op == TokenKind::DateLiteral ? phrases::DateLiteral()
+                                                           : e.op == TokenKind::TimeOfDayLiteral
+                                                               ? phrases::TimeOfDayLiteral()
+                                                               : phrases::DateAndTimeLiteral()));
             return unknown(e.range);
         }
         const TypeKind kind = e.op == TokenKind::DateLiteral        ? (isLong ? TypeKind::Ldate : TypeKind::Date)
@@ -210,8 +209,8 @@ Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
             if (foreign) {
                 std::string shown;
                 appendUtf8(shown, foreign);
-                auto& diagnostic = emit(e.range, Kind::CharacterNotInString, {shown});
-                diagnostic.fixes.push_back({"Write a WSTRING",
+                auto& diagnostic = emit(e.range, findings::CharacterNotInString(shown));
+                diagnostic.fixes.push_back({fixes::WriteWstring(),
                                             {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""},
                                              {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
                 return unknown(e.range);
@@ -253,7 +252,7 @@ Operand Checker::typedName(const syntax::Expr& e) {
     if (isKind(type, TypeKind::Unknown)) return unknown(e.range);
     const auto it = world.enumsByType.find(type);
     if (it == world.enumsByType.end()) {
-        emit(e.range, Kind::InvalidLiteral, {textOf(e.range), nameOf(type)});
+        emit(e.range, findings::InvalidLiteral(textOf(e.range), nameOf(type)));
         return unknown(e.range);
     }
     EnumType& enumeration = *it->second;
@@ -261,8 +260,8 @@ Operand Checker::typedName(const syntax::Expr& e) {
     for (uint32_t i = 0; i < enumeration.spec->enumerators.size(); ++i)
         if (world.key(enumeration.spec->enumerators[i].name.text) == id)
             return enumerator({&enumeration, i}, e.name.range);
-    world.suggest(emit(e.name.range, Kind::UnknownMember, {nameOf(type), std::string(e.name.text)}), e.name.range,
-                  e.name.text, world.memberNames(enumeration.type));
+    world.suggest(emit(e.name.range, findings::UnknownMember(nameOf(type), e.name.text)), e.name.range, e.name.text,
+                  world.memberNames(enumeration.type));
     return unknown(e.range);
 }
 

@@ -207,7 +207,7 @@ void World::suggest(diagnostics::Diagnostic& diagnostic, SourceRange range, std:
     if (!frozen && ++suggestions > kMaximumSuggestions) return;
     const std::optional<std::string> near = nearestName(name, candidates);
     if (!near) return;
-    diagnostic.fixes.push_back({"Did you mean " + *near + "?", {{range, *near}}});
+    diagnostic.fixes.push_back({fixes::DidYouMean(*near), {{range, *near}}});
 }
 
 } // namespace plc::sema

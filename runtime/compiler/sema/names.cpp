@@ -7,7 +7,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::ExprKind;
 using syntax::SectionKind;
 using types::TypeTable;
@@ -64,7 +63,7 @@ syntax::Access accessOf(const syntax::VarSection* section) {
 
 bool Checker::checkAccess(syntax::Access access, const Unit* owner, const std::string& name, SourceRange range) {
     if (isExpression || isTest || world.isAccessible(access, owner, scope)) return true; // a watch sees everything
-    emit(range, Kind::NoAccess, {name, std::string(accessWord(access))});
+    emit(range, findings::NoAccess(name, accessWord(access)));
     return false;
 }
 
@@ -86,8 +85,8 @@ Denoted Checker::denote(const syntax::Expr& e, Access access, TypeId hint) {
     case ExprKind::Super: {
         Unit* self = scope.unit ? scope.unit->self() : nullptr;
         if (!self || (e.kind == ExprKind::Super && !self->base)) {
-            emit(e.range, Kind::NotAllowedHere,
-                 {e.kind == ExprKind::Super ? "SUPER" : "THIS", self ? self->name : "this place"});
+            emit(e.range, findings::NotAllowedHere(Verbatim(e.kind == ExprKind::Super ? "SUPER" : "THIS"),
+                                                   self ? phrases::In(self->name) : phrases::Here()));
             return {};
         }
         Denoted out = placeOf(thisPlace(e.range));
@@ -110,7 +109,7 @@ tree::Place* Checker::place(const syntax::Expr& e, Access access) {
     const Denoted denoted = denote(e, access);
     if (denoted.kind == DK::Nothing) return nullptr;
     if (denoted.kind == DK::Place) return denoted.place;
-    emit(e.range, Kind::NotAssignable, {textOf(e.range)});
+    emit(e.range, findings::NotAssignable(textOf(e.range)));
     return nullptr;
 }
 
@@ -143,13 +142,13 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
         return out;
     }
     if (!result.ambiguous.empty()) {
-        std::string list;
+        std::vector<std::string> all;
         for (const std::string& where : result.ambiguous)
-            list += (list.empty() ? "" : ", ") + (where.empty() ? std::string("the project") : where);
-        auto& diagnostic = emit(name.range, Kind::AmbiguousName, {std::string(name.text), list});
+            all.push_back((where.empty() ? "" : where + ".") + std::string(name.text));
+        auto& diagnostic = emit(name.range, findings::AmbiguousName(name.text, all));
         for (const std::string& where : result.ambiguous)
             if (!where.empty())
-                diagnostic.fixes.push_back({"Write " + where + "." + std::string(name.text),
+                diagnostic.fixes.push_back({fixes::Write(where + "." + std::string(name.text)),
                                             {{name.range, where + "." + std::string(name.text)}}});
         return {};
     }
@@ -161,11 +160,12 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
                 (ref.type->type == hint || (world.enumsByType.count(hint) && world.enumsByType.at(hint) == ref.type)))
                 chosen = &ref;
         if (chosen) return valueOf(enumerator(*chosen, name.range));
-        std::string list;
-        for (const EnumeratorRef& ref : result.enumerators) list += (list.empty() ? "" : ", ") + ref.type->name;
-        auto& diagnostic = emit(name.range, Kind::AmbiguousName, {std::string(name.text), list});
+        std::vector<std::string> all;
         for (const EnumeratorRef& ref : result.enumerators)
-            diagnostic.fixes.push_back({"Write " + ref.type->name + "." + std::string(name.text),
+            all.push_back(ref.type->name + "." + std::string(name.text));
+        auto& diagnostic = emit(name.range, findings::AmbiguousName(name.text, all));
+        for (const EnumeratorRef& ref : result.enumerators)
+            diagnostic.fixes.push_back({fixes::Write(ref.type->name + "." + std::string(name.text)),
                                         {{name.range, ref.type->name + "." + std::string(name.text)}}});
         return {};
     }
@@ -227,7 +227,7 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
               "MOD", "JMP", "JMPC", "JMPCN", "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "NOT"})
             candidates.emplace_back(op);
     world.suggest(
-        emit(name.range, isInstruction ? Kind::IlUnknownOperator : Kind::UndeclaredName, {std::string(name.text)}),
+        emit(name.range, isInstruction ? findings::IlUnknownOperator(name.text) : findings::UndeclaredName(name.text)),
         name.range, name.text, candidates);
     return {};
 }
@@ -250,7 +250,7 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
     if (variable.isConstant && isFoldable(types, type)) {
         if (const types::Value* value = world.constantOf(variable)) {
             if (!isRead) {
-                emit(range, Kind::NotAssignable, {variable.name + " (a constant)"});
+                emit(range, findings::NotAssignable(phrases::ConstantVariable(variable.name)));
                 return {};
             }
             out.kind = DK::Value;
@@ -289,16 +289,15 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
     }
     case Storage::Local:
         if (isExpression) {
-            emit(range, Kind::NotAllowedInExpression, {variable.name});
+            emit(range, findings::NotAllowedInExpression(variable.name));
             return {};
         }
         place = localPlace(variable.local, type, range);
         break;
     case Storage::Temporary:
         if (isExpression || instance) {
-            emit(range, isExpression ? Kind::NotAllowedInExpression : Kind::NoAccess,
-                 isExpression ? std::vector<std::string>{variable.name}
-                              : std::vector<std::string>{variable.name, "VAR_TEMP"});
+            emit(range, isExpression ? findings::NotAllowedInExpression(variable.name)
+                                     : findings::NoAccess(variable.name, Verbatim("VAR_TEMP")));
             return {};
         }
         place = function ? localPlace(temporaryOf(variable), type, range) : absolutePlace(0, type, -1, range);
@@ -309,16 +308,16 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
     out.isExact = isKind(type, TypeKind::Block) && !variable.isInOut();
     if (variable.isConstant || (variable.section && variable.section->constant && !instance)) {
         out.isReadOnly = true;
-        out.whyReadOnly = variable.name + " (a constant)";
+        out.whyReadOnly = phrases::ConstantVariable(variable.name);
     } else if (instance && !isExpression && !isTest) {
         if (variable.kind == SectionKind::Output && !variable.isProgramInstance && variable.owner &&
             variable.owner->kind == UnitKind::Block) {
             out.isReadOnly = true;
-            out.whyReadOnly = variable.name + " (an output)";
+            out.whyReadOnly = phrases::OutputOfBlock(variable.name);
         } else if (variable.kind == SectionKind::Var && variable.owner && variable.owner->kind == UnitKind::Block &&
                    !isKind(type, TypeKind::Block)) {
             out.isReadOnly = true;
-            out.whyReadOnly = variable.name + " (a local variable of " + variable.owner->name + ")";
+            out.whyReadOnly = phrases::LocalOf(variable.name, variable.owner->name);
         }
     }
     return out;
@@ -328,8 +327,8 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
     const TypeId type = base->type;
     const NameId id = world.key(name.text);
     const auto unknownMember = [&]() -> Denoted {
-        world.suggest(emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)}), name.range,
-                      name.text, world.memberNames(type));
+        world.suggest(emit(name.range, findings::UnknownMember(nameOf(type), name.text)), name.range, name.text,
+                      world.memberNames(type));
         return {};
     };
     switch (types.kind(type)) {
@@ -410,10 +409,10 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
         return out;
     }
     case TypeKind::Pointer: {
-        auto& diagnostic = emit(name.range, Kind::UnknownMember, {nameOf(type), std::string(name.text)});
+        auto& diagnostic = emit(name.range, findings::UnknownMember(nameOf(type), name.text));
         const SourceRange dot{name.range.file, name.range.begin - 1, name.range.begin - 1};
         if (types[types[type].element].findField(name.text))
-            diagnostic.fixes.push_back({"Write ^ to go to what it points to", {{dot, "^"}}});
+            diagnostic.fixes.push_back({fixes::Dereference(), {{dot, "^"}}});
         return {};
     }
     default:
@@ -463,8 +462,8 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
             if (!result.entity.unit && !result.entity.type && !result.space) {
                 std::vector<std::string> candidates;
                 for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
-                world.suggest(emit(e.name.range, Kind::UnknownMember, {result.list->name, std::string(e.name.text)}),
-                              e.name.range, e.name.text, candidates);
+                world.suggest(emit(e.name.range, findings::UnknownMember(result.list->name, e.name.text)), e.name.range,
+                              e.name.text, candidates);
                 return {};
             }
         }
@@ -522,8 +521,8 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
                     return valueOf(value);
                 }
         }
-        world.suggest(emit(e.name.range, Kind::UnknownMember, {textOf(base.range), std::string(e.name.text)}),
-                      e.name.range, e.name.text, world.memberNames(from.type));
+        world.suggest(emit(e.name.range, findings::UnknownMember(textOf(base.range), e.name.text)), e.name.range,
+                      e.name.text, world.memberNames(from.type));
         return {};
     }
     case DK::Unit: {
@@ -552,9 +551,9 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
                 return ofVariable(*member.variable, nullptr, e.range, access);
         }
         if (unit.kind == UnitKind::Program)
-            emit(base.range, Kind::NoValue, {unit.name});
+            emit(base.range, findings::NoValue(unit.name));
         else
-            world.suggest(emit(e.name.range, Kind::UnknownMember, {unit.name, std::string(e.name.text)}), e.name.range,
+            world.suggest(emit(e.name.range, findings::UnknownMember(unit.name, e.name.text)), e.name.range,
                           e.name.text, world.memberNames(unit.type));
         return {};
     }
@@ -563,8 +562,8 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
         if (it != from.list->variables.end()) return ofVariable(*it->second, nullptr, e.range, access);
         std::vector<std::string> candidates;
         for (const auto& [known, variable] : from.list->variables) candidates.push_back(variable->name);
-        world.suggest(emit(e.name.range, Kind::UnknownMember, {from.list->name, std::string(e.name.text)}),
-                      e.name.range, e.name.text, candidates);
+        world.suggest(emit(e.name.range, findings::UnknownMember(from.list->name, e.name.text)), e.name.range,
+                      e.name.text, candidates);
         return {};
     }
     case DK::Space: {
@@ -574,12 +573,12 @@ Denoted Checker::denoteMember(const syntax::Expr& e, Access access, TypeId hint)
             return found(result, e.name, access, hint);
         std::vector<std::string> candidates;
         world.addNames(*from.space, candidates);
-        world.suggest(emit(e.name.range, Kind::UnknownMember, {from.space->qualified, std::string(e.name.text)}),
-                      e.name.range, e.name.text, candidates);
+        world.suggest(emit(e.name.range, findings::UnknownMember(from.space->qualified, e.name.text)), e.name.range,
+                      e.name.text, candidates);
         return {};
     }
     case DK::Standard:
-        emit(base.range, Kind::NoValue, {textOf(base.range)});
+        emit(base.range, findings::NoValue(textOf(base.range)));
         return {};
     }
     return {};

@@ -5,8 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 void World::resolveBases(Unit& unit) {
     if (unit.baseProgress != Progress::Open) return;
     unit.baseProgress = Progress::Working;
@@ -23,21 +21,21 @@ void World::resolveBases(Unit& unit) {
             for (const Unit& other : units)
                 if (other.kind == (wantsInterface ? UnitKind::Interface : UnitKind::Block))
                     candidates.push_back(other.name);
-            suggest(emit(range, Kind::UnknownType, {text}), range, text, candidates);
+            suggest(emit(range, findings::UnknownType(text)), range, text, candidates);
             return nullptr;
         }
         refer(path.back().range, base->symbol, true, false);
         if (base->kind != (wantsInterface ? UnitKind::Interface : UnitKind::Block)) {
-            emit(range, Kind::NotExtendable, {base->name, unit.name});
+            emit(range, findings::NotExtendable(base->name, unit.name));
             return nullptr;
         }
         if (base->isFinal) {
-            emit(range, Kind::FinalExtended, {base->name});
+            emit(range, findings::FinalExtended(base->name));
             return nullptr;
         }
         resolveBases(*base);
         if (base->baseProgress == Progress::Working) {
-            emit(range, Kind::TypeCycle, {unit.name});
+            emit(range, findings::TypeCycle(unit.name));
             return nullptr;
         }
         return base;
@@ -51,14 +49,16 @@ void World::resolveBases(Unit& unit) {
                 Unit* base = resolve(path, false);
                 if (!base) continue;
                 if (unit.base)
-                    emit(joined(path.front().range, path.back().range), Kind::NotExtendable, {base->name, unit.name});
+                    emit(joined(path.front().range, path.back().range), findings::NotExtendable(base->name, unit.name));
                 else
                     unit.base = base;
             }
             if (unit.base) unit.base->isExtended = true;
         } else if (!unit.pou->extends.empty() && !unit.pou->extends.front().empty()) {
-            emit(unit.pou->extends.front().front().range, Kind::NotAllowedHere,
-                 {"EXTENDS", unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION"});
+            emit(unit.pou->extends.front().front().range,
+                 findings::NotAllowedHere(Verbatim("EXTENDS"), unit.kind == UnitKind::Program
+                                                                   ? phrases::InAProgram()
+                                                                   : phrases::InAFunction()));
         }
         for (const syntax::Path& path : unit.pou->implements)
             if (Unit* interface = resolve(path, true)) unit.interfaces.push_back(interface);
@@ -159,7 +159,7 @@ void addProperty(const World& world, const Unit& unit, const Property& property,
     if (property.set) text += "SET\n;\nEND_SET\n";
     const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
     diagnostic.fixes.push_back(
-        {"Add the property " + property.name, {{{unit.range.file, place, place}, text + "END_PROPERTY\n"}}});
+        {fixes::AddProperty(property.name), {{{unit.range.file, place, place}, text + "END_PROPERTY\n"}}});
 }
 
 } // namespace
@@ -170,19 +170,19 @@ void World::checkInheritance(Unit& unit) {
         if (overridden) {
             overridden->isOverridden = true;
             if (overridden->isFinal)
-                emit(method->range, Kind::FinalExtended, {overridden->qualified});
+                emit(method->range, findings::FinalExtended(overridden->qualified));
             else if (!sameShape(*this, *method, *overridden))
-                emit(method->range, Kind::OverrideDiffers, {method->name})
-                    .related.push_back({overridden->range, "overridden here"});
+                emit(method->range, findings::OverrideDiffers(method->name))
+                    .related.push_back({overridden->range, notes::OverriddenHere()});
         } else if (method->isOverride) {
             std::vector<std::string> candidates;
             for (Unit* at = unit.base; at; at = at->base)
                 for (const Unit* other : at->methods) candidates.push_back(other->name);
-            suggest(emit(method->range, Kind::OverridesNothing, {method->name}), method->range, method->name,
+            suggest(emit(method->range, findings::OverridesNothing(method->name)), method->range, method->name,
                     candidates);
         }
         if (method->isAbstract && unit.kind == UnitKind::Block && !unit.isAbstract)
-            emit(method->range, Kind::NotAllowedHere, {"ABSTRACT", unit.name + ", which is not abstract itself"});
+            emit(method->range, findings::NotAllowedHere(Verbatim("ABSTRACT"), phrases::InNotAbstract(unit.name)));
     }
     if (unit.kind != UnitKind::Block) return;
     std::vector<Unit*> interfaces;
@@ -196,8 +196,8 @@ void World::checkInheritance(Unit& unit) {
                 const Property* property = wanted->property;
                 if (property && wanted == property->set && property->get && !methodNamed(unit, property->get->id))
                     continue; // told with GET
-                auto& diagnostic = emit(at, Kind::NotInterfaceImplemented,
-                                        {unit.name, property ? property->name : wanted->name, interface->name});
+                auto& diagnostic = emit(at, findings::NotInterfaceImplemented(
+                                                unit.name, property ? property->name : wanted->name, interface->name));
                 if (property && !made) addProperty(*this, unit, *property, diagnostic);
                 if (!made && wanted->kind == UnitKind::Method && unit.pou->hasEnd && unit.pou->range.file.isValid()) {
                     std::string text = "METHOD " + wanted->name +
@@ -213,12 +213,12 @@ void World::checkInheritance(Unit& unit) {
                         const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
                         if (equalsIgnoringCase(whole.substr(whole.size() - end.size()), end))
                             diagnostic.fixes.push_back(
-                                {"Add the method " + wanted->name, {{{unit.range.file, place, place}, text}}});
+                                {fixes::AddMethod(wanted->name), {{{unit.range.file, place, place}, text}}});
                     }
                 }
             } else if (!sameShape(*this, *made, *wanted)) {
-                emit(made->range, Kind::OverrideDiffers, {made->name})
-                    .related.push_back({wanted->range, "declared here"});
+                emit(made->range, findings::OverrideDiffers(made->name))
+                    .related.push_back({wanted->range, notes::DeclaredHere()});
             }
         }
     }
@@ -226,7 +226,7 @@ void World::checkInheritance(Unit& unit) {
     for (Unit* at = unit.base; at; at = at->base)
         for (Unit* wanted : at->methods)
             if (wanted->isAbstract && methodNamed(unit, wanted->id) == wanted)
-                emit(unit.range, Kind::NotInterfaceImplemented, {unit.name, wanted->name, at->name});
+                emit(unit.range, findings::NotInterfaceImplemented(unit.name, wanted->name, at->name));
 }
 
 void World::assignSlots() {

@@ -7,7 +7,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using lex::TokenKind;
 using library::BinaryOp;
 using types::Family;
@@ -65,7 +64,7 @@ Operand Checker::makeBinary(BinaryOp op, TypeId operandType, Operand a, Operand 
     const Family family = types.family(operandType);
     if (divides && b.isConstant() && std::holds_alternative<int64_t>(b.expr->value.data) &&
         b.expr->value.integer() == 0 && family != Family::Real) {
-        emit(b.expr->range, Kind::DivisionByConstantZero);
+        emit(b.expr->range, findings::DivisionByConstantZero());
         return unknown(range);
     }
     if (a.isConstant() && b.isConstant()) {
@@ -96,11 +95,11 @@ Operand Checker::foldFlexible(BinaryOp op, Operand a, Operand b, SourceRange ran
         };
         types::Value left{elementary(TypeKind::Lreal), number(x)}, right{elementary(TypeKind::Lreal), number(y)};
         if (op == BinaryOp::Modulo) {
-            emit(range, Kind::OperatorNotForType, {"MOD", "REAL"});
+            emit(range, findings::OperatorNotForType(Verbatim("MOD"), Verbatim("REAL")));
             return unknown(range);
         }
         if (op == BinaryOp::Divide && right.real() == 0) {
-            emit(b.expr->range, Kind::DivisionByConstantZero);
+            emit(b.expr->range, findings::DivisionByConstantZero());
             return unknown(range);
         }
         const library::Evaluated folded = library::evaluateBinary(types, op, elementary(TypeKind::Lreal), left, right);
@@ -127,7 +126,7 @@ Operand Checker::foldFlexible(BinaryOp op, Operand a, Operand b, SourceRange ran
     case BinaryOp::Divide:
     case BinaryOp::Modulo:
         if (right == 0) {
-            emit(b.expr->range, Kind::DivisionByConstantZero);
+            emit(b.expr->range, findings::DivisionByConstantZero());
             return unknown(range);
         }
         result = op == BinaryOp::Divide ? left / right : left % right;
@@ -155,7 +154,7 @@ Operand Checker::foldFlexible(BinaryOp op, Operand a, Operand b, SourceRange ran
         return truth(left >= right);
     }
     if (result > static_cast<__int128>(UINT64_MAX) || result < static_cast<__int128>(INT64_MIN)) {
-        emit(range, Kind::ConstantOutOfRange, {textOf(range), "LINT"});
+        emit(range, findings::ConstantOutOfRange(textOf(range), Verbatim("LINT")));
         return unknown(range);
     }
     Operand out = constant({elementary(result > INT64_MAX ? TypeKind::Ulint : TypeKind::Lint),
@@ -170,7 +169,7 @@ Operand Checker::unary(const syntax::Expr& e, TypeId hint) {
     if (operand.isUnknown()) return unknown(e.range);
     if (e.op == TokenKind::Plus) {
         if (!isNumeric(operand.type()) && types.family(operand.type()) != Family::Duration) {
-            emit(e.range, Kind::OperatorNotForType, {"+", nameOf(operand.type())});
+            emit(e.range, findings::OperatorNotForType(Verbatim("+"), nameOf(operand.type())));
             return unknown(e.range);
         }
         return operand;
@@ -193,14 +192,14 @@ Operand Checker::negated(Operand operand, SourceRange range) {
         const types::Value& value = operand.expr->value;
         if (std::holds_alternative<double>(value.data)) return constant({value.type, -value.real()}, range, true);
         if (types.storageKind(value.type) == TypeKind::Ulint && value.integer() != INT64_MIN) {
-            emit(range, Kind::ConstantOutOfRange, {textOf(range), "LINT"});
+            emit(range, findings::ConstantOutOfRange(textOf(range), Verbatim("LINT")));
             return unknown(range);
         }
         return constant({elementary(TypeKind::Lint), static_cast<int64_t>(0 - static_cast<uint64_t>(value.integer()))},
                         range, true);
     }
     if (!isNumeric(operand.type()) && family != Family::Duration) {
-        emit(range, Kind::OperatorNotForType, {"-", nameOf(operand.type())});
+        emit(range, findings::OperatorNotForType(Verbatim("-"), nameOf(operand.type())));
         return unknown(range);
     }
     const TypeId type = types.storage(operand.type());
@@ -225,7 +224,7 @@ Operand Checker::inverted(Operand operand, SourceRange range) {
     if (isStrict(operand)) return unknown(range);
     const Family family = types.family(operand.type());
     if (family != Family::Bool && !types::isInteger(family)) {
-        emit(range, Kind::OperatorNotForType, {"NOT", nameOf(operand.type())});
+        emit(range, findings::OperatorNotForType(Verbatim("NOT"), nameOf(operand.type())));
         return unknown(range);
     }
     const TypeId type = types.storage(operand.type());
@@ -273,7 +272,7 @@ Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Oper
         };
         for (const Operand& o : {a, b}) {
             if (good(o)) continue;
-            emit(o.expr->range, Kind::OperatorNotForType, {std::string(spelling), nameOf(o.type())});
+            emit(o.expr->range, findings::OperatorNotForType(spelling, nameOf(o.type())));
             return unknown(range);
         }
         if (a.isFlexible && b.isFlexible) {
@@ -293,8 +292,7 @@ Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Oper
             const Operand& other = aBool ? b : a;
             type = other.isFlexible ? elementary(TypeKind::Bool) : types.storage(other.type());
             if (!other.isFlexible && types.family(other.type()) != Family::Bits) {
-                emit(operatorRange, Kind::OperandsDoNotMatch,
-                     {std::string(spelling), nameOf(a.type()), nameOf(b.type())});
+                emit(operatorRange, findings::OperandsDoNotMatch(spelling, nameOf(a.type()), nameOf(b.type())));
                 return unknown(range);
             }
         } else {
@@ -332,10 +330,10 @@ Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Oper
         const Operand& wrong = isNumeric(a.type()) ? b : a;
         const bool both = !isNumeric(a.type()) && !isNumeric(b.type());
         if (both && a.type() != b.type())
-            emit(operatorRange, Kind::OperandsDoNotMatch, {std::string(spelling), nameOf(a.type()), nameOf(b.type())});
+            emit(operatorRange, findings::OperandsDoNotMatch(spelling, nameOf(a.type()), nameOf(b.type())));
         else
-            emit(both ? operatorRange : wrong.expr->range, Kind::OperatorNotForType,
-                 {std::string(spelling), nameOf(wrong.type())});
+            emit(both ? operatorRange : wrong.expr->range,
+                 findings::OperatorNotForType(spelling, nameOf(wrong.type())));
         return unknown(range);
     }
     if (a.isFlexible && b.isFlexible) return foldFlexible(op, a, b, range);
@@ -347,7 +345,7 @@ Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Oper
         if (types.family(other.type()) != Family::Real) type = types.storage(hint);
     }
     if (op == BinaryOp::Modulo && types.family(type) == Family::Real) {
-        emit(operatorRange, Kind::OperatorNotForType, {"MOD", nameOf(type)});
+        emit(operatorRange, findings::OperatorNotForType(Verbatim("MOD"), nameOf(type)));
         return unknown(range);
     }
     const auto promote = [&](Operand o) {
@@ -355,7 +353,7 @@ Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Oper
         const tree::Expr& e = *o.expr;
         if (types.family(type) == Family::Real && e.kind == tree::ExprKind::Binary && e.binary == BinaryOp::Divide &&
             types::isInteger(types.family(o.type())))
-            emit(e.range, Kind::IntegerDivisionToReal, {nameOf(type)});
+            emit(e.range, findings::IntegerDivisionToReal(nameOf(type)));
         return convertNode(o, type);
     };
     a = promote(a);
@@ -394,7 +392,7 @@ Operand Checker::arithmeticOnTimes(BinaryOp op, std::string_view spelling, Opera
         b = settled(b);
         if (op == BinaryOp::Divide && b.isConstant() && std::holds_alternative<int64_t>(b.expr->value.data) &&
             b.expr->value.integer() == 0) {
-            emit(b.expr->range, Kind::DivisionByConstantZero);
+            emit(b.expr->range, findings::DivisionByConstantZero());
             return unknown(range);
         }
         return intrinsic(op == BinaryOp::Multiply ? library::Intrinsic::MulDuration : library::Intrinsic::DivDuration,
@@ -402,8 +400,7 @@ Operand Checker::arithmeticOnTimes(BinaryOp op, std::string_view spelling, Opera
     }
     if (g == Family::Duration && isNumeric(a.type()) && op == BinaryOp::Multiply)
         return intrinsic(library::Intrinsic::MulDuration, types.storage(b.type()), {b, settled(a)}, range);
-    emit(operatorRange, Kind::OperandsDoNotMatch,
-         {std::string(spelling), nameOf(settled(a).type()), nameOf(settled(b).type())});
+    emit(operatorRange, findings::OperandsDoNotMatch(spelling, nameOf(settled(a).type()), nameOf(settled(b).type())));
     return unknown(range);
 }
 
@@ -439,8 +436,8 @@ Operand Checker::compare(BinaryOp op, std::string_view spelling, Operand a, Oper
         }
     }
     const auto refuse = [&] {
-        emit(operatorRange, Kind::OperandsDoNotMatch,
-             {std::string(spelling), nameOf(settled(a).type()), nameOf(settled(b).type())});
+        emit(operatorRange,
+             findings::OperandsDoNotMatch(spelling, nameOf(settled(a).type()), nameOf(settled(b).type())));
         return unknown(range);
     };
     const Family f = types.family(a.type()), g = types.family(b.type());
@@ -519,11 +516,11 @@ Operand Checker::compare(BinaryOp op, std::string_view spelling, Operand a, Oper
     }
     if (!isNumeric(a.type()) || !isNumeric(b.type())) {
         if (types.isAggregate(a.type()) && types.isAggregate(b.type())) {
-            emit(operatorRange, Kind::CompareWhole, {std::string(spelling), nameOf(a.type())});
+            emit(operatorRange, findings::CompareWhole(spelling, nameOf(a.type())));
             return unknown(range);
         }
         if (a.type() == b.type()) {
-            emit(operatorRange, Kind::OperatorNotForType, {std::string(spelling), nameOf(a.type())});
+            emit(operatorRange, findings::OperatorNotForType(spelling, nameOf(a.type())));
             return unknown(range);
         }
         return refuse();
@@ -548,7 +545,7 @@ Operand Checker::compare(BinaryOp op, std::string_view spelling, Operand a, Oper
             type = elementary(width == 32 ? TypeKind::Lint : width == 16 ? TypeKind::Dint : TypeKind::Int);
         else {
             type = types.storage(isUnsigned.type());
-            emit(operatorRange, Kind::SignedUnsignedMix, {nameOf(a.type()), nameOf(b.type()), nameOf(type)});
+            emit(operatorRange, findings::SignedUnsignedMix(nameOf(a.type()), nameOf(b.type()), nameOf(type)));
         }
     }
     a = reads(a, type);

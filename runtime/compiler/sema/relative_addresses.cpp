@@ -6,8 +6,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 namespace {
 
 /// As of %MB4: the area does not count. An address with an area is none here.
@@ -44,7 +42,7 @@ bool World::locateMember(types::Field& field, const syntax::VarDecl& declaration
     const auto address = parseRelative(text);
     if (!address || (!address->isOpen && address->byte > kMaximumByte)) {
         if (!hasSyntaxErrorAt(declaration.addressRange))
-            emit(declaration.addressRange, Kind::RelativeAddress, {std::string(text)});
+            emit(declaration.addressRange, findings::RelativeAddress(text));
         return false;
     }
     if (address->isOpen) return false; // AT %B*: wherever there is room
@@ -55,7 +53,7 @@ bool World::locateMember(types::Field& field, const syntax::VarDecl& declaration
         if (kind == TypeKind::Bool)
             field.bit = address->bit;
         else if (kind != TypeKind::Unknown && address->bit != 0)
-            return emit(declaration.addressRange, Kind::TypeMismatch, {std::string(text), nameOf(field.type)}), true;
+            return emit(declaration.addressRange, findings::TypeMismatch(text, nameOf(field.type))), true;
     } else {
         field.bit = -1;
     }
@@ -65,9 +63,8 @@ bool World::locateMember(types::Field& field, const syntax::VarDecl& declaration
     if (isNumber && holds != 8 && has != holds) {
         const char letter = has == 1 ? 'X' : has == 8 ? 'B' : has == 16 ? 'W' : has == 32 ? 'D' : 'L';
         const std::string own = std::string("%") + letter + std::to_string(address->byte) + (has == 1 ? ".0" : "");
-        emit(declaration.addressRange, Kind::AddressSize,
-             {std::string(text), std::to_string(holds), nameOf(field.type), std::to_string(has), own})
-            .fixes.push_back({"Write " + own, {{declaration.addressRange, own}}});
+        emit(declaration.addressRange, findings::AddressSize(text, holds, nameOf(field.type), has, own))
+            .fixes.push_back({fixes::Write(own), {{declaration.addressRange, own}}});
     }
     return true;
 }
@@ -98,16 +95,16 @@ void World::checkMemberOverlaps(const StructType& made, const std::vector<types:
         const size_t later = std::max(a.field, b.field), earlier = std::min(a.field, b.field);
         if (later < inherited) continue;
         const syntax::VarDecl& moved = *declarations[later - inherited];
-        auto& diagnostic = emit(moved.addressRange, Kind::MembersOverlap,
-                                {fields[earlier].name, fields[later].name, std::string(moved.address)});
-        diagnostic.related.push_back({fields[earlier].declaration, "declared here"});
+        auto& diagnostic =
+            emit(moved.addressRange, findings::MembersOverlap(fields[earlier].name, fields[later].name, moved.address));
+        diagnostic.related.push_back({fields[earlier].declaration, notes::DeclaredHere()});
         const std::string place = std::string(fields[later].bit >= 0 ? "%X" : "%B") + std::to_string(free) +
                                   (fields[later].bit >= 0 ? ".0" : "");
-        diagnostic.fixes.push_back({"Move " + fields[later].name + " to " + place, {{moved.addressRange, place}}});
+        diagnostic.fixes.push_back({fixes::MoveTo(fields[later].name, place), {{moved.addressRange, place}}});
         const SourceRange spec = made.spec->range;
         if (textOf(spec).size() > 6 && !made.spec->extends) {
             const SourceRange behind{spec.file, spec.begin + 6, spec.begin + 6};
-            diagnostic.fixes.push_back({"Write STRUCT OVERLAP", {{behind, " OVERLAP"}}});
+            diagnostic.fixes.push_back({fixes::Write(Verbatim("STRUCT OVERLAP")), {{behind, " OVERLAP"}}});
         }
     }
 }

@@ -5,12 +5,11 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using types::Family;
 
 Operand Checker::addressOf(tree::Place* place, TypeId pointer, SourceRange range) {
     if (!hasAddress(place)) {
-        emit(range, Kind::TemporaryReference);
+        emit(range, findings::TemporaryReference());
         return unknown(range);
     }
     takeAddress(place);
@@ -41,17 +40,16 @@ Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
     const types::Type& type = types[array->type];
     if (type.kind == TypeKind::Unknown) return unknown(e.range);
     if (type.kind != TypeKind::Array && type.kind != TypeKind::OpenArray) {
-        emit(arguments.inputs[0]->value->range, Kind::NotAnArray, {textOf(arguments.inputs[0]->value->range)});
+        emit(arguments.inputs[0]->value->range, findings::NotAnArray(textOf(arguments.inputs[0]->value->range)));
         return unknown(e.range);
     }
     if (!dimension.isConstant() || !std::holds_alternative<int64_t>(dimension.expr->value.data)) {
-        emit(arguments.inputs[1]->value->range, Kind::NotConstant);
+        emit(arguments.inputs[1]->value->range, findings::NotConstant());
         return unknown(e.range);
     }
     const int64_t number = dimension.expr->value.integer();
     if (number < 1 || number > static_cast<int64_t>(type.dimensions.size())) {
-        emit(arguments.inputs[1]->value->range, Kind::ConstantIndexOutOfRange,
-             {std::to_string(number), "1", std::to_string(type.dimensions.size())});
+        emit(arguments.inputs[1]->value->range, findings::ConstantIndexOutOfRange(number, 1, type.dimensions.size()));
         return unknown(e.range);
     }
     const TypeId dint = elementary(TypeKind::Dint);
@@ -71,8 +69,9 @@ Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
 
 Operand Checker::sizeCall(const syntax::Expr& e, TypeKind result) {
     if (e.arguments.size() != 1 || !e.arguments[0].value) {
-        emit(e.base->range, e.arguments.empty() ? Kind::MissingArgument : Kind::TooManyArguments,
-             e.arguments.empty() ? std::vector<std::string>{"IN", "SIZEOF"} : std::vector<std::string>{"SIZEOF", "1"});
+        const Verbatim name("SIZEOF");
+        emit(e.base->range, e.arguments.empty() ? findings::MissingArgument(Verbatim("IN"), name)
+                                                : findings::TooManyArguments(name, 1));
         return unknown(e.range);
     }
     const syntax::Expr& argument = *e.arguments[0].value;
@@ -95,7 +94,7 @@ Operand Checker::sizeCall(const syntax::Expr& e, TypeKind result) {
         type = value.type();
     }
     if (!type.isValid()) {
-        emit(argument.range, Kind::NoValue, {textOf(argument.range)});
+        emit(argument.range, findings::NoValue(textOf(argument.range)));
         return unknown(e.range);
     }
     if (!world.frozen) world.completeType(type, argument.range);
@@ -108,22 +107,22 @@ Operand Checker::addressCall(const syntax::Expr& e, bool isReference) {
     const StandardArguments arguments = standardArguments(*signature, e);
     if (!arguments.isGood) return unknown(e.range);
     if (isExpression) {
-        emit(e.range, Kind::NotAllowedInExpression, {std::string(signature->name)});
+        emit(e.range, findings::NotAllowedInExpression(signature->name));
         return unknown(e.range);
     }
     const syntax::Expr& argument = *arguments.inputs[0]->value;
     const Denoted denoted = denote(argument, Access::Address);
     if (denoted.kind == Denoted::Kind::Nothing) return unknown(e.range);
     if (denoted.kind != Denoted::Kind::Place) {
-        emit(argument.range, Kind::TemporaryReference);
+        emit(argument.range, findings::TemporaryReference());
         return unknown(e.range);
     }
     if (isKind(denoted.place->type, TypeKind::OpenArray)) {
-        emit(argument.range, Kind::TemporaryReference);
+        emit(argument.range, findings::TemporaryReference());
         return unknown(e.range);
     }
     if (!function && !isInitialiser && !isMuted) {
-        emit(e.range, Kind::NotConstant);
+        emit(e.range, findings::NotConstant());
         return unknown(e.range);
     }
     return withEnable(addressOf(denoted.place, types.pointer(denoted.place->type), e.range), arguments, e.range);
@@ -134,7 +133,7 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
     if (!isNumeric(base.type()) || !isNumeric(exponent.type())) {
         const Operand& wrong = isNumeric(base.type()) ? exponent : base;
         emit(isNumeric(base.type()) || isNumeric(exponent.type()) ? wrong.expr->range : operatorRange,
-             Kind::OperatorNotForType, {"**", nameOf(wrong.type())});
+             findings::OperatorNotForType(Verbatim("**"), nameOf(wrong.type())));
         return unknown(range);
     }
     const bool realBase = types.family(base.type()) == Family::Real,
@@ -185,12 +184,11 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
 /// __QUERYINTERFACE(from, to): to becomes from's block seen through its interface, or null; gives whether it could.
 Operand Checker::queryCall(const syntax::Expr& e) {
     if (e.arguments.size() != 2 || !e.arguments[0].value || !e.arguments[1].value) {
-        emit(e.base->range, Kind::MissingArgument, {"TO", textOf(e.base->range)});
+        emit(e.base->range, findings::MissingArgument(Verbatim("TO"), textOf(e.base->range)));
         return unknown(e.range);
     }
     if (!function) {
-        emit(e.range, isExpression ? Kind::NotAllowedInExpression : Kind::NotConstant,
-             isExpression ? std::vector<std::string>{textOf(e.base->range)} : std::vector<std::string>{});
+        emit(e.range, isExpression ? findings::NotAllowedInExpression(textOf(e.base->range)) : findings::NotConstant());
         return unknown(e.range);
     }
     Operand from = expression(*e.arguments[0].value);
@@ -199,13 +197,13 @@ Operand Checker::queryCall(const syntax::Expr& e) {
     const TypeId wanted = to.place->type;
     if (!isKind(wanted, TypeKind::Interface) &&
         !(isKind(wanted, TypeKind::Pointer) && isKind(types[wanted].element, TypeKind::Block))) {
-        emit(e.arguments[1].value->range, Kind::OperatorNotForType, {textOf(e.base->range), nameOf(wanted)});
+        emit(e.arguments[1].value->range, findings::OperatorNotForType(textOf(e.base->range), nameOf(wanted)));
         return unknown(e.range);
     }
     if (isKind(from.type(), TypeKind::Block) && from.expr->place)
         from = addressOf(from.expr->place, types.pointer(from.type()), from.expr->range);
     if (!isKind(from.type(), TypeKind::Interface) && !isKind(from.type(), TypeKind::Pointer)) {
-        emit(e.arguments[0].value->range, Kind::OperatorNotForType, {textOf(e.base->range), nameOf(from.type())});
+        emit(e.arguments[0].value->range, findings::OperatorNotForType(textOf(e.base->range), nameOf(from.type())));
         return unknown(e.range);
     }
     tree::Expr* cast = arena.make<tree::Expr>();
@@ -245,7 +243,7 @@ Operand Checker::specialCall(const library::Signature& signature, const syntax::
         if (denoted.kind == Denoted::Kind::Place &&
             (isKind(denoted.place->type, TypeKind::Pointer) || isKind(denoted.place->type, TypeKind::Interface)))
             return inverted(isNull(load(denoted.place, first.range), e.range), e.range);
-        emit(first.range, Kind::NotAPointer, {textOf(first.range)});
+        emit(first.range, findings::NotAPointer(textOf(first.range)));
         return unknown(e.range);
     }
     const Denoted denoted = denote(first, Access::Read);
@@ -253,7 +251,7 @@ Operand Checker::specialCall(const library::Signature& signature, const syntax::
     if (name == "BITADR") {
         const tree::Place* place = denoted.place;
         if (denoted.kind != Denoted::Kind::Place || place->kind != tree::PlaceKind::Absolute) {
-            emit(first.range, Kind::TemporaryReference);
+            emit(first.range, findings::TemporaryReference());
             return unknown(e.range);
         }
         for (const image::Area area : {image::Area::Input, image::Area::Output, image::Area::Memory}) {
@@ -263,12 +261,12 @@ Operand Checker::specialCall(const library::Signature& signature, const syntax::
                                  int64_t(place->offset - range.begin) * 8 + std::max<int64_t>(0, place->bit)},
                                 e.range);
         }
-        emit(first.range, Kind::TemporaryReference);
+        emit(first.range, findings::TemporaryReference());
         return unknown(e.range);
     }
     if (name == "INDEXOF") {
         if (denoted.kind != Denoted::Kind::Unit) {
-            emit(first.range, Kind::NotCallable, {textOf(first.range)});
+            emit(first.range, findings::NotCallable(textOf(first.range)));
             return unknown(e.range);
         }
         return constant({elementary(TypeKind::Dint), int64_t(denoted.unit->function.value)}, e.range);

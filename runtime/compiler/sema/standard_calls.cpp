@@ -7,7 +7,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using library::BinaryOp;
 using library::Generic;
 using library::Rule;
@@ -29,8 +28,9 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
     const auto put = [&](size_t index, const syntax::Argument& argument) {
         if (index >= out.inputs.size()) out.inputs.resize(index + 1);
         if (out.inputs[index]) {
-            emit(argument.name.isValid() ? argument.name.range : argument.range, Kind::ArgumentTwice,
-                 {index < count ? std::string(signature.parameters[index].name) : std::string(argument.name.text)});
+            emit(argument.name.isValid() ? argument.name.range : argument.range,
+                 findings::ArgumentTwice(index < count ? std::string(signature.parameters[index].name)
+                                                       : std::string(argument.name.text)));
             out.isGood = false;
         }
         out.inputs[index] = &argument;
@@ -39,7 +39,7 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
         if (argument.kind == ArgumentKind::Positional) {
             if (!argument.value) continue;
             if (next >= count && !signature.isExtensible) {
-                emit(argument.range, Kind::TooManyArguments, {std::string(signature.name), std::to_string(count)});
+                emit(argument.range, findings::TooManyArguments(signature.name, count));
                 out.isGood = false;
                 break;
             }
@@ -50,8 +50,7 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
             if (equalsIgnoringCase(argument.name.text, "ENO"))
                 out.eno = &argument;
             else {
-                emit(argument.name.range, Kind::UnknownParameter,
-                     {std::string(signature.name), std::string(argument.name.text)});
+                emit(argument.name.range, findings::UnknownParameter(signature.name, argument.name.text));
                 out.isGood = false;
             }
             continue;
@@ -79,8 +78,7 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
         if (!index) {
             std::vector<std::string> candidates;
             for (const library::Parameter& parameter : signature.parameters) candidates.emplace_back(parameter.name);
-            world.suggest(emit(argument.name.range, Kind::UnknownParameter,
-                               {std::string(signature.name), std::string(argument.name.text)}),
+            world.suggest(emit(argument.name.range, findings::UnknownParameter(signature.name, argument.name.text)),
                           argument.name.range, argument.name.text, candidates);
             out.isGood = false;
             continue;
@@ -90,9 +88,9 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
     for (size_t i = 0; i < out.inputs.size(); ++i) {
         if (out.inputs[i] && out.inputs[i]->value) continue;
         if (!out.isGood) break;
-        emit(e.base->range, Kind::MissingArgument,
-             {i < count ? std::string(signature.parameters[i].name) : "IN" + std::to_string(i + 1),
-              std::string(signature.name)});
+        emit(e.base->range,
+             findings::MissingArgument(
+                 i < count ? std::string(signature.parameters[i].name) : "IN" + std::to_string(i + 1), signature.name));
         out.isGood = false;
     }
     return out;
@@ -142,10 +140,10 @@ bool Checker::accepts(const library::Parameter& parameter, const Operand& operan
     }
     if (good) return true;
     if (isKind(type, TypeKind::Void))
-        emit(operand.expr->range, Kind::NoValue, {textOf(operand.expr->range)});
+        emit(operand.expr->range, findings::NoValue(textOf(operand.expr->range)));
     else
-        emit(operand.expr->range, Kind::OperatorNotForType,
-             {std::string(functionName), nameOf(operand.isFlexible ? smallestType(operand) : type)});
+        emit(operand.expr->range,
+             findings::OperatorNotForType(functionName, nameOf(operand.isFlexible ? smallestType(operand) : type)));
     return false;
 }
 
@@ -186,8 +184,8 @@ Operand Checker::makeCommon(std::vector<Operand>& operands, size_t first, const 
         if (world.sameType(strongest->type(), operand.type())) continue;
         const TypeId type = commonType(*strongest, operand);
         if (!type.isValid()) {
-            emit(operand.expr->range, Kind::OperandsDoNotMatch,
-                 {std::string(signature.name), nameOf(strongest->type()), nameOf(operand.type())});
+            emit(operand.expr->range,
+                 findings::OperandsDoNotMatch(signature.name, nameOf(strongest->type()), nameOf(operand.type())));
             return unknown(range);
         }
         Operand probe = load(absolutePlace(0, type, -1, range), range);
@@ -438,12 +436,12 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
     const bool takesText = !from.isValid() || types.isText(from) || types.family(from) == Family::Character;
     Operand operand = expression(value, isTextLiteral && !takesText ? TypeId() : from);
     if (isTextLiteral && !takesText && !operand.isUnknown()) { // 'x' is no number here
-        emit(value.range, Kind::TypeMismatch, {textOf(value.range), nameOf(from)});
+        emit(value.range, findings::TypeMismatch(textOf(value.range), nameOf(from)));
         return unknown(e.range);
     }
     if (operand.isUnknown()) return unknown(e.range);
     if (isKind(operand.type(), TypeKind::Void)) {
-        emit(operand.expr->range, Kind::NoValue, {textOf(operand.expr->range)});
+        emit(operand.expr->range, findings::NoValue(textOf(operand.expr->range)));
         return unknown(e.range);
     }
     const bool isAddress = isKind(operand.type(), TypeKind::Pointer) || isKind(operand.type(), TypeKind::Reference) ||
@@ -465,7 +463,7 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
     if (operand.isUnknown()) return unknown(e.range);
     const Family family = types.family(operand.type());
     if (family == Family::Other && !types.isText(operand.type())) {
-        emit(operand.expr->range, Kind::OperatorNotForType, {std::string(name), nameOf(operand.type())});
+        emit(operand.expr->range, findings::OperatorNotForType(name, nameOf(operand.type())));
         return unknown(e.range);
     }
     TypeId to = idOf(conversion.to);
@@ -484,7 +482,7 @@ Operand Checker::conversionCall(const library::Conversion& conversion, std::stri
     case How::FromBcd:
     case How::ToBcd: {
         if (!types::isInteger(family)) {
-            emit(operand.expr->range, Kind::OperatorNotForType, {std::string(name), nameOf(operand.type())});
+            emit(operand.expr->range, findings::OperatorNotForType(name, nameOf(operand.type())));
             return unknown(e.range);
         }
         const bool toBcd = conversion.how == How::ToBcd;

@@ -5,7 +5,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using lex::TokenKind;
 using syntax::StmtKind;
 
@@ -32,7 +31,7 @@ void Checker::statements(const syntax::Block& block, std::vector<tree::Stmt*>& o
         if (!flow.isReachable && stmt.kind == StmtKind::Label) flow.isReachable = true;
         if (!flow.isReachable && !reported && !insideUnreachable && stmt.kind != StmtKind::Empty &&
             stmt.range.file.isValid() && block.back()->range.file == stmt.range.file && !stmt.origin) {
-            emit(stmt.range, Kind::UnreachableCode);
+            emit(stmt.range, findings::UnreachableCode());
             reported = true;
         }
         const bool outer = std::exchange(insideUnreachable, insideUnreachable || (reported && !flow.isReachable));
@@ -62,7 +61,7 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
     case StmtKind::Exit:
     case StmtKind::Continue:
         if (loops.empty()) {
-            emit(stmt.range, Kind::OutsideLoop, {stmt.kind == StmtKind::Exit ? "EXIT" : "CONTINUE"});
+            emit(stmt.range, findings::OutsideLoop(Verbatim(stmt.kind == StmtKind::Exit ? "EXIT" : "CONTINUE")));
             return;
         }
         if (stmt.kind == StmtKind::Exit) {
@@ -94,8 +93,8 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
     case StmtKind::Compare: {
         if (isTest) return testStatement(stmt, out);
         static constexpr const char* kWords[] = {"RUN", "ASSERT", "FORCE", "RELEASE", "COMPARE"};
-        emit(stmt.range, Kind::TestUnknownStatement,
-             {kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)]});
+        emit(stmt.range, findings::TestUnknownStatement(
+                             Verbatim(kWords[static_cast<int>(stmt.kind) - static_cast<int>(StmtKind::Run)])));
         return;
     }
     }
@@ -109,42 +108,41 @@ Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
         return denoted;
     case Denoted::Kind::Place: {
         if (denoted.isReadOnly) {
-            emit(e.range, Kind::NotAssignable, {denoted.whyReadOnly});
+            emit(e.range, findings::NotAssignable(denoted.whyReadOnly));
             return {};
         }
         const tree::Place* root = rootOf(denoted.place);
         if (root->kind == tree::PlaceKind::Temporary) {
-            emit(e.range, Kind::NotAssignable, {textOf(e.range)});
+            emit(e.range, findings::NotAssignable(textOf(e.range)));
             return {};
         }
         if (root->kind == tree::PlaceKind::Absolute && scope.unit && scope.unit->self() &&
             scope.unit->self()->kind == UnitKind::Program && !scope.unit->self()->isSimulation && !isExpression) {
             const image::AreaRange inputs = world.areaOf(image::Area::Input);
             if (root->offset >= inputs.begin && root->offset < inputs.begin + inputs.size) {
-                auto& diagnostic =
-                    emit(e.range, Kind::NotAssignable, {textOf(e.range) + " (an input; the next scan overwrites it)"});
+                auto& diagnostic = emit(e.range, findings::NotAssignable(phrases::InputAddress(textOf(e.range))));
                 diagnostic.severity = diagnostics::Severity::Warning;
             }
         }
         if (world.options.strict && denoted.variable && denoted.variable->kind == syntax::SectionKind::Input &&
             scope.unit && denoted.variable->owner == scope.unit)
-            emit(e.range, Kind::NotAssignable, {denoted.variable->name + " (an input)"}).severity =
+            emit(e.range, findings::NotAssignable(phrases::Input(denoted.variable->name))).severity =
                 diagnostics::Severity::Warning;
         for (const Variable* variable : loopVariables)
             if (variable == denoted.variable && denoted.place->type == variable->type)
-                emit(e.range, Kind::LoopVariableWritten, {variable->name});
+                emit(e.range, findings::LoopVariableWritten(variable->name));
         if (type) *type = denoted.place->type;
         return denoted;
     }
     case Denoted::Kind::Property:
         if (!denoted.property->set) {
-            emit(e.range, Kind::NotAssignable, {denoted.property->name + " (a property without SET)"});
+            emit(e.range, findings::NotAssignable(phrases::PropertyWithoutSet(denoted.property->name)));
             return {};
         }
         if (type) *type = world.typeOf(denoted.property->set->variables.front());
         return denoted;
     default:
-        emit(e.range, Kind::NotAssignable, {textOf(e.range)});
+        emit(e.range, findings::NotAssignable(textOf(e.range)));
         return {};
     }
 }
@@ -223,7 +221,7 @@ void Checker::assignReference(const Denoted& target, const syntax::Expr& value, 
         if (!address.isUnknown()) out.push_back(assignStmt(place, address.expr, range));
         return;
     }
-    if (place) emit(place->range, Kind::NotAPointer, {textOf(place->range)});
+    if (place) emit(place->range, findings::NotAPointer(textOf(place->range)));
 }
 
 void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, SourceRange range,
@@ -263,8 +261,7 @@ bool Checker::isAssociable(const syntax::Stmt& stmt) {
             if (!own.name.starts_with("__") && types.storageKind(world.typeOf(own)) == TypeKind::Bool)
                 candidates.push_back(own.name);
     }
-    world.suggest(emit(name.range, Kind::UnknownAction, {std::string(name.name.text)}), name.range, name.name.text,
-                  candidates);
+    world.suggest(emit(name.range, findings::UnknownAction(name.name.text)), name.range, name.name.text, candidates);
     return false;
 }
 
@@ -276,7 +273,7 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
         if (denoted.kind == Denoted::Kind::Place)
             assignReference(denoted, value, stmt.range, out);
         else if (denoted.kind != Denoted::Kind::Nothing)
-            emit(stmt.target->range, Kind::NotAPointer, {textOf(stmt.target->range)});
+            emit(stmt.target->range, findings::NotAPointer(textOf(stmt.target->range)));
         return;
     }
     if (value.kind == syntax::ExprKind::ArrayInit || value.kind == syntax::ExprKind::StructInit) {
@@ -335,7 +332,7 @@ void Checker::assignment(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out
     const Operand from = expression(value, type);
     flow = after;
     if (to.kind == Denoted::Kind::Place && isKind(to.place->type, TypeKind::OpenArray)) {
-        emit(stmt.target->range, Kind::NotAssignable, {textOf(stmt.target->range)});
+        emit(stmt.target->range, findings::NotAssignable(textOf(stmt.target->range)));
         return;
     }
     assignTo(to, from, stmt.range, out);
@@ -381,10 +378,10 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
     if (variable.kind == Denoted::Kind::Place && variable.variable) ++variable.variable->reads;
     TypeId type = variable.kind == Denoted::Kind::Place ? variable.place->type : elementary(TypeKind::Unknown);
     if (variable.kind == Denoted::Kind::Property)
-        emit(stmt.target->range, Kind::NotAssignable, {textOf(stmt.target->range)});
+        emit(stmt.target->range, findings::NotAssignable(textOf(stmt.target->range)));
     const bool known = !isKind(type, TypeKind::Unknown);
     if (known && !types::isInteger(types.family(type))) {
-        emit(stmt.target->range, Kind::OperatorNotForType, {"FOR", nameOf(type)});
+        emit(stmt.target->range, findings::OperatorNotForType(Verbatim("FOR"), nameOf(type)));
         type = elementary(TypeKind::Unknown);
     }
     const bool good = !isKind(type, TypeKind::Unknown);
@@ -412,7 +409,7 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
         return operand.isFlexible || operand.isConstant() ? converted(operand, wanted) : converted(operand, wanted);
     };
     if (by.isConstant() && std::holds_alternative<int64_t>(by.expr->value.data) && by.expr->value.integer() == 0)
-        emit(by.expr->range, Kind::EndlessLoop);
+        emit(by.expr->range, findings::EndlessLoop());
     from = limit(from, counted);
     to = limit(to, counted);
     by = good ? converted(by, counted) : by;
@@ -445,7 +442,7 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
     if (!runs && from.isConstant() && to.isConstant() && by.isConstant() && isWritten(stmt.from) &&
         isWritten(stmt.to) && std::holds_alternative<int64_t>(from.expr->value.data) &&
         std::holds_alternative<int64_t>(to.expr->value.data))
-        emit(joined(stmt.from->range, stmt.to->range), Kind::UnreachableCode); // FOR i := 5 TO 1
+        emit(joined(stmt.from->range, stmt.to->range), findings::UnreachableCode()); // FOR i := 5 TO 1
     const bool setInside = flow.isResultSet && (!loops.back().hasExit || loops.back().resultSetAtExit);
     loops.pop_back();
     flow.isReachable = before.isReachable;
@@ -468,7 +465,7 @@ void Checker::whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>&
     const bool endless = made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.isTrue();
     flow = before;
     if (endless && !loop.hasExit && !loop.isLeft && before.isReachable) {
-        emit(stmt.value->range, Kind::EndlessLoop);
+        emit(stmt.value->range, findings::EndlessLoop());
     } else if (endless) {
         flow.isReachable = before.isReachable && loop.hasExit;
         flow.isResultSet = before.isResultSet || loop.resultSetAtExit;
@@ -488,7 +485,7 @@ void Checker::repeatStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>
     if (stmt.value) made->a = condition(*stmt.value);
     if (made->a && made->a->kind == tree::ExprKind::Constant && made->a->value.hasValue() && !made->a->value.isTrue() &&
         !loop.hasExit && !loop.isLeft && flow.isReachable)
-        emit(stmt.value->range, Kind::EndlessLoop);
+        emit(stmt.value->range, findings::EndlessLoop());
     flow.isReachable = before.isReachable && (flow.isReachable || loop.hasExit || before.isReachable);
     flow.isResultSet = before.isResultSet || set;
     if (made->a) out.push_back(made);
@@ -500,7 +497,8 @@ void Checker::returnStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>
         Unit* unit = scope.unit;
         if (!unit || !unit->resultVariable) {
             expression(*stmt.value);
-            emit(stmt.value->range, Kind::NotAllowedHere, {"RETURN with a value", unit ? unit->name : "this place"});
+            emit(stmt.value->range, findings::NotAllowedHere(phrases::ReturnWithValue(),
+                                                             unit ? phrases::In(unit->name) : phrases::Here()));
             return;
         }
         Variable& result = *unit->resultVariable;
@@ -524,7 +522,7 @@ void Checker::declareLabels(const syntax::Block& block) {
             label.range = stmt->name.range;
             const NameId id = world.key(stmt->name.text);
             if (labels.count(id))
-                emit(stmt->name.range, Kind::DuplicateName, {std::string(stmt->name.text)});
+                emit(stmt->name.range, findings::DuplicateName(stmt->name.text));
             else {
                 label.symbol = world.addSymbol(SymbolKind::Label, stmt->name.text,
                                                scope.unit ? scope.unit->qualified : std::string(), stmt->name.range);
@@ -554,8 +552,8 @@ void Checker::jumpStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     if (it == labels.end()) {
         std::vector<std::string> candidates;
         for (const auto& [id, label] : labels) candidates.emplace_back(world.textOf(label.range));
-        world.suggest(emit(stmt.name.range, Kind::UnknownLabel, {std::string(stmt.name.text)}), stmt.name.range,
-                      stmt.name.text, candidates);
+        world.suggest(emit(stmt.name.range, findings::UnknownLabel(stmt.name.text)), stmt.name.range, stmt.name.text,
+                      candidates);
         return;
     }
     it->second.isUsed = true;

@@ -6,8 +6,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
-
 namespace {
 
 bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
@@ -47,14 +45,14 @@ private:
             const std::chrono::milliseconds read(
                 std::clamp<int64_t>(value.expr->value.integer(), -1'000'000'000, 1'000'000'000));
             const std::string text = types::durationText(std::chrono::nanoseconds(read).count());
-            m_world.emit(e.range, Kind::NumberAsDuration, {std::string(m_world.textOf(e.range)), text})
-                .fixes.push_back({"Write " + text, {{e.range, text}}});
+            m_world.emit(e.range, findings::NumberAsDuration(m_world.textOf(e.range), text))
+                .fixes.push_back({fixes::Write(text), {{e.range, text}}});
             return read;
         }
         value = checker.converted(value, time);
         if (value.isUnknown()) return std::nullopt;
         if (!value.isConstant()) {
-            m_world.emit(e.range, Kind::NotConstant);
+            m_world.emit(e.range, findings::NotConstant());
             return std::nullopt;
         }
         return std::chrono::nanoseconds(value.expr->value.integer());
@@ -64,7 +62,8 @@ private:
         const auto priority = m_world.constantInteger(&e, m_scope);
         if (!priority) return;
         if (*priority < 0 || *priority > 1'000'000)
-            m_world.emit(e.range, Kind::ConstantOutOfRange, {std::to_string(*priority), "PRIORITY (0..1000000)"});
+            m_world.emit(e.range,
+                         findings::ConstantOutOfRange(std::to_string(*priority), Verbatim("PRIORITY (0..1000000)")));
         m_task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
     }
 
@@ -73,7 +72,8 @@ private:
         if (!interval) return;
         m_isIntervalZero = interval->count() == 0;
         if (interval->count() < 0)
-            m_world.emit(e.range, Kind::ConstantOutOfRange, {types::durationText(interval->count()), "INTERVAL (0..)"});
+            m_world.emit(e.range, findings::ConstantOutOfRange(types::durationText(interval->count()),
+                                                               Verbatim("INTERVAL (0..)")));
         if (interval->count() > 0) m_task.kind = image::TaskKind::Cyclic; // zero: as if there were none
         m_task.interval = std::max(*interval, std::chrono::nanoseconds(0));
     }
@@ -96,8 +96,8 @@ private:
         } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && !m_declared.interval) {
             m_task.kind = image::TaskKind::Freewheeling; // SINGLE := FALSE
         } else if (denoted.kind != Denoted::Kind::Nothing && denoted.kind != Denoted::Kind::Value) {
-            m_world.emit(e.range, Kind::ConditionNotBool,
-                         {denoted.place ? m_world.nameOf(denoted.place->type) : std::string(m_world.textOf(e.range))});
+            m_world.emit(e.range, findings::ConditionNotBool(denoted.place ? m_world.nameOf(denoted.place->type)
+                                                                           : std::string(m_world.textOf(e.range))));
         }
     }
 
@@ -109,7 +109,7 @@ private:
                 m_task.watchdogSensitivity = static_cast<uint32_t>(std::clamp<int64_t>(*count, 1, 1'000'000));
         } else {
             m_world.suggest(
-                m_world.emit(argument.name.range, Kind::UnknownParameter, {"TASK", std::string(argument.name.text)}),
+                m_world.emit(argument.name.range, findings::UnknownParameter(Verbatim("TASK"), argument.name.text)),
                 argument.name.range, argument.name.text, {"INTERVAL", "SINGLE", "PRIORITY", "WATCHDOG", "SENSITIVITY"});
         }
     }
@@ -128,9 +128,9 @@ private:
 void TaskReader::tellFreewheeling() {
     const SourceRange range = m_declared.interval ? m_declared.interval->range : m_declared.name.range;
     if (!range.file.isValid()) return; // a task without a name is told as that
-    auto& diagnostic = m_world.emit(range, Kind::FreewheelingTask, {std::string(m_declared.name.text)});
+    auto& diagnostic = m_world.emit(range, findings::FreewheelingTask(m_declared.name.text));
     if (m_declared.interval) {
-        diagnostic.fixes.push_back({"Write T#10ms", {{range, "T#10ms"}}});
+        diagnostic.fixes.push_back({fixes::Write(Verbatim("T#10ms")), {{range, "T#10ms"}}});
         return;
     }
     const std::string_view text = m_world.sources[range.file].text();
@@ -140,7 +140,7 @@ void TaskReader::tellFreewheeling() {
     const bool isEmpty = text.find_first_not_of(" \t\r\n", at) == text.find(')', at);
     for (const std::string_view start : {"INTERVAL := T#10ms", "SINGLE := FALSE"})
         diagnostic.fixes.push_back(
-            {"Insert " + std::string(start), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
+            {fixes::Insert(std::string(start)), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
 }
 
 /// Assigns inputs before a program's body, outputs behind it.
@@ -172,9 +172,9 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
             if (isOutput == isInput) continue;
             const Member member = world.findMember(unit, world.key(argument.name.text));
             if (!member.variable) {
-                world.suggest(world.emit(argument.name.range, Kind::UnknownParameter,
-                                         {unit.name, std::string(argument.name.text)}),
-                              argument.name.range, argument.name.text, world.memberNames(unit.type));
+                world.suggest(
+                    world.emit(argument.name.range, findings::UnknownParameter(unit.name, argument.name.text)),
+                    argument.name.range, argument.name.text, world.memberNames(unit.type));
                 continue;
             }
             Variable& parameter = *member.variable;
@@ -185,7 +185,7 @@ void connect(World& world, World::Instance& instance, image::TaskProgram& entry)
                 tree::Place* target = checker.place(*argument.value, Access::ReadWrite);
                 if (!target) continue;
                 if (!world.sameType(target->type, type) || !checker.hasAddress(target)) {
-                    world.emit(argument.value->range, Kind::InOutNeedsVariable, {parameter.name, world.nameOf(type)});
+                    world.emit(argument.value->range, findings::InOutNeedsVariable(parameter.name, world.nameOf(type)));
                     continue;
                 }
                 tree::Place* slot = world.arena.make<tree::Place>();
@@ -243,7 +243,7 @@ std::vector<DeclaredTask> declaredTasks(World& world) {
             const NameId id = world.key(declared->name.text);
             if (std::any_of(tasks.begin(), tasks.end(),
                             [&](const DeclaredTask& d) { return d.id == id && d.resource == &resource; })) {
-                world.emit(declared->name.range, Kind::DuplicateTask, {std::string(declared->name.text)});
+                world.emit(declared->name.range, findings::DuplicateTask(declared->name.text));
                 continue;
             }
             world.addSymbol(SymbolKind::Task, declared->name.text, {}, declared->name.range);
@@ -295,8 +295,8 @@ public:
             if (it == m_declared.end()) {
                 std::vector<std::string> candidates;
                 for (const DeclaredTask& each : m_declared) candidates.push_back(each.task.name);
-                m_world.suggest(m_world.emit(name.range, Kind::UnknownTask, {std::string(name.text)}), name.range,
-                                name.text, candidates);
+                m_world.suggest(m_world.emit(name.range, findings::UnknownTask(name.text)), name.range, name.text,
+                                candidates);
                 continue;
             }
             const auto index = static_cast<size_t>(it - m_declared.begin());
@@ -319,7 +319,7 @@ public:
         if (m_simulation.programs.empty() &&
             std::any_of(m_world.fileOf.begin(), m_world.fileOf.end(),
                         [](const syntax::SyntaxFile* f) { return f && f->library.empty(); }))
-            m_world.emit({}, Kind::NoProgram).severity = diagnostics::Severity::Info;
+            m_world.emit({}, findings::NoProgram()).severity = diagnostics::Severity::Info;
     }
 
     /// All that runs, the most urgent first, simulations behind what they serve.
@@ -346,8 +346,8 @@ private:
             for (World::Instance* instance : byDefault)
                 if (equalsIgnoringCase(instance->variable->name, name)) chosen = instance;
         if (!chosen) {
-            auto& diagnostic = m_world.emit(byDefault[1]->variable->range, Kind::SeveralPrograms);
-            diagnostic.related.push_back({byDefault[0]->variable->range, "the first program"});
+            auto& diagnostic = m_world.emit(byDefault[1]->variable->range, findings::SeveralPrograms());
+            diagnostic.related.push_back({byDefault[0]->variable->range, notes::TheFirstProgram()});
             return;
         }
         m_main.emplace();

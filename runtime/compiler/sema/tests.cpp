@@ -6,7 +6,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::StmtKind;
 
 /// No program holds the block: its variables and statements are checked, nothing is laid out or compiled.
@@ -34,7 +33,7 @@ void World::checkTestNames() {
     for (const Reference& reference : references) {
         const Symbol& symbol = symbols[reference.symbol.index()];
         if (symbol.owner.empty() && isInTests(symbol.declaration) && !isInTests(reference.range))
-            emit(reference.range, Kind::UndeclaredName, {symbol.name});
+            emit(reference.range, findings::UndeclaredName(symbol.name));
     }
 }
 

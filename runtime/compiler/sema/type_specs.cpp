@@ -8,7 +8,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::TypeSpecKind;
 using types::TypeTable;
 
@@ -40,7 +39,7 @@ std::optional<int64_t> World::constantInteger(const syntax::Expr* expr, const Sc
     const Operand operand = checker.expression(*expr);
     if (operand.isUnknown()) return std::nullopt;
     if (!operand.isConstant() || !std::holds_alternative<int64_t>(operand.expr->value.data)) {
-        emit(expr->range, Kind::NotConstant);
+        emit(expr->range, findings::NotConstant());
         return std::nullopt;
     }
     return operand.expr->value.integer();
@@ -79,11 +78,11 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
     std::string text;
     for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
     if (!found.ambiguous.empty() && (found.entity.type || found.entity.unit)) {
-        std::string list;
-        for (const std::string& where : found.ambiguous) list += (list.empty() ? "" : ", ") + where;
-        auto& diagnostic = emit(range, Kind::AmbiguousName, {text, list});
+        std::vector<std::string> all;
+        for (const std::string& where : found.ambiguous) all.push_back(where + "." + text);
+        auto& diagnostic = emit(range, findings::AmbiguousName(text, all));
         for (const std::string& where : found.ambiguous)
-            diagnostic.fixes.push_back({"Write " + where + "." + text, {{range, where + "." + text}}});
+            diagnostic.fixes.push_back({fixes::Write(where + "." + text), {{range, where + "." + text}}});
         return unknown;
     }
     if (found.entity.type) {
@@ -95,14 +94,14 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
         return found.entity.unit->type;
     }
     if (const std::string own(ownNameOf(text)); !own.empty()) {
-        emit(range, Kind::UnknownType, {text}).fixes.push_back({"Write " + own, {{range, own}}});
+        emit(range, findings::UnknownType(text)).fixes.push_back({fixes::Write(own), {{range, own}}});
         return unknown;
     }
     if (path.size() > 1) { // a name of a namespace that has no such type
         const Found around = lookupPath(scope, {path.begin(), path.end() - 1});
         std::vector<std::string> names;
         if (around.space) addNames(*around.space, names);
-        suggest(emit(around.space ? path.back().range : range, Kind::UnknownType, {text}), path.back().range,
+        suggest(emit(around.space ? path.back().range : range, findings::UnknownType(text)), path.back().range,
                 path.back().text, names);
         return unknown;
     }
@@ -118,14 +117,14 @@ TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceR
     for (Space* library : libraries) collect(*library);
     for (const ElementaryName& entry : kElementaryNames) candidates.emplace_back(entry.name);
     candidates.insert(candidates.end(), {"STRING", "WSTRING"});
-    suggest(emit(range, Kind::UnknownType, {text}), range, text, candidates);
+    suggest(emit(range, findings::UnknownType(text)), range, text, candidates);
     return unknown;
 }
 
 TypeId World::resolveDeclared(DeclaredType& declared) {
     if (declared.progress == Progress::Done) return declared.type;
     if (declared.progress == Progress::Working) {
-        emit(declared.declaration->name.range, Kind::TypeCycle, {declared.name});
+        emit(declared.declaration->name.range, findings::TypeCycle(declared.name));
         return TypeTable::of(TypeKind::Unknown);
     }
     declared.progress = Progress::Working;
@@ -179,8 +178,9 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
         if (spec->length) {
             const auto given = constantInteger(spec->length, scope);
             if (given && (*given < 1 || *given > 65535))
-                emit(spec->length->range, Kind::ConstantOutOfRange,
-                     {std::to_string(*given), std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"});
+                emit(spec->length->range,
+                     findings::ConstantOutOfRange(std::to_string(*given),
+                                                  std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"));
             else if (given)
                 length = *given;
         }
@@ -244,8 +244,7 @@ TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
             continue;
         }
         if (*high < *low || *low < INT32_MIN || *high > INT32_MAX) {
-            emit(joined(bounds.low->range, bounds.high->range), Kind::ArraySizeInvalid,
-                 {std::to_string(*low), std::to_string(*high)});
+            emit(joined(bounds.low->range, bounds.high->range), findings::ArraySizeInvalid(*low, *high));
             good = false;
             continue;
         }
@@ -254,7 +253,7 @@ TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
     }
     if (!good || dimensions.empty()) return unknown;
     if (count > (1u << 28)) {
-        emit(spec.range, Kind::ImageTooLarge, {std::to_string(count), std::to_string(1u << 28)});
+        emit(spec.range, findings::ImageTooLarge(count, 1u << 28));
         return unknown;
     }
     return types.array(std::move(dimensions), element);
@@ -264,7 +263,7 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
     const TypeId base = spec.element ? resolveSpec(spec.element, scope) : resolveNamed(spec.path, scope, spec.range);
     if (types.kind(base) == TypeKind::Unknown || spec.bounds.empty()) return base;
     if (!types::isInteger(types.family(base))) {
-        emit(spec.range, Kind::OperatorNotForType, {"a subrange", nameOf(base)});
+        emit(spec.range, findings::OperatorNotForType(phrases::ASubrange(), nameOf(base)));
         return base;
     }
     const auto low = constantInteger(spec.bounds.front().low, scope),
@@ -275,8 +274,8 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
         return value < least || (value > 0 && static_cast<uint64_t>(value) > greatest);
     };
     if (*low > *high || outside(*low) || outside(*high)) {
-        emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range), Kind::ArraySizeInvalid,
-             {std::to_string(*low), std::to_string(*high)});
+        emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range),
+             findings::ArraySizeInvalid(*low, *high));
         return base;
     }
     return types.subrange(types.storage(base), *low, *high);
@@ -293,14 +292,15 @@ TypeId World::typeOf(Variable& variable) {
         Variable* target = lookup(outside, variable.id).entity.variable;
         if (!target || !sameType(typeOf(*target), variable.type)) {
             if (types.kind(variable.type) != TypeKind::Unknown)
-                emit(variable.range, Kind::ExternalNotFound, {variable.name, nameOf(variable.type)});
+                emit(variable.range, findings::ExternalNotFound(variable.name, nameOf(variable.type)));
         } else {
             variable.target = target;
             if (variable.isConstant == false) variable.isConstant = target->isConstant;
         }
     }
     if (variable.kind != syntax::SectionKind::InOut && types.kind(variable.type) == TypeKind::OpenArray) {
-        emit(variable.spec ? variable.spec->range : variable.range, Kind::NotAllowedHere, {"ARRAY[*]", "this section"});
+        emit(variable.spec ? variable.spec->range : variable.range,
+             findings::NotAllowedHere(Verbatim("ARRAY[*]"), phrases::InThisSection()));
         variable.type = TypeTable::of(TypeKind::Unknown);
     }
     variable.typeProgress = Progress::Done;
@@ -346,7 +346,7 @@ bool World::sameType(TypeId a, TypeId b) const {
 
 void World::reportCycle(TypeId type, SourceRange usedAt) {
     const types::Type& t = types[type];
-    emit(usedAt.file.isValid() ? usedAt : t.declaration, Kind::TypeCycle, {t.name});
+    emit(usedAt.file.isValid() ? usedAt : t.declaration, findings::TypeCycle(t.name));
 }
 
 bool World::completeType(TypeId type, SourceRange usedAt) {
@@ -431,8 +431,8 @@ void World::completeEnum(EnumType& enumeration) {
         if (types::isInteger(types.family(named)))
             base = types.storage(named);
         else if (types.kind(named) != TypeKind::Unknown)
-            emit(spec.element ? spec.element->range : spec.range, Kind::OperatorNotForType,
-                 {"an enumeration", nameOf(named)});
+            emit(spec.element ? spec.element->range : spec.range,
+                 findings::OperatorNotForType(phrases::AnEnumeration(), nameOf(named)));
     }
     types.edit(enumeration.type).element = base;
     types.edit(enumeration.type).size = types[base].size;
@@ -445,8 +445,8 @@ void World::completeEnum(EnumType& enumeration) {
             if (const auto value = constantInteger(declared.value, enumeration.scope)) next = *value;
         }
         if (next < least || (next > 0 && static_cast<uint64_t>(next) > greatest))
-            emit(declared.value ? declared.value->range : declared.name.range, Kind::ConstantOutOfRange,
-                 {std::to_string(next), nameOf(base)});
+            emit(declared.value ? declared.value->range : declared.name.range,
+                 findings::ConstantOutOfRange(std::to_string(next), nameOf(base)));
         types.edit(enumeration.type).enumerators[i].value = next;
         next = static_cast<int64_t>(static_cast<uint64_t>(next) + 1);
     }
@@ -459,7 +459,7 @@ void World::completeEnum(EnumType& enumeration) {
         if (value.isConstant() && std::holds_alternative<int64_t>(value.expr->value.data))
             first = value.expr->value.integer();
         else if (!value.isUnknown())
-            emit(enumeration.initial->range, Kind::NotConstant);
+            emit(enumeration.initial->range, findings::NotConstant());
     }
     types::Type& type = types.edit(enumeration.type);
     if (first != 0) {
@@ -478,7 +478,7 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
         base = resolveSpec(made.spec->extends, made.scope);
         if (types.kind(base) != TypeKind::Struct) {
             if (types.kind(base) != TypeKind::Unknown)
-                emit(made.spec->extends->range, Kind::NotExtendable, {nameOf(base), made.name});
+                emit(made.spec->extends->range, findings::NotExtendable(nameOf(base), made.name));
             base = {};
         } else if (completeType(base, made.spec->extends->range)) {
             fields = types[base].fields;
@@ -499,7 +499,7 @@ void World::completeStruct(StructType& made, SourceRange usedAt) {
                 return equalsIgnoringCase(f.name, name.text);
             });
             if (twice) {
-                emit(name.range, Kind::DuplicateName, {std::string(name.text)});
+                emit(name.range, findings::DuplicateName(name.text));
                 continue;
             }
             types::Field field;

@@ -7,7 +7,6 @@
 
 namespace plc::sema {
 
-using diagnostics::Kind;
 using syntax::SectionKind;
 using types::FieldSection;
 using types::TypeTable;
@@ -146,9 +145,9 @@ void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t
         case SectionKind::Global:
         case SectionKind::Access:
         case SectionKind::Config:
-            emit(variable.range, Kind::NotAllowedHere,
-                 {std::string(sectionName(variable.kind)),
-                  unit.kind == UnitKind::Program ? "a PROGRAM" : "a FUNCTION_BLOCK"});
+            emit(variable.range, findings::NotAllowedHere(sectionName(variable.kind), unit.kind == UnitKind::Program
+                                                                                          ? phrases::InAProgram()
+                                                                                          : phrases::InABlock()));
             continue;
         }
         if (variable.isConstant && variable.kind == SectionKind::Var) {
@@ -266,11 +265,11 @@ void World::completeFunction(Unit& unit) {
             !completeType(type, variable.spec ? variable.spec->range : variable.range))
             variable.type = TypeTable::of(TypeKind::Unknown);
         if (variable.declaration && variable.declaration->edge != syntax::VarEdge::None)
-            emit(variable.range, Kind::NotAllowedHere, {"R_EDGE", "a FUNCTION"});
+            emit(variable.range, findings::NotAllowedHere(Verbatim("R_EDGE"), phrases::InAFunction()));
         if (variable.section && (variable.section->retain || variable.section->persistent) &&
             unit.kind == UnitKind::Function)
-            emit(variable.range, Kind::NotAllowedHere,
-                 {variable.section->retain ? "RETAIN" : "PERSISTENT", "a FUNCTION"});
+            emit(variable.range, findings::NotAllowedHere(Verbatim(variable.section->retain ? "RETAIN" : "PERSISTENT"),
+                                                          phrases::InAFunction()));
     }
     for (Variable* parameter : unit.parameters) {
         const tree::LocalKind kind = parameter->kind == SectionKind::Input    ? tree::LocalKind::Input
@@ -298,7 +297,7 @@ void World::completeFunction(Unit& unit) {
         case SectionKind::Temp:
             break;
         default:
-            emit(variable.range, Kind::NotAllowedHere, {std::string(sectionName(variable.kind)), "a FUNCTION"});
+            emit(variable.range, findings::NotAllowedHere(sectionName(variable.kind), phrases::InAFunction()));
             continue;
         }
         if (variable.isConstant) {
@@ -313,7 +312,7 @@ void World::completeFunction(Unit& unit) {
         addLocal(variable, tree::LocalKind::Local);
         if (types.kind(variable.type) == TypeKind::Block && unit.kind == UnitKind::Function &&
             !isLibraryFile(variable.range.file))
-            emit(variable.range, Kind::TimerInFunction, {variable.name});
+            emit(variable.range, findings::TimerInFunction(variable.name));
     }
     symbols[unit.symbol.index()].type = unit.property ? typeOf(unit.variables.front()) : unit.result;
 }

@@ -74,12 +74,12 @@ void World::build(std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
     for (size_t i = 0; i < units.size(); ++i) checkInheritance(units[i]);
     for (Variable& variable : globals)
         if (Unit* unit = unitOf(variable.type); unit && unit->isAbstract && unit->kind == UnitKind::Block)
-            emit(variable.spec ? variable.spec->range : variable.range, Kind::AbstractInstance, {unit->name});
+            emit(variable.spec ? variable.spec->range : variable.range, findings::AbstractInstance(unit->name));
     for (Unit& unit : units)
         for (Variable& variable : unit.variables)
             if (Unit* of = variable.isInOut() ? nullptr : unitOf(variable.type);
                 of && of->isAbstract && of->kind == UnitKind::Block)
-                emit(variable.spec ? variable.spec->range : variable.range, Kind::AbstractInstance, {of->name});
+                emit(variable.spec ? variable.spec->range : variable.range, findings::AbstractInstance(of->name));
     layoutGlobals();
     checkBodies();
     applyVarConfig();
@@ -112,7 +112,7 @@ std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
         const Kind kind = diagnostic.kind;
         if (diagnostic.severity == diagnostics::Severity::Error) world->syntaxErrors.push_back(diagnostic.range);
         if (kind == Kind::StatementInStep) world->useNamesIn(diagnostic.range);
-        world->sink.emit(diagnostic.range, kind) = std::move(diagnostic);
+        world->sink.add(std::move(diagnostic));
     }
     world->build(files);
     auto analysis = std::make_shared<Analysis>();

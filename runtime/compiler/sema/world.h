@@ -43,6 +43,8 @@ struct DirectAddress {
     bool isOpen = false; // %I*
 };
 [[nodiscard]] std::optional<DirectAddress> parseAddress(std::string_view text);
+/// What direct addresses begin with.
+[[nodiscard]] inline std::vector<std::string> addressAreas() { return {"%I", "%Q", "%M"}; }
 
 class Checker;
 
@@ -55,8 +57,8 @@ public:
     [[nodiscard]] NameId key(std::string_view spelling) {
         return frozen ? names.find(spelling) : names.intern(spelling);
     }
-    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Kind kind, std::vector<std::string> arguments = {}) {
-        return (frozen && expressionSink ? *expressionSink : sink).emit(range, kind, std::move(arguments));
+    diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) {
+        return (frozen && expressionSink ? *expressionSink : sink).emit(range, std::move(finding));
     }
     static thread_local diagnostics::Sink*
         expressionSink; // of the expression this thread checks against a frozen World
