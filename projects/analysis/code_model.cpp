@@ -1,5 +1,6 @@
 #include "projects/analysis/code_model.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/sema/tests.h"
 
@@ -365,23 +366,21 @@ std::vector<Use> CodeModel::uses(FileId file, uint32_t offset) const {
 
 Result<std::vector<FileEdits>> CodeModel::rename(FileId file, uint32_t offset, std::string_view newName) const {
     const auto id = symbolAt(file, offset);
-    if (!id) return Error{"There is no name here that can be renamed", ""};
+    if (!id) return Error{errors::NothingToRename(), ""};
     const Symbol& renamed = symbol(*id);
     const auto isLibrary = [&](FileId each) { return !m_checked.analysis->files[each.index()]->library.empty(); };
     if (!renamed.declaration.file.isValid() || isLibrary(renamed.declaration.file))
-        return Error{renamed.name + " belongs to a library and keeps its name", ""};
+        return Error{errors::LibraryKeepsName(renamed.name), ""};
     diagnostics::Sink sink;
     const lex::TokenList tokens = lex::tokenize(FileId(size_t(0)), newName, sink);
     if (tokens.tokens.size() != 2 || tokens.tokens[0].kind != TokenKind::Identifier || sink.hasErrors())
-        return Error{std::string(newName) +
-                         " is not a name: letters, digits and _, beginning with a letter, and no keyword",
-                     ""};
+        return Error{errors::NotAName(newName), ""};
     if (!equalsIgnoringCase(newName, renamed.name))
         if (const auto same = m_byOwner.find(foldCase(renamed.owner)); same != m_byOwner.end())
             for (const uint32_t other : same->second)
                 if (equalsIgnoringCase(m_checked.analysis->symbols[other].name, newName))
-                    return Error{std::string(newName) + " exists already in " +
-                                     (renamed.owner.empty() ? "the project" : renamed.owner),
+                    return Error{renamed.owner.empty() ? errors::NameExistsInProject(newName)
+                                                       : errors::NameExistsIn(newName, renamed.owner),
                                  ""};
     std::vector<FileEdits> out;
     for (const Use& use : uses(file, offset)) {

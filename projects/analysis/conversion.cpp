@@ -1,5 +1,6 @@
 #include "projects/analysis/conversion.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lower/convert.h"
 #include "runtime/compiler/parse/parser.h"
@@ -136,7 +137,7 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
                                TextLanguage to) {
     size_t index = 0;
     while (index < input.files.size() && input.files[index].path != path) ++index;
-    if (index == input.files.size()) return Error{"There is no such file in the project", std::string(path)};
+    if (index == input.files.size()) return Error{errors::NoSuchFileInProject(), std::string(path)};
     const std::string& text = input.files[index].text;
     diagnostics::Sink sink;
     const auto file = parse::parseFile(FileId(index), text, sink);
@@ -144,17 +145,14 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
     collect(file->declarations, all);
     const auto it =
         std::find_if(all.begin(), all.end(), [&](const Found& found) { return equalsIgnoringCase(found.unit, unit); });
-    if (it == all.end()) return Error{"There is no body in ST or IL here", std::string(unit)};
+    if (it == all.end()) return Error{errors::NoBodyToConvert(), std::string(unit)};
     const Found& found = *it;
     const TextLanguage from = found.body->language == BodyLanguage::Il ? TextLanguage::Il : TextLanguage::St;
-    if (from == to)
-        return Error{std::string(unit) +
-                         (to == TextLanguage::St ? " is written in ST already" : " is written in IL already"),
-                     ""};
+    if (from == to) return Error{to == TextLanguage::St ? errors::AlreadySt(unit) : errors::AlreadyIl(unit), ""};
     for (const diagnostics::Diagnostic& d : sink.all())
         if (d.severity == diagnostics::Severity::Error && d.range.begin >= found.header.begin &&
             d.range.begin <= found.header.end)
-            return Error{"Mend the text first: " + d.message(), std::string(unit)};
+            return Error{errors::FixTextFirst(d.message), std::string(unit)};
 
     const Result<lower::ConvertedBody> converted =
         to == TextLanguage::St
@@ -219,8 +217,7 @@ Result<Conversion> convertBody(const driver::BuildInput& input, std::string_view
     const driver::Checked checked = driver::check(after);
     if (errorsOf(checked) > errorsBefore)
         for (const diagnostics::Diagnostic& d : checked.analysis->diagnostics)
-            if (d.severity == diagnostics::Severity::Error)
-                return Error{"It has no like in the other language: " + d.message(), found.unit};
+            if (d.severity == diagnostics::Severity::Error) return Error{errors::NoEquivalent(d.message), found.unit};
     return out;
 }
 

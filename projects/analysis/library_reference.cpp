@@ -1,5 +1,6 @@
 #include "projects/analysis/library_reference.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
 #include "runtime/library/signatures.h"
@@ -294,7 +295,7 @@ std::vector<ReferencePage> libraryReference() {
 Result<int> writeLibraryReference(const std::string& folder) {
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
-    if (failed) return Error{"The folder cannot be made: " + failed.message() + ".", folder};
+    if (failed) return Error{errors::FolderNotCreated(errors::ofSystem(failed)), folder};
     int written = 0;
     for (const ReferencePage& page : libraryReference()) {
         const std::filesystem::path path = std::filesystem::path(folder) / page.fileName;
@@ -302,7 +303,7 @@ Result<int> writeLibraryReference(const std::string& folder) {
         std::ofstream file(path, std::ios::binary | std::ios::trunc);
         file << page.markdown;
         file.close();
-        if (!file) return Error{"The page cannot be written.", path.string()};
+        if (!file) return Error{errors::PageNotWritten(), path.string()};
         ++written;
     }
     return written;

@@ -1,6 +1,7 @@
 // When RETAIN and PERSISTENT values go to and come from disk: restored before the first scan, saved at a stop, a fault,
 // at intervals and at the end. The helper thread saves from the published snapshot, so the scan never waits for a disk.
 #include "projects/session/session_state.h"
+#include "runtime/base/messages.h"
 #include "runtime/controller/retain.h"
 
 #include <cstdio>
@@ -18,16 +19,17 @@ void Session::State::loadRetained() {
         struct stat known {};
         const bool isKept = ::stat(settings.retainFile.c_str(), &known) == 0 && S_ISREG(known.st_mode) &&
                             known.st_size > 0 && std::rename(settings.retainFile.c_str(), aside.c_str()) == 0;
-        shared.retainProblem = leaves.error().text() + (isKept ? "; it is kept as " + aside : "");
+        shared.retainProblem = errors::withPlace(leaves.error());
+        if (isKept) shared.retainProblem = errors::RetainKeptAs(shared.retainProblem, aside);
         return;
     }
     const controller::RetainOutcome outcome = controller::restoreRetained(controller, *leaves);
     if (outcome.lost.empty()) return;
-    std::string names;
-    for (size_t i = 0; i < outcome.lost.size() && i < 8; ++i) names += (i ? ", " : "") + outcome.lost[i];
-    shared.retainProblem = std::to_string(outcome.lost.size()) +
-                           (outcome.lost.size() == 1 ? " retained value does" : " retained values do") +
-                           " not fit the program any more: " + names + (outcome.lost.size() > 8 ? ", …" : "");
+    constexpr size_t kNamed = 8;
+    std::vector<std::string> names(
+        outcome.lost.begin(), outcome.lost.begin() + static_cast<ptrdiff_t>(std::min(kNamed, outcome.lost.size())));
+    if (outcome.lost.size() > kNamed) names.push_back("…");
+    shared.retainProblem = errors::RetainLost(outcome.lost.size(), std::move(names));
 }
 
 Result<void> Session::State::saveRetained(const image::Layout& layout, std::span<const std::byte> image) const {
@@ -58,7 +60,7 @@ void Session::State::tick() {
     const Result<void> saved = saveRetained(newest.program->layout, newest.image);
     {
         const std::lock_guard lock(mutex);
-        shared.retainProblem = saved ? std::string() : saved.error().text();
+        shared.retainProblem = saved ? Message() : errors::withPlace(saved.error());
     }
     if (saved) post(When::Now, [this] { controller.report(controller::EventKind::RetainSaved, {}); });
 }

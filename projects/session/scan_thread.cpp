@@ -1,6 +1,7 @@
 // The scan thread: drains commands at scan boundaries, paces the scans, publishes what they made, serves commands at a
 // breakpoint (D8).
 #include "projects/session/session_state.h"
+#include "runtime/base/messages.h"
 
 #include <algorithm>
 #include <ctime>
@@ -137,7 +138,7 @@ void Session::State::scanFast() {
 /// At most one mark a second, and one when the scans end: all of them are counted in the end.
 void Session::State::reportSkipped(int64_t now) {
     if (controller.skippedScans() == skippedReported) return;
-    controller.report(EventKind::SkippedScans, std::to_string(controller.skippedScans() - skippedReported));
+    controller.report(EventKind::SkippedScans, errors::Count(controller.skippedScans() - skippedReported));
     skippedReported = controller.skippedScans();
     skippedReportedAt = now;
 }
@@ -194,9 +195,7 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
                 writes.apply(controller, false, newRefusals);
             } else {
                 leavesScan = command->when == When::Leave;
-                if (!leavesScan)
-                    newRefusals.push_back(
-                        "the online change waits for the end of the scan that stands at a breakpoint");
+                if (!leavesScan) newRefusals.push_back({errors::OnlineChangeWaits(), {}});
                 deferred.push_back(std::move(*command));
             }
         }
@@ -212,7 +211,7 @@ debug::Going Session::State::serveHalt(const debug::Halt& halt) {
     }
     isHalted = false;
     haltFrames.clear();
-    haltProblem.clear();
+    haltProblem = {};
     needsAnchor = true;
     sharedIsStale = true;
     if (!leavesScan) state.store(PlcState::Running, std::memory_order_relaxed);
@@ -262,7 +261,7 @@ void Session::State::putShared() {
     for (controller::Event& event : newEvents) shared.events.push_back(std::move(event));
     newEvents.clear();
     for (; shared.events.size() > kEventsKept; ++shared.firstEvent) shared.events.pop_front();
-    for (std::string& refusal : newRefusals) shared.refusals.push_back(std::move(refusal));
+    for (Error& refusal : newRefusals) shared.refusals.push_back(std::move(refusal));
     newRefusals.clear();
     sharedIsStale = false;
     state.store(isHalted ? PlcState::Halted : controller.state(), std::memory_order_relaxed);

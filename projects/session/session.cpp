@@ -2,6 +2,7 @@
 
 #include "projects/session/session_state.h"
 #include "runtime/base/assert.h"
+#include "runtime/base/messages.h"
 #include "runtime/controller/retain.h"
 #include "runtime/debug/frames.h"
 
@@ -46,7 +47,7 @@ void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
         const std::lock_guard lock(mutex); // the quick code goes on
         optimising = nullptr;
         if (done || progress->isCancelled()) return;
-        shared.refusals.push_back("the program could not be optimised: " + done.error().text());
+        shared.refusals.push_back({errors::NotOptimised(done.error().message), done.error().place});
     });
 }
 
@@ -217,14 +218,13 @@ void Session::release(std::string path) {
 
 void Session::force(std::string path, types::Value value) {
     m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)] {
-        if (const Result<void> done = s->controller.force(path, value); !done)
-            s->newRefusals.push_back(done.error().text());
+        if (const Result<void> done = s->controller.force(path, value); !done) s->newRefusals.push_back(done.error());
     });
 }
 
 void Session::unforce(std::string path) {
     m->post(When::Now, [s = m.get(), path = std::move(path)] {
-        if (const Result<void> done = s->controller.release(path); !done) s->newRefusals.push_back(done.error().text());
+        if (const Result<void> done = s->controller.release(path); !done) s->newRefusals.push_back(done.error());
     });
 }
 
@@ -259,7 +259,7 @@ std::vector<controller::Event> Session::eventsSince(size_t index) const {
     return {m->shared.events.begin() + static_cast<std::ptrdiff_t>(skipped), m->shared.events.end()};
 }
 
-std::vector<std::string> Session::takeRefusals() {
+std::vector<Error> Session::takeRefusals() {
     const std::lock_guard lock(m->mutex);
     return std::exchange(m->shared.refusals, {});
 }
@@ -298,7 +298,7 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
     auto built = std::make_shared<const driver::Built>(std::move(next));
     if (!built->program) {
         controller::OnlineChangeReport refused;
-        refused.refusal = built->failure.empty() ? "the program has errors" : built->failure;
+        refused.refusal = built->failure.isEmpty() ? errors::ProgramHasErrors() : built->failure;
         if (done) done(refused);
         return;
     }
@@ -307,9 +307,9 @@ void Session::changeProgram(driver::Built next, std::function<void(const control
                 const driver::Built* before = s->current.load();
                 s->adopt(built); // before the controller tells its observers
                 const controller::OnlineChangeReport report = s->controller.changeProgram(built->program);
-                if (!report.refusal.empty()) {
+                if (!report.refusal.isEmpty()) {
                     s->current.store(before);
-                    s->newRefusals.push_back(report.refusal);
+                    s->newRefusals.push_back({report.refusal, {}});
                 } else {
                     if (breakpoints) s->breakpoints = *breakpoints;
                     if (s->debugger && breakpoints)
@@ -328,9 +328,9 @@ Result<void> Session::resumeFrom(history::Position position) {
     std::shared_ptr<const image::CompiledProgram> program;
     const std::optional<history::ScanStamp> stamp = m->history.stamp(position);
     std::vector<std::byte> image = m->history.seek(position, &program);
-    if (image.empty() || !stamp || !program) return Error{"that scan is not in the recording any more", {}};
+    if (image.empty() || !stamp || !program) return Error{errors::ScanNotRecorded(), {}};
     std::shared_ptr<const driver::Built> built = m->versions->of(program.get());
-    if (!built) return Error{"the program that recorded that scan is not at hand any more", {}};
+    if (!built) return Error{errors::RecordedProgramGone(), {}};
     auto finished = std::make_shared<std::promise<void>>();
     std::future<void> wait = finished->get_future();
     m->post(When::Leave, [s = m.get(), program, image = std::move(image), at = *stamp, built, finished] {
@@ -392,7 +392,7 @@ std::vector<FaultFrame> Session::haltFrames() const {
     return m->shared.frames;
 }
 
-std::string Session::haltProblem() const {
+Message Session::haltProblem() const {
     const std::lock_guard lock(m->mutex);
     return m->shared.haltProblem;
 }

@@ -34,7 +34,7 @@ struct Status {
     history::Position position = 0; // newest recorded
     uint64_t halts = 0;             // how often the scan came to stand; its frames are at hand
     uint64_t skippedScans = 0;
-    std::string retainProblem;
+    Message retainProblem;
 };
 
 /// A finished scan, or the state at a breakpoint, with the version of the program it belongs to.
@@ -96,7 +96,7 @@ public:
     /// Index counts from the first event of the session; of very many only the newest are kept.
     [[nodiscard]] std::vector<controller::Event> eventsSince(size_t index) const;
     /// Refusals of posted commands (unknown path, wrong type, forced): text per command, oldest first, taken once.
-    [[nodiscard]] std::vector<std::string> takeRefusals();
+    [[nodiscard]] std::vector<Error> takeRefusals();
     /// The work on the optimised code, while it goes on; cancelled, the quick code stays. Else null.
     [[nodiscard]] std::shared_ptr<Progress> optimising() const;
     /// Newest finished image (a copy of the published snapshot); at a breakpoint the image as it is now.
@@ -117,7 +117,7 @@ public:
     void runTo(FileId file, uint32_t line);
     [[nodiscard]] std::vector<FaultFrame> haltFrames() const;
     /// Why it stands: a condition that can not be evaluated, else empty.
-    [[nodiscard]] std::string haltProblem() const;
+    [[nodiscard]] Message haltProblem() const;
     /// Name and value of the locals of a frame of haltFrames(); after a fault, of the fault's call path as it was then.
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;
 

@@ -59,9 +59,9 @@ struct Session::State final : controller::ScanObserver {
         std::vector<controller::TaskStatistics> tasks;
         std::deque<controller::Event> events; // the newest
         size_t firstEvent = 0;                // how many older ones are gone
-        std::vector<std::string> refusals;
+        std::vector<Error> refusals;
         std::vector<controller::FaultFrame> frames; // while halted, innermost first
-        std::string haltProblem, retainProblem;
+        Message haltProblem, retainProblem;
         std::shared_ptr<const FaultImage> faultImage; // while there is a fault
     };
     mutable std::mutex mutex;
@@ -82,9 +82,9 @@ struct Session::State final : controller::ScanObserver {
     bool savesRetain = false;  // once the snapshot that shall be saved is published
     bool sharedIsStale = true; // something below or in the controller has to get into `shared`
     std::vector<controller::Event> newEvents;
-    std::vector<std::string> newRefusals;
+    std::vector<Error> newRefusals;
     std::vector<controller::FaultFrame> haltFrames;
-    std::string haltProblem;
+    Message haltProblem;
     std::shared_ptr<const FaultImage> faultImage;
     int64_t lastPublish = 0, lastShare = 0, busyNs = 0, loadSince = 0;
     uint64_t skippedReported = 0;

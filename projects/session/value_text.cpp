@@ -1,5 +1,6 @@
 #include "projects/session/value_text.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
 
@@ -13,56 +14,64 @@ using types::Family;
 using types::TypeKind;
 using types::Value;
 
-std::string namesOf(const types::TypeTable& types, types::TypeId type, const std::string& text) {
+Message namesOf(const types::TypeTable& types, types::TypeId type, const std::string& text) {
     std::vector<std::string> names;
     for (types::TypeId id = type; types.kind(id) == TypeKind::Enum || types.kind(id) == TypeKind::Subrange;
          id = types[id].element)
         for (const types::Enumerator& each : types[id].enumerators) names.push_back(each.name);
-    if (const auto near = nearestName(text, names)) return "; did you mean " + *near + "?";
-    std::string out;
-    for (size_t i = 0; i < names.size() && i < 8; ++i) out += (i ? ", " : "; its values are ") + names[i];
-    return out + (names.size() > 8 ? ", …" : "");
+    if (const auto near = nearestName(text, names)) return errors::DidYouMean(*near);
+    constexpr size_t kNamed = 8;
+    if (names.size() > kNamed) {
+        names.resize(kNamed);
+        names.push_back("…");
+    }
+    return errors::ItsValuesAre(std::move(names));
 }
 
-/// What to write instead, as the end of a message.
-std::string remedy(const types::TypeTable& types, types::TypeId type, const std::string& text) {
+/// What to write instead; empty where there is no example.
+Message remedy(const types::TypeTable& types, types::TypeId type, const std::string& text) {
     if (types.kind(type) == TypeKind::Enum) return namesOf(types, type, text);
     switch (types.storageKind(type)) {
     case TypeKind::String:
-        return "; write it in quotes, 'text', in the characters of Latin-1";
+        return errors::WriteString(Verbatim("'text'"));
     case TypeKind::Wstring:
-        return "; write it in quotes, \"text\"";
+        return errors::WriteQuoted(Verbatim("\"text\""));
     case TypeKind::Char:
-        return "; write one character in quotes, 'A'";
+        return errors::WriteCharacter(Verbatim("'A'"));
     case TypeKind::Wchar:
-        return "; write one character in quotes, \"A\"";
+        return errors::WriteCharacter(Verbatim("\"A\""));
     case TypeKind::Array:
-        return "; write all elements, [1, 2], or one of them by its index";
+        return errors::WriteElements(Verbatim("[1, 2]"));
     case TypeKind::Struct:
-        return "; write its members, (x := 1, y := 2), or one of them by its path";
+        return errors::WriteMembers(Verbatim("(x := 1, y := 2)"));
     default:
         break;
     }
     switch (types.family(type)) {
     case Family::Bool:
-        return "; write TRUE or FALSE";
+        return errors::WriteOneOf(Verbatim("TRUE"), Verbatim("FALSE"));
     case Family::Duration:
-        return "; write for example T#1s500ms";
+        return errors::WriteForExample(Verbatim("T#1s500ms"));
     case Family::Date:
-        return "; write for example D#2026-01-31";
+        return errors::WriteForExample(Verbatim("D#2026-01-31"));
     case Family::TimeOfDay:
-        return "; write for example TOD#06:30:00";
+        return errors::WriteForExample(Verbatim("TOD#06:30:00"));
     case Family::DateTime:
-        return "; write for example DT#2026-01-31-06:30:00";
+        return errors::WriteForExample(Verbatim("DT#2026-01-31-06:30:00"));
     case Family::Real:
-        return "; write a number, for example 1.5";
+        return errors::WriteNumber(Verbatim("1.5"));
     case Family::Bits:
     case Family::Signed:
     case Family::Unsigned:
-        return "; write a whole number, for example 5";
+        return errors::WriteInteger(Verbatim("5"));
     default:
         return {};
     }
+}
+
+Error withRemedy(Message message, Message remedy) {
+    if (remedy.isEmpty()) return Error{std::move(message), {}};
+    return Error{errors::WithRemedy(std::move(message), std::move(remedy)), {}};
 }
 
 /// What a conversion would silently lose: a fraction, the size of a number, which of many numbers a BOOL was.
@@ -84,7 +93,7 @@ Result<Value> parseValue(const driver::Checked& checked, types::TypeId type, con
                          const std::string& path) {
     const types::TypeTable& types = *checked.analysis->program->types;
     const std::string typeName = types[type].name;
-    const Error wrong{text + " is not a value for " + path + ", which is " + typeName + remedy(types, type, text), ""};
+    const Error wrong = withRemedy(errors::NotAValue(text, path, typeName), remedy(types, type, text));
     const auto asShown = [&]() -> Result<Value> { // as a value is printed: whole arrays, characters, NaN
         if (auto value = types::parseValue(types, type, text)) return *value;
         return wrong;
@@ -105,7 +114,7 @@ Result<Value> parseValue(const driver::Checked& checked, types::TypeId type, con
     Value value = types::convert(types, outcome.value, type, &ok);
     if (!ok) return wrong;
     if (isLost(types, type, outcome.value, value))
-        return Error{text + " does not fit into " + path + ", which is " + typeName + remedy(types, type, text), ""};
+        return withRemedy(errors::ValueLosesData(text, path, typeName), remedy(types, type, text));
     return value;
 }
 

@@ -22,10 +22,10 @@ bool allRanSince(const std::vector<uint64_t>& before, const std::vector<uint64_t
 
 } // namespace
 
-void WriteQueue::sortIn(const image::Layout& layout, Request request, std::vector<std::string>& refusals) {
+void WriteQueue::sortIn(const image::Layout& layout, Request request, std::vector<Error>& refusals) {
     const Result<image::Place> place = layout.find(request.path);
     if (!place) {
-        refusals.push_back(request.path + ": " + place.error().message);
+        refusals.push_back({place.error().message, request.path});
         return;
     }
     request.place = *place;
@@ -39,7 +39,7 @@ void WriteQueue::sortIn(const image::Layout& layout, Request request, std::vecto
 }
 
 /// The program was exchanged: the paths are looked up again.
-void WriteQueue::rebind(const image::CompiledProgram& program, std::vector<std::string>& refusals) {
+void WriteQueue::rebind(const image::CompiledProgram& program, std::vector<Error>& refusals) {
     m_program = &program;
     std::vector<Lane> lanes = std::exchange(m_lanes, {});
     for (Held& held : m_held) {
@@ -50,7 +50,7 @@ void WriteQueue::rebind(const image::CompiledProgram& program, std::vector<std::
         for (Request& request : lane.waiting) sortIn(program.layout, std::move(request), refusals);
 }
 
-void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals) {
+void WriteQueue::apply(controller::Controller& controller, bool areScansComing, std::vector<Error>& refusals) {
     if (isEmpty()) return;
     if (&controller.program() != m_program) rebind(controller.program(), refusals);
     for (; !m_fresh.empty(); m_fresh.pop_front())
@@ -69,7 +69,7 @@ void WriteQueue::apply(controller::Controller& controller, bool areScansComing, 
 }
 
 bool WriteQueue::carryOut(Request& request, controller::Controller& controller, bool areScansComing,
-                          std::vector<std::string>& refusals) {
+                          std::vector<Error>& refusals) {
     const auto held =
         std::find_if(m_held.begin(), m_held.end(), [&](const Held& h) { return h.place == request.place; });
     types::Value value = request.value;
@@ -81,7 +81,7 @@ bool WriteQueue::carryOut(Request& request, controller::Controller& controller, 
     if (held != m_held.end()) m_held.erase(held);
     const Result<void> done = controller.write(request.path, value);
     if (!done)
-        refusals.push_back(done.error().text());
+        refusals.push_back(done.error());
     else if (request.kind == Kind::Press)
         m_held.push_back({request.path, request.place, request.released, controller.cyclicRuns()});
     return true;

@@ -19,7 +19,7 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_fresh.empty() && m_lanes.empty(); }
     /// At a scan boundary: carries out what may be. `areScansComing`: else nothing has to wait. Refusals go to
     /// `refusals`.
-    void apply(controller::Controller& controller, bool areScansComing, std::vector<std::string>& refusals);
+    void apply(controller::Controller& controller, bool areScansComing, std::vector<Error>& refusals);
 
 private:
     enum class Kind : uint8_t { Write, Press, Release };
@@ -41,11 +41,11 @@ private:
         types::Value released;
         std::vector<uint64_t> runs; // of the cyclic tasks at the press
     };
-    void sortIn(const image::Layout& layout, Request request, std::vector<std::string>& refusals);
-    void rebind(const image::CompiledProgram& program, std::vector<std::string>& refusals);
+    void sortIn(const image::Layout& layout, Request request, std::vector<Error>& refusals);
+    void rebind(const image::CompiledProgram& program, std::vector<Error>& refusals);
     /// False: it has to wait.
     [[nodiscard]] bool carryOut(Request& request, controller::Controller& controller, bool areScansComing,
-                                std::vector<std::string>& refusals);
+                                std::vector<Error>& refusals);
 
     std::deque<Request> m_fresh;
     std::vector<Lane> m_lanes;

@@ -1,5 +1,6 @@
 #include "projects/storage/project_file.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
 
@@ -20,15 +21,15 @@ using Json = nlohmann::ordered_json;
 
 Result<std::string> readFile(const std::string& path) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored)) return Error{"This is a folder, a file is needed", path};
+    if (fs::is_directory(path, ignored)) return Error{errors::FolderNotFile(), path};
     struct stat known {};
     if (::stat(path.c_str(), &known) == 0 && (S_ISCHR(known.st_mode) || S_ISBLK(known.st_mode)))
-        return Error{"This is a device, a file is needed", path};
+        return Error{errors::DeviceNotFile(), path};
     std::ifstream in(path, std::ios::binary);
-    if (!in) return Error{std::string("The file can not be read: ") + std::strerror(errno), path};
+    if (!in) return Error{errors::FileNotRead(errors::ofSystem(errno)), path};
     std::ostringstream text;
     text << in.rdbuf();
-    if (in.bad()) return Error{std::string("The file can not be read: ") + std::strerror(errno), path};
+    if (in.bad()) return Error{errors::FileNotRead(errors::ofSystem(errno)), path};
     return text.str();
 }
 
@@ -37,22 +38,21 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
         if (const auto old = readFile(path); old && *old == content) return {};
     }
     struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
-        return Error{"This is not a file that can be replaced; name another one", path};
+    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), path};
     // A link is followed, so that the file it names is exchanged and the link stays.
     std::error_code ignored;
     const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
     const std::string temporary = target.string() + ".saving-" + std::to_string(::getpid());
-    const auto fail = [&](const char* what) -> Error {
+    const auto fail = [&](const auto& what) -> Error {
         const int code = errno;
         ::unlink(temporary.c_str());
-        const std::string remedy = code == ENOSPC   ? "; free some space and save again"
-                                   : code == EACCES ? "; check the permissions of the folder"
-                                                    : "";
-        return {std::string(what) + ": " + std::strerror(code) + remedy, path};
+        Message why = errors::ofSystem(code);
+        if (code == ENOSPC) why = errors::FreeSpace(std::move(why));
+        if (code == EACCES) why = errors::CheckPermissions(std::move(why));
+        return {what(std::move(why)), path};
     };
     const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) return fail("The file can not be written");
+    if (file < 0) return fail(errors::FileNotWritten);
     if (std::error_code none; fs::exists(target, none))
         fs::permissions(temporary, fs::status(target, none).permissions(), none);
     for (size_t done = 0; done < content.size();) {
@@ -62,7 +62,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
             const int code = errno;
             ::close(file);
             errno = code;
-            return fail("The file can not be written");
+            return fail(errors::FileNotWritten);
         }
         done += static_cast<size_t>(n);
     }
@@ -70,10 +70,10 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
         const int code = errno;
         ::close(file);
         errno = code;
-        return fail("The file can not be written");
+        return fail(errors::FileNotWritten);
     }
     ::close(file);
-    if (::rename(temporary.c_str(), target.c_str()) != 0) return fail("The file can not be exchanged");
+    if (::rename(temporary.c_str(), target.c_str()) != 0) return fail(errors::FileNotReplaced);
     const std::string folder = target.parent_path().empty() ? "." : target.parent_path().string();
     if (const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); directory >= 0) {
         ::fsync(directory);
@@ -151,15 +151,13 @@ Result<Project> openFolder(const fs::path& folder) {
         const auto text = readFile(file.string());
         if (!text) return text.error();
         JsonText<Json> json = readJson<Json>(*text);
-        if (!json.isGood())
-            return Error{"project.json is not valid JSON; look for a missing comma, quote or bracket",
-                         file.string() + ":" + std::to_string(json.line)};
+        if (!json.isGood()) return Error{errors::ProjectNotJson(), file.string() + ":" + std::to_string(json.line)};
         project.json = std::move(json.value);
-        if (!project.json.is_object()) return Error{"project.json must hold one JSON object", file.string()};
+        if (!project.json.is_object()) return Error{errors::ProjectNotObject(), file.string()};
     } else {
         std::error_code none;
         if (!fs::is_directory(folder / "src", none) && filesIn(folder, ".st").empty())
-            return Error{"This folder holds neither a project.json nor ST files", folder.string()};
+            return Error{errors::NoProjectInFolder(), folder.string()};
         project.json = Json::object();
     }
     const Json& json = project.json;
@@ -169,9 +167,7 @@ Result<Project> openFolder(const fs::path& folder) {
         library = foldCase(library);
         const auto known = driver::libraryNames();
         if (library != "standard" && std::find(known.begin(), known.end(), library) == known.end()) {
-            std::string all;
-            for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-            return Error{"There is no library \"" + library + "\"; known are " + all, file.string()};
+            return Error{errors::NoLibrary(library, {{known.begin(), known.end()}}), file.string()};
         }
     }
     if (json.contains("hmi") && json["hmi"].is_object()) {
@@ -202,7 +198,7 @@ Result<Project> openFolder(const fs::path& folder) {
 } // namespace
 
 Result<Project> openProject(const std::vector<std::string>& paths) {
-    if (paths.empty()) return Error{"Name a project folder or ST files", ""};
+    if (paths.empty()) return Error{errors::NameAProject(), ""};
     std::error_code ignored;
     fs::path first = paths.front();
     if (paths.size() == 1 && first.filename() == "project.json")
@@ -214,8 +210,8 @@ Result<Project> openProject(const std::vector<std::string>& paths) {
     project.json = Json::object();
     std::vector<fs::path> known; // a file named twice, also through a link, is one file
     for (const std::string& path : paths) {
-        if (!fs::exists(path, ignored)) return Error{"There is no such file or folder", path};
-        if (fs::is_directory(path, ignored)) return Error{"Name one project folder, or ST files, not both", path};
+        if (!fs::exists(path, ignored)) return Error{errors::NoSuchFileOrFolder(), path};
+        if (fs::is_directory(path, ignored)) return Error{errors::NotBothFolderAndFiles(), path};
         fs::path real = fs::canonical(path, ignored);
         if (!ignored && std::find(known.begin(), known.end(), real) != known.end()) continue;
         known.push_back(std::move(real));

@@ -1,5 +1,6 @@
 #include "projects/testing/interpreter.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/types/conversion.h"
 
@@ -28,7 +29,7 @@ std::string_view Interpreter::textOf(const Expr* expression) const {
     return expression ? m_program.testSources()[FileId(m_test.fileIndex)].slice(expression->range) : std::string_view();
 }
 
-Interpreter::Flow Interpreter::fail(const Stmt& at, std::string message, std::string detail) {
+Interpreter::Flow Interpreter::fail(const Stmt& at, Message message, Message detail) {
     const SourceText& file = m_program.testSources()[FileId(m_test.fileIndex)];
     Failure failure;
     failure.message = std::move(message);
@@ -48,12 +49,12 @@ Result<expression::Expression> Interpreter::compile(std::string_view text) {
 std::optional<Value> Interpreter::evaluate(const Expr* expression, const Stmt& at) {
     const auto compiled = compile(textOf(expression));
     if (!compiled) {
-        fail(at, std::string(textOf(expression)) + ": " + compiled.error().message);
+        fail(at, errors::About(textOf(expression), compiled.error().message));
         return std::nullopt;
     }
     const expression::Outcome outcome = compiled->evaluate(m_session.controller().image());
     if (!outcome.hasValue()) {
-        fail(at, std::string(textOf(expression)) + " has no value: " + outcome.reason);
+        fail(at, errors::HasNoValue(textOf(expression), outcome.reason));
         return std::nullopt;
     }
     return outcome.value;
@@ -128,7 +129,7 @@ Interpreter::Flow Interpreter::statement(const Stmt& at) {
     case StmtKind::Il:
         break;
     }
-    return fail(at, "This statement is not possible in a TEST together with RUN or ASSERT around it");
+    return fail(at, errors::NotPossibleInTest());
 }
 
 Interpreter::Flow Interpreter::action(const Stmt& at, const std::string& name) {
@@ -137,9 +138,9 @@ Interpreter::Flow Interpreter::action(const Stmt& at, const std::string& name) {
     const auto place = program.layout.find(m_test.instance);
     const auto it = std::find_if(program.functions.begin(), program.functions.end(),
                                  [&](const image::FunctionInfo& f) { return f.name == name; });
-    if (!place || it == program.functions.end()) return fail(at, "The code of this statement is missing");
+    if (!place || it == program.functions.end()) return fail(at, errors::TestCodeMissing());
     if (controller.runFunction(static_cast<uint32_t>(it - program.functions.begin()), place->offset)) return Flow::Next;
-    return fail(at, "Fault in the test: " + (controller.fault() ? controller.fault()->message : std::string()));
+    return fail(at, errors::FaultInTest(controller.fault() ? controller.fault()->message : Message()));
 }
 
 Interpreter::Flow Interpreter::assign(const Stmt& at, bool isForce) {
@@ -153,7 +154,7 @@ Interpreter::Flow Interpreter::assign(const Stmt& at, bool isForce) {
     if (!value) return Flow::Stop;
     bool ok = true;
     if (!types.isAggregate(place->type)) *value = types::convert(types, *value, place->type, &ok);
-    if (!ok) return fail(at, text + " is not a value for " + path);
+    if (!ok) return fail(at, errors::NotAValueFor(text, path));
     const auto done = isForce ? controller.force(path, *value) : controller.write(path, *value);
     return done ? Flow::Next : fail(at, done.error().message);
 }
@@ -187,7 +188,7 @@ Interpreter::Flow Interpreter::caseOf(const Stmt& at) {
                                                       selector + " <= " + std::string(textOf(label.high))
                                                 : selector + " = " + std::string(textOf(label.low));
             const auto compiled = compile(text);
-            if (!compiled) return fail(at, text + ": " + compiled.error().message);
+            if (!compiled) return fail(at, errors::About(text, compiled.error().message));
             if (compiled->isTrue(m_session.controller().image())) return block(arm.body);
         }
     return at.hasElse ? block(at.elseBody) : Flow::Next;
@@ -196,7 +197,7 @@ Interpreter::Flow Interpreter::caseOf(const Stmt& at) {
 Interpreter::Flow Interpreter::loop(const Stmt& at) {
     const bool isWhile = at.kind == StmtKind::While;
     for (;;) {
-        if (++m_loopPasses > 10'000'000) return fail(at, "This loop of the test does not end");
+        if (++m_loopPasses > 10'000'000) return fail(at, errors::TestLoopEndless());
         if (isWhile) {
             const auto isTrue = condition(at.value, at);
             if (!isTrue) return Flow::Stop;
@@ -223,7 +224,7 @@ Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
         if (!by) return Flow::Stop;
         step = by->integer();
     }
-    if (step == 0) return fail(at, "The step of this loop is 0");
+    if (step == 0) return fail(at, errors::LoopStepZero());
     const auto place = controller.program().layout.find(path);
     if (!place) return fail(at, place.error().message);
     for (int64_t i = from->integer(); step > 0 ? i <= to->integer() : i >= to->integer(); i += step) {
@@ -243,13 +244,15 @@ bool Interpreter::oneScan(const Stmt& at) {
     const bool wasFault = controller.state() == controller::State::Fault;
     const auto& fault = wasFault ? controller.fault() : controller.simulationFault();
     if (!fault) return true;
-    std::string where;
+    Message where;
     if (fault->range.file.isValid()) {
         const SourceText& file = controller.program().sources[fault->range.file];
-        where = "at " + file.path() + ":" + std::to_string(file.lineColumn(fault->range.begin).line);
+        where = errors::FaultAt(file.path(), file.lineColumn(fault->range.begin).line);
     }
     // A test may look at a fault (ASSERT after RUN), but the fault of the plant or an unnoticed one ends it.
-    fail(at, (fault->isSimulation ? "The simulation stopped: " : "The controller stopped: ") + fault->message, where);
+    fail(at,
+         fault->isSimulation ? errors::SimulationStopped(fault->message) : errors::ControllerStopped(fault->message),
+         where);
     return false;
 }
 
@@ -271,37 +274,36 @@ Interpreter::Flow Interpreter::runScans(const Stmt& at) {
         return Flow::Next;
     }
     const auto until = compile(textOf(at.value));
-    if (!until) return fail(at, std::string(textOf(at.value)) + ": " + until.error().message);
+    if (!until) return fail(at, errors::About(textOf(at.value), until.error().message));
     while (controller.nextDue() < end) {
         if (!oneScan(at)) return Flow::Stop;
         if (until->isTrue(controller.image())) return Flow::Next;
     }
-    return fail(at,
-                std::string(textOf(at.value)) + " did not become true within " + types::durationText(length->integer()),
+    return fail(at, errors::NotTrueWithin(textOf(at.value), types::durationText(length->integer())),
                 explain(*at.value));
 }
 
 /// "Main.n is 3, expected 5" for a comparison, the operands' values for anything else.
-std::string Interpreter::explain(const Expr& expression) {
+Message Interpreter::explain(const Expr& expression) {
     const auto show = [&](const Expr* part) {
         const auto compiled = compile(textOf(part));
-        if (!compiled) return std::string("?");
+        if (!compiled) return errors::Plainly(Verbatim("?"));
         const auto outcome = compiled->evaluate(m_session.controller().image());
-        return outcome.hasValue() ? types::toText(compiled->types(), outcome.value) : outcome.reason;
+        return outcome.hasValue() ? errors::Plainly(types::toText(compiled->types(), outcome.value)) : outcome.reason;
     };
     const auto isComparison = [](lex::TokenKind op) {
         return op >= lex::TokenKind::Equal && op <= lex::TokenKind::GreaterEqual;
     };
     if (expression.kind == syntax::ExprKind::Binary && expression.base && expression.right) {
         if (isComparison(expression.op))
-            return std::string(textOf(expression.base)) + " is " + show(expression.base) + ", expected " +
-                   std::string(lex::spelling(expression.op)) + " " + show(expression.right);
-        const std::string left = explain(*expression.base), right = explain(*expression.right);
-        return left.empty() ? right : right.empty() ? left : left + "; " + right;
+            return errors::ValueIsExpected(textOf(expression.base), show(expression.base), lex::spelling(expression.op),
+                                           show(expression.right));
+        const Message left = explain(*expression.base), right = explain(*expression.right);
+        return left.isEmpty() ? right : right.isEmpty() ? left : errors::Both(left, right);
     }
     if (expression.kind == syntax::ExprKind::Unary && expression.base) return explain(*expression.base);
     if (expression.kind == syntax::ExprKind::Literal) return {};
-    return std::string(textOf(&expression)) + " is " + show(&expression);
+    return errors::ValueIs(textOf(&expression), show(&expression));
 }
 
 Interpreter::Flow Interpreter::assertion(const Stmt& at) {
@@ -310,14 +312,14 @@ Interpreter::Flow Interpreter::assertion(const Stmt& at) {
     return *isTrue ? Flow::Next : failAssertion(at, explain(*at.value));
 }
 
-Interpreter::Flow Interpreter::failAssertion(const Stmt& at, std::string detail) {
-    std::string message(textOf(at.value));
+Interpreter::Flow Interpreter::failAssertion(const Stmt& at, Message detail) {
+    Message message = errors::AssertFailed(textOf(at.value));
     if (at.to) {
         const auto said = evaluate(at.to, at);
         if (said && std::holds_alternative<std::string>(said->data))
-            message = latin1ToUtf8(std::get<std::string>(said->data)) + " (" + message + ")";
+            message = errors::AssertFailedSaying(latin1ToUtf8(std::get<std::string>(said->data)), textOf(at.value));
     }
-    return fail(at, "ASSERT failed: " + message, std::move(detail));
+    return fail(at, std::move(message), std::move(detail));
 }
 
 Interpreter::Flow Interpreter::compare(const Stmt& at) {
@@ -342,21 +344,19 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
         return driver::build(input).program;
     };
     const auto loaded = history::History::load(file, rebuild);
-    if (!loaded) return fail(at, loaded.error().text());
+    if (!loaded) return fail(at, errors::withPlace(loaded.error()));
     const history::History& then = **loaded;
     const history::History& now = m_session.history();
     const auto was = then.statistics(), is = now.statistics();
     const history::Position common = std::min(was.end - was.first, is.end - is.first);
-    if (was.scans != is.scans)
-        return fail(at, "The recording " + name + " has " + std::to_string(was.scans) + " scans, this run " +
-                            std::to_string(is.scans));
+    if (was.scans != is.scans) return fail(at, errors::ScanCountDiffers(name, was.scans, is.scans));
     for (history::Position i = 0; i < common; ++i) {
         std::shared_ptr<const image::CompiledProgram> oldProgram, newProgram;
         const auto oldImage = then.seek(was.first + i, &oldProgram), newImage = now.seek(is.first + i, &newProgram);
         if (oldImage.empty() || newImage.empty() || !oldProgram || !newProgram) continue;
         for (const image::Root& root : oldProgram->layout.roots) {
             if (root.isHidden || root.constant || root.name.starts_with("Test__")) continue;
-            std::string difference;
+            Message difference;
             oldProgram->layout.forEachLeaf(
                 root.list.empty() ? root.name : root.list + "." + root.name, {root.type, root.offset, root.bit},
                 [&](const std::string& path, const image::Place& place) {
@@ -371,11 +371,11 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
                             ? std::abs(before.real() - after.real()) <= tolerance
                             : before.data == after.data;
                     if (!close)
-                        difference = path + " is " + types::toText(*newProgram->layout.types, after) + ", recorded " +
-                                     types::toText(*oldProgram->layout.types, before) + " in scan " + std::to_string(i);
+                        difference = errors::RunDiffersAt(path, types::toText(*newProgram->layout.types, after),
+                                                          types::toText(*oldProgram->layout.types, before), i);
                     return close;
                 });
-            if (!difference.empty()) return fail(at, "The run differs from the recording " + name, difference);
+            if (!difference.isEmpty()) return fail(at, errors::RunDiffers(name), difference);
         }
     }
     return Flow::Next;

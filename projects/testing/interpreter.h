@@ -26,7 +26,7 @@ private:
     Flow action(const syntax::Stmt& statement, const std::string& name);
     Flow runScans(const syntax::Stmt& statement);
     Flow assertion(const syntax::Stmt& statement);
-    Flow failAssertion(const syntax::Stmt& at, std::string detail);
+    Flow failAssertion(const syntax::Stmt& at, Message detail);
     Flow assign(const syntax::Stmt& statement, bool isForce);
     Flow releaseForce(const syntax::Stmt& statement);
     Flow compare(const syntax::Stmt& statement);
@@ -39,8 +39,8 @@ private:
     [[nodiscard]] std::string
     pathOf(std::string_view target) const; // a variable of the test gets its instance in front
     [[nodiscard]] bool oneScan(const syntax::Stmt& at);
-    [[nodiscard]] std::string explain(const syntax::Expr& expression);
-    Flow fail(const syntax::Stmt& at, std::string message, std::string detail = {});
+    [[nodiscard]] Message explain(const syntax::Expr& expression);
+    Flow fail(const syntax::Stmt& at, Message message, Message detail = {});
 
     const projects::Project& m_project;
     const TestProgram& m_program;

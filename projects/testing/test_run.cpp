@@ -3,6 +3,7 @@
 #include "projects/session/session.h"
 #include "projects/testing/coverage.h"
 #include "projects/testing/interpreter.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -90,8 +91,7 @@ Result<Report> runTests(const projects::Project& project, const Options& options
     report.buildMs = built.checkMs + built.codeMs;
     renderDiagnostics(program, &built.checked, options.colours, report);
     if (report.hasErrors) return report;
-    if (!built.program)
-        return Error{built.failure.empty() ? "There is no program to test" : built.failure, project.name};
+    if (!built.program) return Error{built.failure.isEmpty() ? errors::NothingToTest() : built.failure, project.name};
     if (!options.coverage)
         if (auto optimised = driver::optimise(built, options.watched); !optimised && !isCancelled(options.watched))
             return optimised.error();

@@ -18,8 +18,8 @@ class Session;
 namespace plc::testing {
 
 struct Failure {
-    std::string message; // "ASSERT Main.K1 = TRUE failed: 'motor runs'"
-    std::string detail;  // "Main.K1 is FALSE, expected TRUE"
+    Message message; // "ASSERT failed: motor runs (Main.K1 = TRUE)"
+    Message detail;  // "Main.K1 is FALSE, expected = TRUE"
     std::string file;
     uint32_t line = 0;
     uint64_t scan = 0;

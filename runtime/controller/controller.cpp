@@ -1,6 +1,7 @@
 #include "runtime/controller/controller.h"
 
 #include "runtime/base/assert.h"
+#include "runtime/base/messages.h"
 #include "runtime/controller/controller_state.h"
 #include "runtime/controller/fault_report.h"
 #include "runtime/controller/fitting.h"
@@ -67,7 +68,7 @@ void Controller::setSiteHook(SiteHook hook) { m->hook = std::move(hook); }
 void Controller::useQuickCode(bool wanted) { m->wantsQuick = wanted; }
 void Controller::abandonScan() { m->wantsAbandon = true; }
 void Controller::setHalted(bool isHalted) { m->isHalted = isHalted; }
-void Controller::report(EventKind kind, std::string text) { m->report(kind, std::move(text)); }
+void Controller::report(EventKind kind, Message text) { m->report(kind, std::move(text)); }
 std::vector<FaultFrame> Controller::callPath(uint32_t site) const {
     return callPathOf(*m->program, *m->context, site, m->entry);
 }
@@ -257,7 +258,9 @@ void Controller::reset(ResetKind kind) {
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
     m->schedule.skip(false);
-    m->report(EventKind::Reset, kind == ResetKind::Warm ? "warm" : kind == ResetKind::Cold ? "cold" : "origin");
+    m->report(EventKind::Reset, kind == ResetKind::Warm   ? errors::Warm()
+                                : kind == ResetKind::Cold ? errors::Cold()
+                                                          : errors::Origin());
 }
 
 // ---------------------------------------------------------------- the scan
@@ -320,7 +323,7 @@ void Controller::State_::finishScan(int64_t instant) {
         isHalted = false;
         schedule.rebase(time);
         makeOutputsSafe();
-        report(EventKind::Stopped, "in the middle of a scan");
+        report(EventKind::Stopped, errors::InTheMiddleOfAScan());
         return;
     }
     image::ImageHeader& h = header();
@@ -369,10 +372,9 @@ Fault Controller::State_::describeFault(bool isSimulation) const {
     f.message = faultMessage(*context);
     if (f.code == image::FaultCode::Watchdog) {
         if (isRealTime)
-            f.message = "the task ran longer than its watchdog of " + types::durationText(watchdogNs());
+            f.message = errors::TaskOverWatchdog(types::durationText(watchdogNs()));
         else
-            f.message = "more than " + std::to_string(settings.loopBudgetPerScan) +
-                        " loop passes and calls in one run of the task; is there a loop without an end?";
+            f.message = errors::LoopBudgetExceeded(settings.loopBudgetPerScan);
     }
     f.task = task ? task->name : std::string();
     f.calls = callPathOf(*program, *context, context->faultSite, entry);
@@ -386,7 +388,7 @@ Fault Controller::State_::describeFault(bool isSimulation) const {
 void Controller::State_::enterFault(bool isSimulation) {
     Fault f = describeFault(isSimulation);
     if (!isSimulation) f.scan = scan - 1; // it was recorded as the last scan
-    const std::string text = (isSimulation ? "simulation: " : "") + f.message;
+    Message text = isSimulation ? errors::InSimulation(f.message) : f.message;
     if (isSimulation) {
         simulationFault = std::move(f);
     } else {
@@ -394,10 +396,10 @@ void Controller::State_::enterFault(bool isSimulation) {
         state = State::Fault;
         makeOutputsSafe();
     }
-    report(EventKind::Fault, text);
+    report(EventKind::Fault, std::move(text));
 }
 
-void Controller::State_::report(EventKind kind, std::string text) {
+void Controller::State_::report(EventKind kind, Message text) {
     if (observers.empty()) return;
     const Event event{kind, scan, Nanoseconds(std::max<int64_t>(0, time)), std::move(text)};
     for (ScanObserver* observer : observers) observer->eventHappened(event);

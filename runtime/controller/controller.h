@@ -117,7 +117,7 @@ public:
     void setHalted(bool isHalted);
     /// The calls that are live now (halted or faulted), innermost first; `site` is the statement that is about to run.
     [[nodiscard]] std::vector<FaultFrame> callPath(uint32_t site) const;
-    void report(EventKind kind, std::string text);
+    void report(EventKind kind, Message text);
 
 private:
     struct State_;

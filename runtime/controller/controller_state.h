@@ -85,7 +85,7 @@ struct Controller::State_ {
     [[nodiscard]] bool runTask(TaskRun& run);
     void finishScan(int64_t instant);
     void enterFault(bool isSimulation);
-    void report(EventKind kind, std::string text);
+    void report(EventKind kind, Message text);
     void applyForces() { forces.apply(image.get(), dirtyPages); }
 
     [[nodiscard]] int64_t watchdogNs() const {

@@ -1,8 +1,9 @@
 // What happened to the controller, for the log and the markers of charts. A value; any thread with a copy.
 #pragma once
+#include "runtime/base/message.h"
+
 #include <chrono>
 #include <cstdint>
-#include <string>
 
 namespace plc::controller {
 
@@ -28,7 +29,7 @@ struct Event {
     EventKind kind{};
     uint64_t scan = 0;
     Nanoseconds time{};
-    std::string text;
+    Message text; // which variable, which fault; empty where the kind says it all
 };
 
 } // namespace plc::controller

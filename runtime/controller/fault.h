@@ -1,5 +1,6 @@
 // What stopped the controller, in the user's terms: kind, place, call path. A value; any thread with a copy.
 #pragma once
+#include "runtime/base/message.h"
 #include "runtime/image/program.h"
 
 #include <chrono>
@@ -19,7 +20,7 @@ struct FaultFrame {
 };
 struct Fault {
     image::FaultCode code = image::FaultCode::None;
-    std::string message; // "index 7 lies outside 1..5"
+    Message message; // "index 7 is outside 1..5"
     std::string task;
     SourceRange range;
     std::vector<FaultFrame> calls; // innermost first

@@ -1,5 +1,7 @@
 #include "runtime/controller/fault_report.h"
 
+#include "runtime/base/messages.h"
+
 namespace plc::controller {
 
 using image::FaultCode;
@@ -32,35 +34,31 @@ std::string_view name(FaultCode code) {
     return {};
 }
 
-std::string faultMessage(const image::RuntimeContext& context) {
-    const auto number = [&](int i) { return std::to_string(context.faultDetail[i]); };
+Message faultMessage(const image::RuntimeContext& context) {
+    const int64_t at = context.faultDetail[0], low = context.faultDetail[1], high = context.faultDetail[2];
     switch (context.fault) {
     case FaultCode::None:
         return {};
     case FaultCode::DivisionByZero:
-        return "division by zero";
+        return errors::DivisionByZero();
     case FaultCode::IndexOutOfRange:
-        if (context.faultDetail[2] < context.faultDetail[1])
-            return "index " + number(0) + " is asked of an array without elements";
-        return "index " + number(0) + " lies outside " + number(1) + ".." + number(2);
+        return high < low ? errors::IndexOfEmptyArray(at) : errors::IndexOutOfRange(at, low, high);
     case FaultCode::NullReference:
-        return "the reference is NULL";
+        return errors::NullReference();
     case FaultCode::ForeignReference:
-        return "the reference does not point to a variable of its type";
+        return errors::ForeignReference();
     case FaultCode::MissingInOut:
-        return "a VAR_IN_OUT is not connected to a variable";
+        return errors::MissingInOut();
     case FaultCode::StringIndex:
-        if (context.faultDetail[2] < context.faultDetail[1])
-            return "character " + number(0) + " is asked of an empty text";
-        return "character " + number(0) + " lies outside " + number(1) + ".." + number(2) + " of the text";
+        return high < low ? errors::IndexOfEmptyText(at) : errors::TextIndexOutOfRange(at, low, high);
     case FaultCode::Watchdog:
-        return "the watchdog stopped a task that would not end";
+        return errors::WatchdogExpired();
     case FaultCode::StackOverflow:
-        return "calls are nested too deeply; is there a recursion without an end?";
+        return errors::CallsTooDeep();
     case FaultCode::AbstractCall:
-        return "the method that was called has no body";
+        return errors::AbstractMethodCalled();
     case FaultCode::Stopped:
-        return "the scan was abandoned";
+        return errors::ScanAbandoned();
     }
     return {};
 }

@@ -9,7 +9,7 @@ namespace plc::controller {
 [[nodiscard]] std::vector<FaultFrame> callPathOf(const image::CompiledProgram& program,
                                                  const image::RuntimeContext& context, uint32_t site,
                                                  image::CallRecord entry);
-/// "index 7 lies outside 1..5".
-[[nodiscard]] std::string faultMessage(const image::RuntimeContext& context);
+/// "index 7 is outside 1..5".
+[[nodiscard]] Message faultMessage(const image::RuntimeContext& context);
 
 } // namespace plc::controller

@@ -1,4 +1,5 @@
 #include "runtime/controller/fitting.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 
@@ -19,14 +20,16 @@ Error doesNotFit(const TypeTable& types, const Value& value, TypeId type) {
     Value plain = value;
     const bool known =
         types::isElementary(types.kind(value.type)) && value.type.index() <= static_cast<size_t>(TypeKind::Wchar);
-    std::string shown = "the value";
+    std::string shown;
     if (known || std::holds_alternative<std::string>(plain.data))
         shown = types::toText(types, plain);
     else if (std::holds_alternative<int64_t>(plain.data))
         shown = std::to_string(plain.integer());
     else if (std::holds_alternative<double>(plain.data))
         shown = shortestReal(plain.real());
-    return Error{shown + " does not fit a variable of type " + types[type].name, {}};
+    return Error{shown.empty() ? errors::ThisValueDoesNotFitType(types[type].name)
+                               : errors::ValueDoesNotFitType(shown, types[type].name),
+                 {}};
 }
 
 bool isTimeLike(Family f) {
@@ -60,8 +63,7 @@ Result<Value> integerInto(const TypeTable& types, const Value& value, int64_t nu
     if (!fits) return doesNotFit(types, value, type);
     const Type& t = types[type];
     if (t.kind == TypeKind::Subrange && (number < t.low || number > t.high))
-        return Error{std::to_string(number) + " lies outside " + std::to_string(t.low) + ".." + std::to_string(t.high),
-                     {}};
+        return Error{errors::ValueOutOfRange(number, t.low, t.high), {}};
     return Value{type, number};
 }
 
@@ -86,7 +88,7 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
         } else {
             std::string bytes;
             for (const char16_t c : *text) {
-                if (c > 0xff) return Error{"a character of the text does not fit a STRING; a WSTRING holds it", {}};
+                if (c > 0xff) return Error{errors::CharacterDoesNotFit(), {}};
                 bytes += static_cast<char>(c);
             }
             out.data = std::move(bytes);
@@ -94,10 +96,7 @@ Result<Value> textInto(const TypeTable& types, const Value& value, TypeId type) 
     } else {
         return doesNotFit(types, value, type);
     }
-    if (length > t.capacity)
-        return Error{"the text has " + std::to_string(length) + " characters, the variable holds " +
-                         std::to_string(t.capacity),
-                     {}};
+    if (length > t.capacity) return Error{errors::TextTooLong(length, t.capacity), {}};
     return out;
 }
 
@@ -121,9 +120,7 @@ Result<Value> partsInto(const TypeTable& types, const Value& value, TypeId type)
         count = 1;
         for (const types::Dimension& d : t.dimensions) count *= d.count();
     }
-    if (parts->size() != count)
-        return Error{
-            t.name + " has " + std::to_string(count) + " parts, the value has " + std::to_string(parts->size()), {}};
+    if (parts->size() != count) return Error{errors::PartCount(t.name, count, parts->size()), {}};
     for (size_t i = 0; i < parts->size(); ++i)
         if (Result<void> good = add((*parts)[i], t.kind == TypeKind::Array ? t.element : t.fields[i].type); !good)
             return good.error();
@@ -133,7 +130,7 @@ Result<Value> partsInto(const TypeTable& types, const Value& value, TypeId type)
 } // namespace
 
 Result<Value> fitted(const TypeTable& types, const Value& value, TypeId type) {
-    if (!value.hasValue()) return Error{"there is no value to write", {}};
+    if (!value.hasValue()) return Error{errors::NoValueToWrite(), {}};
     const TypeKind kind = types.storageKind(type);
     if (types.isAggregate(type)) return partsInto(types, value, type);
     if (kind == TypeKind::String || kind == TypeKind::Wstring) return textInto(types, value, type);
@@ -141,7 +138,7 @@ Result<Value> fitted(const TypeTable& types, const Value& value, TypeId type) {
     if (kind == TypeKind::Pointer || kind == TypeKind::Reference || kind == TypeKind::Interface) {
         const bool isNull = std::holds_alternative<int64_t>(value.data) && value.integer() == 0;
         if (isNull) return Value{type, int64_t(0)};
-        return Error{"a reference can only be written NULL from outside", {}};
+        return Error{errors::OnlyNullWritten(), {}};
     }
     if (target == Family::Character) {
         if (const auto* text = std::get_if<std::string>(&value.data); text && text->size() == 1)

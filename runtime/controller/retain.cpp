@@ -1,4 +1,5 @@
 #include "runtime/controller/retain.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 #include "runtime/controller/controller.h"
@@ -63,9 +64,7 @@ bool parseHex(std::string_view text, std::vector<std::byte>& bytes) {
     return true;
 }
 
-Error fileError(const std::string& what, const std::string& file) {
-    return Error{what + ": " + std::strerror(errno), file};
-}
+Error notWritten(const std::string& file) { return Error{errors::RetainNotWritten(errors::ofSystem(errno)), file}; }
 
 } // namespace
 
@@ -87,8 +86,7 @@ std::vector<RetainedLeaf> retainedLeaves(const image::Layout& layout, std::span<
 
 Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>& leaves) {
     struct stat known {};
-    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
-        return Error{"This is not a file that can be replaced; name another one", file};
+    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), file};
     std::string text(kFirstLine);
     text += "\n";
     for (const RetainedLeaf& leaf : leaves) text += leaf.path + "\t" + leaf.type + "\t" + hex(leaf.bytes) + "\n";
@@ -98,13 +96,13 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
 
     const std::string aside = file + ".new";
     const int handle = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (handle < 0) return fileError("the retain file can not be written", file);
+    if (handle < 0) return notWritten(file);
     size_t done = 0;
     while (done < text.size()) {
         const ssize_t n = ::write(handle, text.data() + done, text.size() - done);
         if (n < 0 && errno == EINTR) continue;
         if (n <= 0) {
-            const Error error = fileError("the retain file can not be written", file);
+            const Error error = notWritten(file);
             ::close(handle);
             ::unlink(aside.c_str());
             return error;
@@ -113,7 +111,7 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
     }
     const bool isSafe = ::fsync(handle) == 0;
     if (::close(handle) != 0 || !isSafe || ::rename(aside.c_str(), file.c_str()) != 0) {
-        const Error error = fileError("the retain file can not be written", file);
+        const Error error = notWritten(file);
         ::unlink(aside.c_str());
         return error;
     }
@@ -122,17 +120,16 @@ Result<void> saveRetain(const std::string& file, const std::vector<RetainedLeaf>
 
 Result<std::vector<RetainedLeaf>> loadRetain(const std::string& file) {
     struct stat known {};
-    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
-        return Error{"the retain file is not a file", file};
+    if (::stat(file.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::RetainNotAFile(), file};
     std::ifstream in(file, std::ios::binary);
     if (!in) {
         if (::access(file.c_str(), F_OK) != 0) return std::vector<RetainedLeaf>{};
-        return fileError("the retain file can not be read", file);
+        return Error{errors::RetainNotRead(errors::ofSystem(errno)), file};
     }
     std::stringstream buffer;
     buffer << in.rdbuf();
     const std::string text = buffer.str();
-    const Error damaged{"the retain file is damaged; the program starts with its initial values", file};
+    const Error damaged{errors::RetainDamaged(), file};
     const size_t end = text.rfind("end ");
     if (text.compare(0, kFirstLine.size(), kFirstLine) != 0 || end == std::string::npos || end == 0 ||
         text[end - 1] != '\n')
@@ -193,7 +190,7 @@ RetainOutcome restoreRetained(Controller& controller, const std::vector<Retained
             outcome.lost.push_back(leaf.path);
     }
     outcome.restored = controller.restoreRetained(values);
-    controller.report(EventKind::RetainRestored, std::to_string(outcome.restored));
+    controller.report(EventKind::RetainRestored, errors::Count(outcome.restored));
     return outcome;
 }
 

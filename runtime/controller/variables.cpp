@@ -1,4 +1,5 @@
 // Reading, writing and forcing variables, and what moves values from one program to the next. Scan thread.
+#include "runtime/base/messages.h"
 #include "runtime/controller/controller_state.h"
 #include "runtime/controller/fitting.h"
 #include "runtime/controller/online_change.h"
@@ -8,8 +9,8 @@ namespace plc::controller {
 
 namespace {
 
-std::string shownWrite(const image::Layout& layout, std::string_view path, const types::Value& value) {
-    return std::string(path) + " := " + types::toText(*layout.types, value);
+Message shownWrite(const image::Layout& layout, std::string_view path, const types::Value& value) {
+    return errors::Assigned(path, types::toText(*layout.types, value));
 }
 
 /// A constant, or a part of one.
@@ -40,9 +41,8 @@ Result<void> Controller::write(std::string_view path, const types::Value& value)
 
 Result<void> Controller::write(image::Place place, const types::Value& value) {
     const types::TypeTable& types = *m->layout().types;
-    if (const Forced* forced = m->forces.overlapping(types, place))
-        return Error{forced->path + " is forced; release it before writing", {}};
-    if (isConstant(m->layout(), place)) return Error{"a constant can not be written", {}};
+    if (const Forced* forced = m->forces.overlapping(types, place)) return Error{errors::IsForced(forced->path), {}};
+    if (isConstant(m->layout(), place)) return Error{errors::ConstantNotWritten(), {}};
     const Result<types::Value> fit = fitted(types, value, place.type);
     if (!fit) return fit.error();
     types::writeValue(types, place.type, *fit, m->image.span().subspan(place.offset), place.bit);
@@ -54,21 +54,21 @@ Result<void> Controller::force(std::string_view path, const types::Value& value)
     const types::TypeTable& types = *m->layout().types;
     const Result<image::Place> place = m->layout().find(path);
     if (!place) return place.error();
-    if (isConstant(m->layout(), *place)) return Error{"a constant can not be forced", std::string(path)};
+    if (isConstant(m->layout(), *place)) return Error{errors::ConstantNotForced(), std::string(path)};
     Result<types::Value> fit = fitted(types, value, place->type);
     if (!fit) return Error{fit.error().message, std::string(path)};
-    const std::string text = shownWrite(m->layout(), path, *fit);
+    Message text = shownWrite(m->layout(), path, *fit);
     m->forces.set(types, Forced{std::string(path), *place, std::move(*fit)});
     m->applyForces();
-    m->report(EventKind::Force, text);
+    m->report(EventKind::Force, std::move(text));
     return {};
 }
 
 Result<void> Controller::release(std::string_view path) {
     const Result<image::Place> place = m->layout().find(path);
     if (!place) return place.error();
-    if (!m->forces.remove(*place)) return Error{"the variable is not forced", std::string(path)};
-    m->report(EventKind::Release, std::string(path));
+    if (!m->forces.remove(*place)) return Error{errors::NotForced(), std::string(path)};
+    m->report(EventKind::Release, errors::Plainly(path));
     return {};
 }
 
@@ -96,7 +96,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
     m->setProgram(program);
     if (!m->initialise(m->image.span())) {
         const Fault why = m->describeFault(false);
-        result.refusal = "the new program's initial values fault: " + why.message;
+        result.refusal = errors::InitialValuesFault(why.message);
         m->setProgram(oldProgram);
         m->image = std::move(old);
         m->prepareContext(m->image.get());
@@ -106,7 +106,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
     m->keepSafeOutputs();
     result = carryOver(oldProgram->layout, old.span(), program->layout, m->image.span());
     m->header() = header;
-    for (std::string& path : m->forces.rebind(program->layout)) result.lost.push_back("force of " + path);
+    for (std::string& path : m->forces.rebind(program->layout)) result.lostForces.push_back(std::move(path));
     m->applyForces();
     m->schedule.restoreTriggers(m->image.get());
     for (TaskRun& run : m->schedule.runs())

@@ -1,5 +1,7 @@
 #include "runtime/debug/debugger.h"
 
+#include "runtime/base/messages.h"
+
 #include <algorithm>
 
 namespace plc::debug {
@@ -97,7 +99,7 @@ bool Debugger::stepEnds(uint32_t site) const {
     return m_mode == Mode::Over ? context.depth <= m_fromDepth : context.depth < m_fromDepth;
 }
 
-bool Debugger::conditionHolds(Active& active, uint32_t site, uint32_t instance, std::string& problem) {
+bool Debugger::conditionHolds(Active& active, uint32_t site, uint32_t instance, Message& problem) {
     const Breakpoint& breakpoint = m_breakpoints[active.index];
     if (breakpoint.condition.empty()) return true;
     auto known = std::find_if(active.conditions.begin(), active.conditions.end(),
@@ -112,7 +114,7 @@ bool Debugger::conditionHolds(Active& active, uint32_t site, uint32_t instance, 
         known = active.conditions.end() - 1;
     }
     if (!known->second.isValid()) {
-        if (problem.empty()) problem = "the condition can not be evaluated";
+        if (problem.isEmpty()) problem = errors::ConditionNotEvaluated();
         return true; // halting shows what is wrong; passing in silence would not
     }
     return known->second.isTrue(m_controller.image());
@@ -147,8 +149,9 @@ void Debugger::halt(Halt halt) {
     m_controller.setHalted(true);
     halt.frames = m_controller.callPath(halt.site);
     markSites();
-    const std::string text = halt.frames.empty() ? std::string() : halt.frames.front().function;
-    m_controller.report(controller::EventKind::Breakpoint, halt.problem.empty() ? text : text + ": " + halt.problem);
+    const std::string place = halt.frames.empty() ? std::string() : halt.frames.front().function;
+    m_controller.report(controller::EventKind::Breakpoint,
+                        halt.problem.isEmpty() ? errors::Plainly(place) : errors::About(place, halt.problem));
     const Going going = m_onHalt(halt);
     m_isHalted = false;
     m_controller.setHalted(false);

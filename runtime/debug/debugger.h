@@ -11,7 +11,7 @@ namespace plc::debug {
 struct Halt {
     uint32_t site = 0;
     std::optional<size_t> breakpoint;           // index into the list; none: a step or run to cursor
-    std::string problem;                        // a condition that can not be evaluated, in words
+    Message problem;                            // a condition that can not be evaluated, in words
     std::vector<controller::FaultFrame> frames; // innermost first
 };
 
@@ -52,7 +52,7 @@ private:
     void halt(Halt halt);
     [[nodiscard]] bool stepEnds(uint32_t site) const;
     [[nodiscard]] std::optional<Halt> breakpointHit(uint32_t site, uint32_t instance);
-    [[nodiscard]] bool conditionHolds(Active& active, uint32_t site, uint32_t instance, std::string& problem);
+    [[nodiscard]] bool conditionHolds(Active& active, uint32_t site, uint32_t instance, Message& problem);
     void markSites();
 
     controller::Controller& m_controller;

@@ -1,5 +1,6 @@
 #include "runtime/expression/expression.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/expression/machine.h"
 
 namespace plc::expression {
@@ -14,10 +15,10 @@ std::optional<image::Place> Expression::place() const { return m_code ? m_code->
 ReadSet Expression::reads() const { return m_code ? m_code->reads : ReadSet{}; }
 
 Outcome Expression::evaluate(std::span<const std::byte> image) const {
-    if (!m_code) return {{}, "no expression"};
+    if (!m_code) return {{}, errors::NoExpression()};
     Machine machine(*m_types, *m_code, image);
     Slot result;
-    if (!machine.run(result)) return {{}, machine.failure().text()};
+    if (!machine.run(result)) return {{}, machine.failure().message()};
     return {machine.valueOf(result, m_type), {}};
 }
 

@@ -19,7 +19,7 @@ struct Code; // expression/code.h
 
 struct Outcome {
     types::Value value; // no value when `reason` is set
-    std::string reason; // "index 7 outside 1..5", "null reference", "division by zero"
+    Message reason;     // "index 7 is outside 1..5", "the reference is NULL"
     [[nodiscard]] bool hasValue() const { return value.hasValue(); }
 };
 

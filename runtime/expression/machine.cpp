@@ -1,5 +1,6 @@
 #include "runtime/expression/machine.h"
 
+#include "runtime/base/messages.h"
 #include "runtime/types/conversion.h"
 
 #include <array>
@@ -122,30 +123,28 @@ bool quickInteger(BinaryOp op, TypeKind kind, int64_t a, int64_t b, Slot& out) {
     }
 }
 
-std::string number(int64_t value) { return std::to_string(value); }
-
 } // namespace
 
-std::string Failure::text() const {
+Message Failure::message() const {
     switch (kind) {
     case Kind::None:
         return {};
     case Kind::Index:
-        return "index " + number(detail[0]) + " outside " + number(detail[1]) + ".." + number(detail[2]);
+        return errors::IndexOutOfRange(detail[0], detail[1], detail[2]);
     case Kind::Null:
-        return "null reference";
+        return errors::NullReference();
     case Kind::Foreign:
-        return "reference to no variable";
+        return errors::ForeignReference();
     case Kind::MissingInOut:
-        return "IN_OUT without a variable";
+        return errors::MissingInOut();
     case Kind::Character:
-        return "character " + number(detail[0]) + " of a text with " + number(detail[1]);
+        return errors::TextIndexOutOfRange(detail[0], 0, detail[1]);
     case Kind::DivisionByZero:
-        return "division by zero";
+        return errors::DivisionByZero();
     case Kind::OtherImage:
-        return "not in this image";
+        return errors::NotInThisImage();
     case Kind::NotEvaluable:
-        return "has no value here";
+        return errors::NoValueHere();
     }
     return {};
 }

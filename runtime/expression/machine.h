@@ -23,7 +23,7 @@ struct Failure {
         NotEvaluable
     } kind = Kind::None;
     int64_t detail[3] = {};
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] Message message() const;
 };
 
 class Machine {

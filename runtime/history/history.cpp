@@ -162,7 +162,7 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
     s.account();
 }
 
-void History::mark(int kind, std::string text, Nanoseconds time) {
+void History::mark(int kind, Message text, Nanoseconds time) {
     const std::lock_guard lock(m->mutex);
     const Position end = m->end.load(std::memory_order_relaxed);
     if (m->marks.size() >= size_t(kMarksKept)) m->marks.erase(m->marks.begin(), m->marks.begin() + kMarksKept / 2);

@@ -43,7 +43,7 @@ struct Mark { // event on the time axis
     Position position = 0;
     Nanoseconds time{};
     int kind = 0; // controller::EventKind
-    std::string text;
+    Message text;
 };
 
 /// Samples of one bucket of a series. `count` 0 = gap (evicted, or the path did not exist).
@@ -81,7 +81,7 @@ public:
     /// look everywhere.
     void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time,
                 std::span<const uint8_t> dirtyPages = {});
-    void mark(int kind, std::string text, Nanoseconds time);
+    void mark(int kind, Message text, Nanoseconds time);
 
     // --- any thread
     /// What the program was built from; saved with a recording. Told before beginProgram().

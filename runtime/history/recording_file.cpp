@@ -1,6 +1,7 @@
 // A recording on disk: what the programs were built from, then the segments as they lie in memory, each log in one
 // piece. All numbers are little endian, as the image is. Written aside and renamed when complete; a checksum at the end
 // tells a damaged file.
+#include "runtime/base/messages.h"
 #include "runtime/history/history_state.h"
 
 #include <algorithm>
@@ -164,11 +165,10 @@ bool writeSegment(Writer& out, const Segment& s, uint64_t program, const Progres
 
 Result<void> History::save(const std::string& path, Progress* progress) const {
     struct stat known {};
-    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode))
-        return Error{"This is not a file that can be replaced; name another one", path};
+    if (::stat(path.c_str(), &known) == 0 && !S_ISREG(known.st_mode)) return Error{errors::NotReplaceable(), path};
     const std::string aside = path + ".new";
     const auto refused = [&](int handle) {
-        Error error{std::string("the recording can not be written: ") + std::strerror(errno), path};
+        Error error{errors::RecordingNotWritten(errors::ofSystem(errno)), path};
         if (handle >= 0) ::close(handle);
         ::unlink(aside.c_str());
         return error;
@@ -207,12 +207,12 @@ Result<void> History::save(const std::string& path, Progress* progress) const {
         out.number(mark.position);
         out.number(static_cast<int64_t>(mark.time.count()));
         out.number(static_cast<int32_t>(mark.kind));
-        out.text(mark.text);
+        out.text(errors::packed(mark.text));
     }
     const auto cancelled = [&] {
         ::close(handle);
         ::unlink(aside.c_str());
-        return Error{"cancelled", path};
+        return Error{errors::Cancelled(), path};
     };
     const uint64_t begin = m->firstSegment.load(), end = m->endSegment.load();
     for (uint64_t n = begin; n < end; ++n) {
@@ -266,10 +266,10 @@ bool restoreLog(SegmentWriter& writer, const Segment& s, uint32_t log, uint32_t 
 
 Result<std::unique_ptr<History>> History::load(const std::string& path, const Rebuild& rebuild, Progress* progress) {
     std::ifstream file(path, std::ios::binary | std::ios::ate);
-    if (!file) return Error{std::string("the recording can not be read: ") + std::strerror(errno), path};
+    if (!file) return Error{errors::RecordingNotRead(errors::ofSystem(errno)), path};
     const auto size = static_cast<uint64_t>(file.tellg());
     file.seekg(0);
-    const Error cancelled{"cancelled", path}, damaged{"the recording is damaged or not one", path};
+    const Error cancelled{errors::Cancelled(), path}, damaged{errors::RecordingDamaged(), path};
     Reader in(file);
     char magic[sizeof kMagic];
     if (!in.bytes(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0) return damaged;
@@ -292,11 +292,8 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         if (!in.isGood()) return damaged;
         origin.program = rebuild(origin.sources, origin.libraries);
         if (isCancelled(progress)) return cancelled;
-        if (!origin.program) return Error{"the program of the recording can not be built any more", path};
-        if (layoutPrint(origin.program->layout) != print)
-            return Error{"this version of the studio lays the program's variables out differently; open the recording "
-                         "with the version that made it",
-                         path};
+        if (!origin.program) return Error{errors::RecordingNotBuilt(), path};
+        if (layoutPrint(origin.program->layout) != print) return Error{errors::RecordingLayoutDiffers(), path};
         programs.push_back(origin.program);
         state.origins.push_back(std::move(origin));
     }
@@ -309,7 +306,7 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         mark.position = in.number<Position>();
         mark.time = Nanoseconds(in.number<int64_t>());
         mark.kind = in.number<int32_t>();
-        mark.text = in.text(size);
+        mark.text = errors::unpacked(in.text(size));
         state.marks.push_back(std::move(mark));
     }
     bool isFirst = true;

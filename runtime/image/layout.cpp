@@ -1,4 +1,5 @@
 #include "runtime/image/layout.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 #include "runtime/image/path_reader.h"
@@ -27,9 +28,9 @@ bool same(std::string_view a, std::string_view b) {
     return !(isAscii(a) && isAscii(b)) && equalsIgnoringCase(a, b);
 }
 
-std::string didYouMean(std::string_view name, const std::vector<std::string>& candidates) {
+Message noVariableIn(std::string_view owner, std::string_view name, const std::vector<std::string>& candidates) {
     const std::optional<std::string> near = nearestName(name, candidates);
-    return near ? "; did you mean '" + *near + "'?" : std::string();
+    return near ? errors::NoVariableInSuggest(owner, name, *near) : errors::NoVariableIn(owner, name);
 }
 
 /// Whether the names before the root's own name are its list, its namespace or both.
@@ -53,9 +54,9 @@ std::string joinedNames(const std::vector<PathPart>& parts, size_t count) {
 }
 
 Result<FoundRoot> ambiguous(std::string_view name, const std::vector<const Root*>& roots) {
-    std::string list;
-    for (const Root* root : roots) list += (list.empty() ? "" : ", ") + Layout::pathOf(*root);
-    return Error{"'" + std::string(name) + "' may be one of " + list + ": write the whole name", {}};
+    std::vector<std::string> paths;
+    for (const Root* root : roots) paths.push_back(Layout::pathOf(*root));
+    return Error{errors::AmbiguousPath(name, std::move(paths)), {}};
 }
 
 Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& parts) {
@@ -106,60 +107,50 @@ Result<FoundRoot> findRoot(const Layout& layout, const std::vector<PathPart>& pa
         candidates.clear();
         for (const Root& root : layout.roots)
             if (same(root.list, parts[0].name)) candidates.push_back(root.name);
-        return Error{"'" + std::string(parts[0].name) + "' has no variable '" + std::string(parts[1].name) + "'" +
-                         didYouMean(parts[1].name, candidates),
-                     {}};
+        return Error{noVariableIn(parts[0].name, parts[1].name, candidates), {}};
     }
-    return Error{"there is no variable '" + std::string(parts[0].name) + "'" + didYouMean(parts[0].name, candidates),
-                 {}};
+    const std::optional<std::string> near = nearestName(parts[0].name, candidates);
+    return Error{near ? errors::NoVariableSuggest(parts[0].name, *near) : errors::NoVariable(parts[0].name), {}};
 }
 
 Result<Place> member(const Layout& layout, const Place& place, const PathPart& part) {
     const Type& type = (*layout.types)[place.type];
-    const std::string name(part.name);
     if (type.kind != TypeKind::Struct && type.kind != TypeKind::Union && type.kind != TypeKind::Block) {
         if (type.kind == TypeKind::Pointer || type.kind == TypeKind::Reference || type.kind == TypeKind::Interface)
-            return Error{"'" + name + "' lies behind a reference, which a path does not follow", {}};
-        return Error{"'" + name + "' is no part of a variable of type " + type.name, {}};
+            return Error{errors::BehindReference(part.name), {}};
+        return Error{errors::NoPartOfType(part.name, type.name), {}};
     }
     const Field* field = type.findField(part.name);
     if (!field) {
         std::vector<std::string> candidates;
         for (const Field& f : type.fields)
             if (!f.isPrivate) candidates.push_back(f.name);
-        return Error{type.name + " has no variable '" + name + "'" + didYouMean(part.name, candidates), {}};
+        return Error{noVariableIn(type.name, part.name, candidates), {}};
     }
     if (field->section == types::FieldSection::External) return layout.find(field->name);
-    if (field->section == types::FieldSection::InOut)
-        return Error{"'" + name + "' is a VAR_IN_OUT: name the variable that is connected to it", {}};
+    if (field->section == types::FieldSection::InOut) return Error{errors::PathThroughInOut(part.name), {}};
     if (field->bit >= 0) return Place{types::TypeTable::of(TypeKind::Bool), place.offset + field->offset, field->bit};
     return Place{field->type, place.offset + field->offset, -1};
-}
-
-std::string outside(int64_t index, int64_t low, int64_t high) {
-    return "index " + std::to_string(index) + " lies outside " + std::to_string(low) + ".." + std::to_string(high);
 }
 
 Result<Place> element(const Layout& layout, const Place& place, const PathPart& part) {
     const Type& type = (*layout.types)[place.type];
     if (type.kind == TypeKind::String || type.kind == TypeKind::Wstring) {
-        if (part.indices.size() != 1) return Error{"a text has one index", {}};
+        if (part.indices.size() != 1) return Error{errors::TextHasOneIndex(), {}};
         if (part.indices[0] < 0 || part.indices[0] >= static_cast<int64_t>(type.capacity))
-            return Error{outside(part.indices[0], 0, int64_t(type.capacity) - 1), {}};
+            return Error{errors::IndexOutOfRange(part.indices[0], 0, int64_t(type.capacity) - 1), {}};
         const bool wide = type.kind == TypeKind::Wstring;
         return Place{types::TypeTable::of(wide ? TypeKind::Wchar : TypeKind::Char),
                      place.offset + static_cast<uint32_t>(part.indices[0]) * (wide ? 2 : 1), -1};
     }
-    if (type.kind != TypeKind::Array) return Error{"a variable of type " + type.name + " has no elements", {}};
+    if (type.kind != TypeKind::Array) return Error{errors::NoElements(type.name), {}};
     if (part.indices.size() != type.dimensions.size())
-        return Error{type.name + " needs " + std::to_string(type.dimensions.size()) + " indices, not " +
-                         std::to_string(part.indices.size()),
-                     {}};
+        return Error{errors::IndexCount(type.name, type.dimensions.size(), part.indices.size()), {}};
     uint64_t number = 0;
     for (size_t d = 0; d < part.indices.size(); ++d) {
         const types::Dimension& dimension = type.dimensions[d];
         if (part.indices[d] < dimension.low || part.indices[d] > dimension.high)
-            return Error{outside(part.indices[d], dimension.low, dimension.high), {}};
+            return Error{errors::IndexOutOfRange(part.indices[d], dimension.low, dimension.high), {}};
         number = number * dimension.count() + static_cast<uint64_t>(part.indices[d] - dimension.low);
     }
     return Place{type.element, place.offset + static_cast<uint32_t>(number * (*layout.types)[type.element].size), -1};
@@ -169,13 +160,12 @@ Result<Place> element(const Layout& layout, const Place& place, const PathPart& 
 Result<Place> slice(const Layout& layout, const Place& place, const PathPart& part) {
     const TypeKind kind = layout.types->storageKind(place.type);
     const types::Family family = layout.types->family(place.type);
-    if (!types::isInteger(family) || place.bit >= 0)
-        return Error{"a variable of type " + (*layout.types)[place.type].name + " has no bits to name", {}};
+    if (!types::isInteger(family) || place.bit >= 0) return Error{errors::NoBits((*layout.types)[place.type].name), {}};
     const unsigned width = part.sliceBits;
     const unsigned count = types::bitsOf(kind) / width;
     if (part.sliceIndex >= count)
-        return Error{(width == 1 ? "bit " : "part ") + std::to_string(part.sliceIndex) + " lies outside 0.." +
-                         std::to_string(int64_t(count) - 1),
+        return Error{width == 1 ? errors::BitOutOfRange(part.sliceIndex, int64_t(count) - 1)
+                                : errors::PartOutOfRange(part.sliceIndex, int64_t(count) - 1),
                      {}};
     if (width == 1)
         return Place{types::TypeTable::of(TypeKind::Bool), place.offset + part.sliceIndex / 8,
@@ -217,8 +207,7 @@ Result<Place> Layout::find(std::string_view path) const {
 }
 
 Result<Place> Layout::address(std::string_view text) const {
-    const std::string shown(text);
-    const Error bad{"'" + shown + "' is not an address; write %IX0.0, %QB4, %MW2 or the like", {}};
+    const Error bad{errors::NotAnAddress(text), {}};
     if (text.size() < 3 || text[0] != '%') return bad;
     const char area = lower(text[1]);
     const AreaRange& range = area == 'i' ? inputs : area == 'q' ? outputs : memory;
@@ -251,7 +240,7 @@ Result<Place> Layout::address(std::string_view text) const {
         if (number > 7) return bad;
         bit = static_cast<int16_t>(number);
     }
-    if (byte + bytes > range.size) return Error{"the program uses no address '" + shown + "'", {}};
+    if (byte + bytes > range.size) return Error{errors::AddressUnused(text), {}};
     const TypeKind kind = size == 'x'   ? TypeKind::Bool
                           : size == 'b' ? TypeKind::Byte
                           : size == 'w' ? TypeKind::Word

@@ -1,4 +1,5 @@
 #include "runtime/image/path_reader.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 
@@ -14,7 +15,7 @@ public:
     explicit Reader(std::string_view text) : m_text(text) {}
 
     Result<std::vector<PathPart>> run() {
-        if (m_text.empty()) return Error{"the path is empty", {}};
+        if (m_text.empty()) return Error{errors::PathEmpty(), {}};
         if (!name()) return failure();
         while (m_at < m_text.size()) {
             skipBlanks();
@@ -30,9 +31,8 @@ private:
         while (m_at < m_text.size() && (m_text[m_at] == ' ' || m_text[m_at] == '\t')) ++m_at;
     }
     Error failure() const {
-        const std::string rest(m_text.substr(std::min(m_at, m_text.size())));
-        return Error{rest.empty() ? "the path ends too early" : "the path can not be read from '" + rest + "' on",
-                     std::string(m_text)};
+        const std::string_view rest = m_text.substr(std::min(m_at, m_text.size()));
+        return Error{rest.empty() ? errors::PathIncomplete() : errors::PathUnreadable(rest), std::string(m_text)};
     }
     bool isDigit() const { return m_at < m_text.size() && m_text[m_at] >= '0' && m_text[m_at] <= '9'; }
 

@@ -1,4 +1,5 @@
 #include "runtime/compiler/chart/edits.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 
@@ -123,8 +124,8 @@ Result<std::string> ChartEditor::checkedName(std::string name) const {
         const char32_t c = decodeUtf8(name, at);
         good = isNameLetter(c) || name[before] == '_' || (name[before] >= '0' && name[before] <= '9');
     }
-    if (!good) return Error{name + " is not a name: use letters, digits and underscores.", {}};
-    if (m_chart.find(name).isValid()) return Error{"There is a step " + name + " already.", {}};
+    if (!good) return Error{errors::NotAChartName(name), {}};
+    if (m_chart.find(name).isValid()) return Error{errors::StepExists(name), {}};
     return name;
 }
 
@@ -193,7 +194,7 @@ Result<Edits> ChartEditor::finish(Edits edits) const {
                 out.back().range.end = std::max(out.back().range.end, edit.range.end);
                 continue;
             }
-            return Error{"This edit would change the same text twice.", {}};
+            return Error{errors::EditsOverlap(), {}};
         }
         out.push_back(std::move(edit));
     }
@@ -221,7 +222,7 @@ Result<Edits> ChartEditor::insertStepAfter(TransitionId transition, std::string 
     auto name = checkedName(std::move(wanted));
     if (!name) return name.error();
     const Transition& t = m_chart[transition];
-    if (t.decl->to.empty()) return Error{"This transition leads nowhere yet.", {}};
+    if (t.decl->to.empty()) return Error{errors::TransitionLeadsNowhere(), {}};
     const std::string indent = indentOf(t.decl->range.begin);
     std::vector<std::string> to = texts(t.decl->to);
     const std::string target = to[0];
@@ -235,9 +236,8 @@ Result<Edits> ChartEditor::insertStepAfter(TransitionId transition, std::string 
 
 Result<Edits> ChartEditor::deleteStep(StepId step) const {
     const Step& s = m_chart[step];
-    if (s.decl->isInitial)
-        return Error{"The initial step can not be deleted; make another step the initial one first.", {}};
-    if (s.out.size() > 1) return Error{"Several transitions leave this step; delete its branches first.", {}};
+    if (s.decl->isInitial) return Error{errors::InitialStepNotDeleted(), {}};
+    if (s.out.size() > 1) return Error{errors::StepHasBranches(), {}};
     Edits edits;
     edits.push_back(eraseExtent(s.decl->extent));
     std::vector<std::string> next; // where those that led here lead on
@@ -259,7 +259,7 @@ Result<Edits> ChartEditor::deleteStep(StepId step) const {
         if (!to.empty())
             edits.push_back(setNames(in.decl->to, to));
         else if (outStays)
-            return Error{"Nothing would lead to the join behind this step.", {}};
+            return Error{errors::JoinWouldBeLost(), {}};
         else
             edits.push_back(eraseExtent(in.decl->extent));
     }
@@ -269,15 +269,14 @@ Result<Edits> ChartEditor::deleteStep(StepId step) const {
 Result<Edits> ChartEditor::moveStep(StepId step, TransitionId behind) const {
     const Step& s = m_chart[step];
     const Transition& target = m_chart[behind];
-    if (s.decl->isInitial) return Error{"The initial step stays at the top.", {}};
-    if (s.out.size() != 1 || m_chart[s.out[0]].decl->from.size() != 1)
-        return Error{"Only a step with one transition of its own can be moved.", {}};
-    if (s.out[0] == behind) return Error{"The step stands there already.", {}};
-    if (target.decl->to.size() != 1) return Error{"A step can be put behind a transition that leads to one step.", {}};
-    if (std::find(s.in.begin(), s.in.end(), behind) != s.in.end()) return Error{"The step stands there already.", {}};
+    if (s.decl->isInitial) return Error{errors::InitialStepStays(), {}};
+    if (s.out.size() != 1 || m_chart[s.out[0]].decl->from.size() != 1) return Error{errors::StepNotMovable(), {}};
+    if (s.out[0] == behind) return Error{errors::StepAlreadyThere(), {}};
+    if (target.decl->to.size() != 1) return Error{errors::NoPlaceForStep(), {}};
+    if (std::find(s.in.begin(), s.in.end(), behind) != s.in.end()) return Error{errors::StepAlreadyThere(), {}};
     const Transition& out = m_chart[s.out[0]];
     const std::vector<std::string> next = replaced(texts(out.decl->to), nameOf(step), {});
-    if (next.empty()) return Error{"This step leads to itself only.", {}};
+    if (next.empty()) return Error{errors::StepLeadsToItself(), {}};
     Edits edits;
     for (TransitionId id : s.in) {
         if (id == s.out[0]) continue;
@@ -320,7 +319,7 @@ Result<Edits> ChartEditor::moveTransition(TransitionId transition, Place place, 
 
 Result<Edits> ChartEditor::moveParallel(TransitionId transition, size_t from, size_t to) const {
     const auto& list = m_chart[transition].decl->to;
-    if (from >= list.size() || to >= list.size()) return Error{"There is no branch at this place.", {}};
+    if (from >= list.size() || to >= list.size()) return Error{errors::NoBranchHere(), {}};
     std::vector<std::string> names = texts(list);
     const std::string name = names[from];
     names.erase(names.begin() + static_cast<std::ptrdiff_t>(from));
@@ -330,14 +329,12 @@ Result<Edits> ChartEditor::moveParallel(TransitionId transition, size_t from, si
 
 Result<Edits> ChartEditor::setCondition(TransitionId transition, std::string_view condition) const {
     const syntax::TransitionDecl& t = *m_chart[transition].decl;
-    if (condition.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        return Error{"A transition needs a condition.", {}};
+    if (condition.find_first_not_of(" \t\r\n") == std::string_view::npos) return Error{errors::ConditionNeeded(), {}};
     if (t.condition) {
         const SourceRange range = t.condition->range;
         return finish({{range, std::string(condition)}});
     }
-    if (t.ilCondition.empty())
-        return Error{"The condition of this transition can not be read; edit it in the text.", {}};
+    if (t.ilCondition.empty()) return Error{errors::ConditionUnreadable(), {}};
     // instructions become an expression: with the colon before them
     SourceRange range = joined(t.ilCondition.front()->range, t.ilCondition.back()->range);
     while (range.begin > 0 && m_text[range.begin] != ':') --range.begin;
@@ -346,7 +343,7 @@ Result<Edits> ChartEditor::setCondition(TransitionId transition, std::string_vie
 
 Result<Edits> ChartEditor::setPriority(TransitionId transition, int priority) const {
     const syntax::TransitionDecl& t = *m_chart[transition].decl;
-    if (priority < 0) return Error{"A priority is a positive number.", {}};
+    if (priority < 0) return Error{errors::PriorityNotPositive(), {}};
     if (t.priority && priority > 0) return finish({{t.priority->range, std::to_string(priority)}});
     if (t.priority) {
         SourceRange range = t.priority->range;
@@ -371,7 +368,7 @@ Result<Edits> ChartEditor::insertAlternativeBranch(StepId step, std::string want
     auto name = checkedName(std::move(wanted));
     if (!name) return name.error();
     const Step& s = m_chart[step];
-    if (s.out.empty()) return Error{"Nothing follows this step yet: insert a step behind it.", {}};
+    if (s.out.empty()) return Error{errors::NothingFollowsStep(), {}};
     // where the last branch leads: along steps with one way on
     TransitionId last = s.out.back();
     std::set<uint32_t> seen;
@@ -382,7 +379,7 @@ Result<Edits> ChartEditor::insertAlternativeBranch(StepId step, std::string want
             break;
         last = next.out[0];
     }
-    if (m_chart[last].to.empty()) return Error{"The last branch leads nowhere.", {}};
+    if (m_chart[last].to.empty()) return Error{errors::LastBranchLeadsNowhere(), {}};
     const std::string target = nameOf(m_chart[last].to[0]);
     const std::string indent = indentOf(s.decl->range.begin);
     const SourceRange anchor = m_chart[s.out.back()].decl->extent;
@@ -394,7 +391,7 @@ Result<Edits> ChartEditor::insertSimultaneousBranch(TransitionId transition, std
     auto name = checkedName(std::move(wanted));
     if (!name) return name.error();
     const Transition& t = m_chart[transition];
-    if (t.to.empty()) return Error{"This transition leads nowhere yet.", {}};
+    if (t.to.empty()) return Error{errors::TransitionLeadsNowhere(), {}};
     // the join of the branches there are, or of the one that becomes the first of two
     std::string indent = indentOf(t.decl->range.begin);
     std::set<uint32_t> seen;
@@ -422,8 +419,7 @@ Result<Edits> ChartEditor::insertSimultaneousBranch(TransitionId transition, std
     } else {
         // one step so far: its way on becomes the join
         const Step& only = m_chart[t.to[0]];
-        if (t.to.size() != 1 || only.out.size() != 1)
-            return Error{"The branches behind this transition do not join; connect them in the text first.", {}};
+        if (t.to.size() != 1 || only.out.size() != 1) return Error{errors::BranchesDoNotJoin(), {}};
         join = only.out[0];
         std::vector<std::string> from = texts(m_chart[join].decl->from);
         from.push_back(*name);
@@ -525,7 +521,7 @@ Result<Edits> ChartEditor::insertAction(StepId step, size_t index, std::string_v
 
 Result<Edits> ChartEditor::deleteAction(StepId step, size_t index) const {
     const syntax::StepDecl& s = *m_chart[step].decl;
-    if (index >= s.actions.size()) return Error{"There is no such action.", {}};
+    if (index >= s.actions.size()) return Error{errors::NoSuchAction(), {}};
     SourceRange range = s.actions[index].range;
     while (range.end < s.range.end && (m_text[range.end] == ' ' || m_text[range.end] == '\t')) ++range.end;
     if (range.end < s.range.end && m_text[range.end] == ';') ++range.end;
@@ -545,7 +541,7 @@ Result<Edits> ChartEditor::deleteAction(StepId step, size_t index) const {
 
 Result<Edits> ChartEditor::moveAction(StepId step, size_t from, size_t to) const {
     const syntax::StepDecl& s = *m_chart[step].decl;
-    if (from >= s.actions.size() || to >= s.actions.size()) return Error{"There is no such action.", {}};
+    if (from >= s.actions.size() || to >= s.actions.size()) return Error{errors::NoSuchAction(), {}};
     if (from == to) return Edits{};
     // the texts change places, what stands between them stays
     std::vector<size_t> order(s.actions.size());
@@ -561,7 +557,7 @@ Result<Edits> ChartEditor::moveAction(StepId step, size_t from, size_t to) const
 Result<Edits> ChartEditor::changeAction(StepId step, size_t index, std::string_view action, std::string_view qualifier,
                                         std::string_view time) const {
     const syntax::StepDecl& s = *m_chart[step].decl;
-    if (index >= s.actions.size()) return Error{"There is no such action.", {}};
+    if (index >= s.actions.size()) return Error{errors::NoSuchAction(), {}};
     const syntax::ActionAssociation& a = s.actions[index];
     std::string text = associationText(action, qualifier, time);
     text.pop_back();
@@ -574,7 +570,7 @@ Result<Edits> ChartEditor::changeAction(StepId step, size_t index, std::string_v
 }
 
 Result<Edits> ChartEditor::declareAction(std::string_view name) const {
-    if (!m_chart.body || m_chart.steps.empty()) return Error{"There is no chart yet.", {}};
+    if (!m_chart.body || m_chart.steps.empty()) return Error{errors::NoChartYet(), {}};
     uint32_t end = 0;
     for (const Step& s : m_chart.steps) end = std::max(end, s.decl->extent.end);
     for (const Transition& t : m_chart.transitions) end = std::max(end, t.decl->extent.end);

@@ -1,3 +1,4 @@
+#include "runtime/base/messages.h"
 #include "runtime/compiler/chart/edits.h"
 
 #include "runtime/base/text.h"
@@ -113,7 +114,7 @@ Result<Edits> ChartEditor::renameAction(std::string_view action, std::string_vie
     if (action == wanted) return Edits{};
     NameFinder finder(action, false);
     finder.unit(m_pou);
-    if (finder.places.empty()) return Error{"There is no action " + std::string(action) + ".", {}};
+    if (finder.places.empty()) return Error{errors::NoActionNamed(action), {}};
     Edits edits;
     for (SourceRange range : finder.places) edits.push_back({range, std::string(wanted)});
     std::sort(edits.begin(), edits.end(),

@@ -1,4 +1,5 @@
 #include "runtime/compiler/driver/driver.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 #include "runtime/compiler/codegen/codegen.h"
@@ -165,7 +166,7 @@ Built build(const BuildInput& input, Progress* progress) {
     built.isCancelled = isCancelled(progress);
     if (built.isCancelled) return built;
     if (!code) {
-        built.failure = code.error().text();
+        built.failure = code.error().message;
         return built;
     }
     built.program = assemble(built.checked, facts::makeDebugMap(tree), versionOf(input));
@@ -176,14 +177,14 @@ Built build(const BuildInput& input, Progress* progress) {
 }
 
 Result<void> optimise(const Built& built, Progress* progress) {
-    if (!built.program) return Error{"There is no program to optimise", ""};
+    if (!built.program) return Error{errors::NothingToOptimise(), ""};
     codegen::Options options;
     options.tier = codegen::Tier::Optimised;
     options.threadSanitizer = built.input->threadSanitizer;
     options.progress = progress;
     auto code = jit::compile(*built.checked.analysis->program, options);
     if (!code) return code.error();
-    if (isCancelled(progress)) return Error{"cancelled", ""};
+    if (isCancelled(progress)) return Error{errors::Cancelled(), ""};
     built.program->optimisedOwner = std::move(code.value());
     built.program->optimised.store(built.program->optimisedOwner.get(), std::memory_order_release);
     return {};
@@ -195,9 +196,8 @@ Result<expression::Expression> compileExpression(const Checked& checked, std::st
     const sema::CheckedExpression result =
         sema::checkExpression(*checked.analysis, *checked.sources, text, scope, arena);
     if (!result.root) {
-        const std::string message =
-            result.diagnostics.empty() ? "this is not an expression" : result.diagnostics.front().message();
-        return Error{message, std::string(text)};
+        return Error{result.diagnostics.empty() ? errors::NotAnExpression() : result.diagnostics.front().message,
+                     std::string(text)};
     }
     return compile(*result.root, checked.analysis->program->types, std::string(text));
 }

@@ -38,7 +38,7 @@ struct Built {
     Checked checked;
     std::shared_ptr<image::CompiledProgram> program; // null when there are errors
     bool isCancelled = false;                        // then nothing else of it counts
-    std::string failure;                             // the compiler's own failure (never the user's), else empty
+    Message failure;                                 // the compiler's own failure (never the user's), else empty
     double checkMs = 0, codeMs = 0;
     std::shared_ptr<const BuildInput> input; // what it was built from (recordings keep it)
 };

@@ -1,4 +1,5 @@
 #include "runtime/compiler/driver/expression_compiler.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/expression/code.h"
 
@@ -35,11 +36,11 @@ public:
         return expression(root);
     }
     CodeBuilder& code() { return m_code; }
-    [[nodiscard]] const std::string& error() const { return m_error; }
+    [[nodiscard]] const Message& error() const { return m_error; }
 
 private:
-    bool fail(std::string message) {
-        if (m_error.empty()) m_error = std::move(message);
+    bool fail(Message message) {
+        if (m_error.isEmpty()) m_error = std::move(message);
         return false;
     }
 
@@ -100,11 +101,11 @@ private:
             break; // is constant
         case PlaceKind::Instance:
         case PlaceKind::Local:
-            return fail("this is a local of a running call and has no place of its own");
+            return fail(errors::LocalOfACall());
         case PlaceKind::Temporary:
-            return fail("this part of a computed value can not be shown");
+            return fail(errors::PartOfComputedValue());
         case PlaceKind::TextIndex:
-            return fail("a character of a text has no place of its own");
+            return fail(errors::CharacterHasNoAddress());
         case PlaceKind::Field:
             if (!address(*place.base, out)) return false;
             out.offset += place.offset;
@@ -130,7 +131,7 @@ private:
         case PlaceKind::Index:
             return element(place, out);
         }
-        return fail("this place can not be shown");
+        return fail(errors::PlaceNotShown());
     }
 
     bool pushAddress(const Place& place) {
@@ -164,7 +165,7 @@ private:
         const types::Type& array = m_types[place.base->type];
         out = {false, 0, -1};
         if (array.kind == TypeKind::OpenArray) {
-            if (place.base->kind != PlaceKind::InOutSlot) return fail("this array of open length has no place here");
+            if (place.base->kind != PlaceKind::InOutSlot) return fail(errors::OpenArrayNotHere());
             if (!slotOffset(*place.base)) return false;
             for (const Expr* index : place.indices)
                 if (!expression(*index)) return false;
@@ -173,7 +174,7 @@ private:
             return true;
         }
         if (array.kind != TypeKind::Array || array.dimensions.size() != place.indices.size())
-            return fail("this is not an array");
+            return fail(errors::NotAnArray());
         if (const auto base = constantAddress(*place.base)) {
             m_code.reads(base->offset, array.size);
             m_code.offset(base->offset);
@@ -241,14 +242,13 @@ private:
         const Place& place = *expr.place;
         const types::Type& array = m_types[place.type];
         const auto dimension = static_cast<size_t>(expr.selector);
-        if (dimension >= array.dimensions.size()) return fail("the array has no such dimension");
+        if (dimension >= array.dimensions.size()) return fail(errors::NoSuchDimension());
         if (array.kind == TypeKind::Array) {
             m_code.constant(m_types, {expr.type, expr.isUpper ? array.dimensions[dimension].high
                                                               : array.dimensions[dimension].low});
             return true;
         }
-        if (place.kind != PlaceKind::InOutSlot || !slotOffset(place))
-            return fail("this array of open length has no place here");
+        if (place.kind != PlaceKind::InOutSlot || !slotOffset(place)) return fail(errors::OpenArrayNotHere());
         m_code.addOffset(static_cast<uint32_t>(8 + 16 * dimension + (expr.isUpper ? 8 : 0)));
         m_code.loadAt(m_types, types::TypeTable::of(TypeKind::Lint), -1);
         m_code.readsAnything();
@@ -259,7 +259,7 @@ private:
     bool expression(const Expr& expr) {
         switch (expr.kind) {
         case ExprKind::Constant:
-            if (!expr.value.hasValue()) return fail("this has no value");
+            if (!expr.value.hasValue()) return fail(errors::NoValue());
             m_code.constant(m_types, expr.value);
             return true;
         case ExprKind::Load:
@@ -300,19 +300,19 @@ private:
             m_code.isZero();
             return true;
         case ExprKind::Sequence:
-            if (!expr.statements.empty()) return fail("an expression has no side effects");
+            if (!expr.statements.empty()) return fail(errors::NoSideEffects());
             return expression(*expr.a);
         case ExprKind::Call:
-            return fail("only standard functions can be called here");
+            return fail(errors::OnlyStandardFunctions());
         case ExprKind::TryCast:
-            return fail("a cast to an interface can not be watched");
+            return fail(errors::InterfaceCastNotWatched());
         }
-        return fail("this can not be evaluated");
+        return fail(errors::NotEvaluated());
     }
 
     const types::TypeTable& m_types;
     CodeBuilder m_code;
-    std::string m_error;
+    Message m_error;
 };
 
 } // namespace
@@ -321,7 +321,7 @@ Result<expression::Expression> compile(const tree::Expr& root, std::shared_ptr<c
                                        std::string text) {
     Compiler compiler(*types);
     if (!compiler.compile(root)) return Error{compiler.error(), text};
-    if (compiler.code().isTooDeep()) return Error{"The expression is nested too deeply", text};
+    if (compiler.code().isTooDeep()) return Error{errors::ExpressionTooDeep(), text};
     return expression::Expression(text, types, compiler.code().finish(), root.type);
 }
 

@@ -1,4 +1,5 @@
 #include "runtime/compiler/jit/jit.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/compiler/facts/program_facts.h"
 #include "runtime/compiler/jit/write_marks.h"
@@ -87,7 +88,7 @@ void initialiseTargets() {
     });
 }
 
-Error failed(llvm::Error error) { return Error{"The code generator failed: " + llvm::toString(std::move(error)), ""}; }
+Error failed(llvm::Error error) { return Error{errors::CodeGeneratorFailed(llvm::toString(std::move(error))), ""}; }
 
 llvm::orc::SymbolMap runtimeSymbols(llvm::orc::LLJIT& jit) {
     llvm::orc::SymbolMap map;
@@ -217,7 +218,7 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
 Result<Object> compilePart(const tree::Program& program, const facts::ProgramFacts& facts,
                            const codegen::Options& options, codegen::Part part, Steps& steps) {
-    const Error cancelled{"cancelled", ""};
+    const Error cancelled{errors::Cancelled(), ""};
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto builder = machineFor(isQuick);
     if (!builder) return failed(builder.takeError());
@@ -233,8 +234,7 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
 #ifndef NDEBUG
     std::string broken;
     llvm::raw_string_ostream stream(broken);
-    if (llvm::verifyModule(*module, &stream))
-        return Error{"The code generator made a broken module: " + stream.str(), ""};
+    if (llvm::verifyModule(*module, &stream)) return Error{errors::CodeGeneratorBroken(stream.str()), ""};
 #endif
     if (options.threadSanitizer) instrument(*module, **machine);
     const bool marks = marksWrites(program.layout);
@@ -263,7 +263,7 @@ std::vector<Result<Object>> compileParts(const tree::Program& program, const fac
     std::vector<Result<Object>> objects;
     const bool isQuick = options.tier == codegen::Tier::Quick;
     Steps steps(options, count * (kEmitSteps + (isQuick ? 0 : kOptimiseSteps) + kObjectSteps));
-    for (uint32_t i = 0; i < count; ++i) objects.push_back(Error{"not compiled", ""});
+    for (uint32_t i = 0; i < count; ++i) objects.push_back(Error{errors::NotCompiled(), ""});
     std::vector<std::thread> threads;
     for (uint32_t i = 1; i < count; ++i)
         threads.emplace_back([&, i] { objects[i] = compilePart(program, facts, options, {i, count}, steps); });
@@ -291,7 +291,7 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     llvm::orc::JITDylib& library = (*jit)->getMainJITDylib();
     if (options.threadSanitizer) {
         if (!llvm::sys::DynamicLibrary::SearchForAddressOfSymbol("__tsan_func_entry"))
-            return Error{"Code for the thread sanitizer needs a process that runs under it", ""};
+            return Error{errors::ThreadSanitizerNeeded(), ""};
         auto process =
             llvm::orc::DynamicLibrarySearchGenerator::GetForCurrentProcess((*jit)->getDataLayout().getGlobalPrefix());
         if (process)

@@ -1,4 +1,5 @@
 #include "runtime/compiler/lower/convert.h"
+#include "runtime/base/messages.h"
 
 #include "runtime/base/text.h"
 #include "runtime/compiler/lower/instruction_list.h"
@@ -165,7 +166,7 @@ private:
 
 Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& pou, const Body& body,
                                           const TypeNamer& typeOf, std::string_view text) {
-    if (body.language != syntax::BodyLanguage::Il) return Error{"This body is no instruction list.", {}};
+    if (body.language != syntax::BodyLanguage::Il) return Error{errors::NotAnInstructionList(), {}};
     Builder builder(file);
     syntax::VarSection section;
     int counter = 0;
@@ -179,7 +180,7 @@ Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& p
     }();
     LoweredList list = lowerInstructions(body.statements,
                                          {builder, pou.sections, blocks, section, counter, sink, Keep::Needed}, false);
-    if (sink.hasErrors()) return Error{sink.all().front().message(), {}};
+    if (sink.hasErrors()) return Error{sink.all().front().message, {}};
     LocalTypes types(pou);
     types.add(section);
     ConvertedBody out;
@@ -194,7 +195,7 @@ Result<ConvertedBody> instructionListAsSt(syntax::SyntaxFile& file, const Pou& p
         const Expr& source = *decl->type->inferredFrom;
         std::string type = typeOf ? typeOf(decl->range, kept[{decl->range.begin, decl->range.end}]++) : std::string();
         if (type.empty()) type = types.of(source);
-        if (type.empty()) return Error{"The type of " + print(source) + " is not known here.", {}};
+        if (type.empty()) return Error{errors::TypeUnknownHere(print(source)), {}};
         while (taken.contains("result" + std::to_string(++number))) {
         }
         const std::string_view name = builder.keep("result" + std::to_string(number));
@@ -218,12 +219,12 @@ class ListWriter {
 public:
     explicit ListWriter(Comments comments) : m_comments(std::move(comments)) {}
 
-    std::string reason;
+    Message reason;
     std::string text;
 
     void block(const Block& list) {
         for (const Stmt* s : list) {
-            if (!reason.empty()) return;
+            if (!reason.isEmpty()) return;
             const bool simple = s->branches.empty() && s->arms.empty() && s->body.empty();
             text += simple ? m_comments.upToLineOf(s->range.end) : m_comments.before(s->range.begin);
             statement(*s);
@@ -235,8 +236,8 @@ public:
     }
 
 private:
-    void fail(const std::string& what) {
-        if (reason.empty()) reason = what + " has no like in an instruction list.";
+    void fail(messages::Thing what) {
+        if (reason.isEmpty()) reason = errors::NoEquivalentInIl(std::move(what));
     }
     void line(std::string_view op, const std::string& operand) {
         std::string out = m_label.empty() ? std::string() : m_label + ":";
@@ -316,7 +317,7 @@ private:
         }
         if (e.kind == ExprKind::Binary) {
             const std::string op = operatorOf(e.op);
-            if (op.empty()) return e.op == TokenKind::Power ? power(e) : fail(std::string(lex::spelling(e.op)));
+            if (op.empty()) return e.op == TokenKind::Power ? power(e) : fail(lex::spelling(e.op));
             load(*e.base);
             const bool logic = op == "AND" || op == "OR" || op == "XOR";
             if (isOperand(*e.right)) return line(op, print(*e.right));
@@ -330,21 +331,21 @@ private:
         fail(print(e));
     }
     void power(const Expr& e) {
-        if (!isOperand(*e.right)) return fail("A power of a computed number");
+        if (!isOperand(*e.right)) return fail(phrases::APowerOfAComputedNumber());
         load(*e.base);
         line("EXPT", print(*e.right));
     }
     void call(const Expr& e) {
-        if (e.base->kind != ExprKind::NameRef) return fail("A call of " + print(*e.base));
+        if (e.base->kind != ExprKind::NameRef) return fail(phrases::ACallOf(print(*e.base)));
         const bool named = std::any_of(e.arguments.begin(), e.arguments.end(),
                                        [](const Argument& a) { return a.kind != ArgumentKind::Positional; });
         if (named || e.arguments.empty())
             return named ? line(spelled(e.base->name.text) + "(" + printArguments(e.arguments) + ")", "")
-                         : fail("A call without arguments");
+                         : fail(phrases::ACallWithoutArguments());
         std::string rest;
         for (size_t i = 1; i < e.arguments.size(); ++i) {
             if (!e.arguments[i].value || !isOperand(*e.arguments[i].value))
-                return fail("A computed second argument of " + print(*e.base));
+                return fail(phrases::AComputedSecondArgument(print(*e.base)));
             rest += (rest.empty() ? "" : ", ") + print(*e.arguments[i].value);
         }
         load(*e.arguments[0].value);
@@ -363,7 +364,7 @@ private:
                                    (s.value->arguments.empty() ? "" : "(" + printArguments(s.value->arguments) + ")"));
         case StmtKind::If: {
             const std::string end = freshLabel();
-            for (size_t i = 0; i < s.branches.size() && reason.empty(); ++i) {
+            for (size_t i = 0; i < s.branches.size() && reason.isEmpty(); ++i) {
                 const syntax::IfBranch& branch = s.branches[i];
                 const bool last = i + 1 == s.branches.size();
                 const std::string next = last ? end : freshLabel();
@@ -400,11 +401,11 @@ private:
         case StmtKind::Case:
             return choose(s);
         case StmtKind::Exit:
-            return m_ends.empty() ? fail("EXIT outside a loop") : line("JMP", m_ends.back());
+            return m_ends.empty() ? fail(phrases::OutsideALoop(Verbatim("EXIT"))) : line("JMP", m_ends.back());
         case StmtKind::Continue:
-            return m_agains.empty() ? fail("CONTINUE outside a loop") : line("JMP", m_agains.back());
+            return m_agains.empty() ? fail(phrases::OutsideALoop(Verbatim("CONTINUE"))) : line("JMP", m_agains.back());
         case StmtKind::Return:
-            return s.value ? fail("RETURN with a value") : line("RET", "");
+            return s.value ? fail(phrases::ReturnWithValue()) : line("RET", "");
         case StmtKind::Label:
             return label(std::string(s.name.text));
         case StmtKind::Jump:
@@ -419,7 +420,7 @@ private:
         case StmtKind::Force:
         case StmtKind::Release:
         case StmtKind::Compare:
-            return fail("This statement");
+            return fail(phrases::ThisStatement());
         }
     }
     /// A constant from -127 to 127: what every integer type that can count holds, or nearly.
@@ -441,7 +442,7 @@ private:
     /// its type.
     void count(const Stmt& s) {
         const auto to = smallConstant(s.to), by = smallConstant(s.by);
-        if (!to || !by || *by == 0 || *to + *by < 0 || *to + *by > 127) return fail("FOR with this end or step");
+        if (!to || !by || *by == 0 || *to + *by < 0 || *to + *by > 127) return fail(phrases::ForWithThisEndOrStep());
         const std::string again = freshLabel(), next = freshLabel(), end = freshLabel();
         load(*s.from);
         line("ST", print(*s.target));
@@ -465,9 +466,9 @@ private:
         m_ends.pop_back();
     }
     void assign(const Stmt& s) {
-        if (s.value->kind == ExprKind::AssignChain) return fail("An assignment of several variables");
+        if (s.value->kind == ExprKind::AssignChain) return fail(phrases::AnAssignmentOfSeveral());
         if (s.op != TokenKind::Assign && s.op != TokenKind::SetAssign && s.op != TokenKind::ResetAssign)
-            return fail(std::string(lex::spelling(s.op)));
+            return fail(lex::spelling(s.op));
         if (s.op == TokenKind::Assign && s.value->kind == ExprKind::Unary && s.value->op == TokenKind::Not &&
             !isOperand(*s.value->base)) {
             load(*s.value->base);
@@ -477,10 +478,10 @@ private:
         line(s.op == TokenKind::Assign ? "ST" : s.op == TokenKind::SetAssign ? "S" : "R", print(*s.target));
     }
     void choose(const Stmt& s) {
-        if (!isOperand(*s.value)) return fail("CASE of a computed value");
+        if (!isOperand(*s.value)) return fail(phrases::CaseOfAComputedValue());
         const std::string end = freshLabel();
         for (const syntax::CaseArm& arm : s.arms) {
-            if (!reason.empty()) return;
+            if (!reason.isEmpty()) return;
             const std::string next = freshLabel(), here = freshLabel();
             for (const syntax::CaseLabel& l : arm.labels) {
                 line("LD", print(*s.value));
@@ -513,11 +514,11 @@ private:
 } // namespace
 
 Result<ConvertedBody> stAsInstructionList(const syntax::SyntaxFile& file, const Body& body, std::string_view text) {
-    if (body.language != syntax::BodyLanguage::St) return Error{"This body is not ST.", {}};
+    if (body.language != syntax::BodyLanguage::St) return Error{errors::NotSt(), {}};
     ListWriter writer(Comments(file, body, text));
     writer.block(body.statements);
     writer.finish();
-    if (!writer.reason.empty()) return Error{writer.reason, {}};
+    if (!writer.reason.isEmpty()) return Error{writer.reason, {}};
     return ConvertedBody{{}, writer.text};
 }
 
