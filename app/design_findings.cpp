@@ -1,6 +1,7 @@
 #include "app/design_findings.h"
 
 #include "app/live_views.h"
+#include "editor/kit/message_text.h"
 
 #include <algorithm>
 
@@ -52,7 +53,7 @@ void DesignFindings::continueCheck() {
         if (!each.element.isEmpty())
             place += "  " + each.element + (each.property.isEmpty() ? "" : "." + each.property);
         if (!each.language.isEmpty()) place += "  [" + each.language + "]";
-        problems.push_back({each.code(), each.message, place, each.isError, each.file, each.element});
+        problems.push_back({each.code(), kit::messageText(each.message), place, each.isError, each.file, each.element});
     }
     m_problems.setOtherProblems(std::move(problems));
     m_input = {};

@@ -4,6 +4,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "runtime/base/messages.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -317,8 +318,8 @@ void LiveViews::viewedChanged() {
 }
 
 Result<void> LiveViews::addPanel(const QString& name) {
-    if (!m_workspace.isOpen()) return Error{"Open a project first", ""};
-    if (m_panels->find(name)) return Error{"There is a panel of that name already", name.toStdString()};
+    if (!m_workspace.isOpen()) return Error{errors::OpenProjectFirst(), ""};
+    if (m_panels->find(name)) return Error{errors::PanelNameInUse(), name.toStdString()};
     QDir().mkpath(m_workspace.folder() + "/hmi");
     if (auto saved = hmi::savePanel(*m_panels, {name, {}}); !saved) return saved;
     if (auto read = m_workspace.rereadProject(); !read) return read;
@@ -357,7 +358,7 @@ void LiveViews::discardTables() {
 }
 
 Result<bool> LiveViews::saveRecording(const QString& path) {
-    if (!m_control.session()) return Error{"Nothing was recorded yet", path.toStdString()};
+    if (!m_control.session()) return Error{errors::NothingRecorded(), path.toStdString()};
     const editor::RunControl::Hold held = m_control.hold();
     Result<void> saved;
     const bool isDone = kit::LongTask::runAside(tr("Saving the recording…"), m_trace->window(),

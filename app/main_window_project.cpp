@@ -256,12 +256,11 @@ void MainWindow::runTests() {
                                           .arg(QString::fromStdString(result.title)),
                                       !result.passed());
                     for (const testing::Failure& failure : result.failures)
-                        m_log->addMessage(
-                            QString("    %1:%2  %3  %4")
-                                .arg(QString::fromStdString(failure.file))
-                                .arg(failure.line)
-                                .arg(kit::messageText(failure.message), QString::fromStdString(failure.detail)),
-                            true);
+                        m_log->addMessage(QString("    %1:%2  %3  %4")
+                                              .arg(QString::fromStdString(failure.file))
+                                              .arg(failure.line)
+                                              .arg(kit::messageText(failure.message), kit::messageText(failure.detail)),
+                                          true);
                 }
                 if (isCancelled) say(tr("The tests were cancelled"));
                 say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()),

@@ -4,6 +4,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
 
@@ -207,11 +208,10 @@ const std::vector<ProjectTemplate>& projectTemplates() {
 Result<void> createProject(const std::string& folder, const std::string& name, const std::string& templateId) {
     namespace fs = std::filesystem;
     std::error_code problem;
-    if (fs::exists(folder, problem) && !fs::is_empty(folder, problem))
-        return Error{"The folder exists already and is not empty; choose another name", folder};
+    if (fs::exists(folder, problem) && !fs::is_empty(folder, problem)) return Error{errors::FolderInUse(), folder};
     for (const char* part : {"src", "tests", "hmi", "traces"}) {
         fs::create_directories(fs::path(folder) / part, problem);
-        if (problem) return Error{"The folder can not be made: " + problem.message(), folder};
+        if (problem) return Error{errors::FolderNotCreated(errors::ofSystem(problem)), folder};
     }
     nlohmann::ordered_json json;
     json["name"] = name;
@@ -228,7 +228,7 @@ Result<void> copyProject(const std::string& from, const std::string& to) {
     namespace fs = std::filesystem;
     std::error_code problem;
     fs::create_directories(to, problem);
-    if (problem) return Error{"The folder can not be made: " + problem.message(), to};
+    if (problem) return Error{errors::FolderNotCreated(errors::ofSystem(problem)), to};
     for (fs::recursive_directory_iterator it(from, problem), end; !problem && it != end; it.increment(problem)) {
         const fs::path name = it->path().filename();
         if (name.string().starts_with('.') || name.extension() == ".retain") {
@@ -240,11 +240,11 @@ Result<void> copyProject(const std::string& from, const std::string& to) {
             fs::create_directories(target, problem);
         else
             fs::copy_file(it->path(), target, fs::copy_options::overwrite_existing, problem);
-        if (problem) return Error{"The file can not be copied: " + problem.message(), it->path().string()};
+        if (problem) return Error{errors::FileNotCopied(errors::ofSystem(problem)), it->path().string()};
         fs::permissions(target, fs::perms::owner_write, fs::perm_options::add,
                         problem); // the original may be read-only
     }
-    if (problem) return Error{"The folder can not be read: " + problem.message(), from};
+    if (problem) return Error{errors::FolderNotRead(errors::ofSystem(problem)), from};
     return {};
 }
 

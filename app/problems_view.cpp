@@ -1,6 +1,7 @@
 #include "app/problems_view.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 
@@ -14,17 +15,6 @@
 namespace plc::app {
 
 using diagnostics::Severity;
-
-namespace {
-/// The message in the studio's language: the template is translated, the arguments put in.
-QString translated(const diagnostics::Diagnostic& d) {
-    const std::string_view source = diagnostics::templateOf(d.kind);
-    QString text = QCoreApplication::translate("Diagnostics", std::string(source).c_str());
-    for (size_t i = 0; i < d.arguments.size(); ++i)
-        text.replace(QString("{%1}").arg(i), QString::fromStdString(d.arguments[i]));
-    return text;
-}
-} // namespace
 
 ProblemsView::ProblemsView(editor::Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace) {
     m_list = new QTreeWidget(this);
@@ -116,7 +106,7 @@ void ProblemsView::reload() {
                     place = QString("%1:%2").arg(file).arg(source.lineColumn(d.range.begin).line);
                 }
                 const auto code = diagnostics::codeOf(d.kind);
-                if (QTreeWidgetItem* item = add(d.severity, translated(d), kit::fromView(code), place)) {
+                if (QTreeWidgetItem* item = add(d.severity, kit::messageText(d.message), kit::fromView(code), place)) {
                     item->setData(0, Qt::UserRole, file);
                     item->setData(0, Qt::UserRole + 1, d.range.begin);
                 }

@@ -1,5 +1,6 @@
 #include "app/cli/arguments.h"
 
+#include "app/cli/errors.h"
 #include "runtime/base/text.h"
 
 #include <algorithm>
@@ -40,19 +41,18 @@ Result<Arguments> Arguments::parse(const CommandSpec& spec, const std::vector<st
             std::vector<std::string> known;
             for (const OptionSpec& each : spec.options) known.emplace_back(each.name);
             const auto near = nearestName(name, known);
-            return Error{"There is no option " + name + (near ? "; did you mean " + *near + "?" : "") + " (stepwise " +
-                             std::string(spec.name) + " --help)",
+            return Error{near ? errors::NoOptionSuggest(name, *near, spec.name) : errors::NoOption(name, spec.name),
                          ""};
         }
         if (option->value.empty()) {
-            if (equals != std::string::npos) return Error{name + " takes no value", ""};
+            if (equals != std::string::npos) return Error{errors::OptionTakesNoValue(name), ""};
             out.m_options.emplace_back(name, "");
         } else if (equals != std::string::npos) {
             out.m_options.emplace_back(name, word.substr(equals + 1));
         } else if (i + 1 < words.size()) {
             out.m_options.emplace_back(name, words[++i]);
         } else {
-            return Error{name + " needs a value, for example " + name + " " + std::string(option->value), ""};
+            return Error{errors::OptionNeedsValue(name, option->value), ""};
         }
     }
     return out;
@@ -89,7 +89,7 @@ std::string helpText(const CommandSpec& spec) {
 }
 
 Result<std::chrono::nanoseconds> parseDuration(std::string_view text) {
-    const Error wrong{"\"" + std::string(text) + "\" is not a duration; write for example 10s, 250ms, 1m30s or 2h", ""};
+    const Error wrong{errors::NotADuration(text), ""};
     std::string rest = foldCase(text);
     for (const std::string_view prefix : {"ltime#", "time#", "lt#", "t#"})
         if (rest.starts_with(prefix)) {
@@ -125,8 +125,7 @@ Result<std::chrono::nanoseconds> parseDuration(std::string_view text) {
 Result<uint64_t> parseCount(std::string_view text) {
     uint64_t number = 0;
     const auto [after, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || after != text.data() + text.size())
-        return Error{"\"" + std::string(text) + "\" is not a whole number", ""};
+    if (error != std::errc() || after != text.data() + text.size()) return Error{errors::NotAnInteger(text), ""};
     return number;
 }
 

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "app/cli/panel_findings.h"
 
 #include "projects/testing/test_run.h"
@@ -10,8 +11,7 @@ namespace plc::cli {
 
 namespace {
 int check(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"check needs a project folder or ST files (stepwise check --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("check")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const driver::Checked checked = [&] {

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "editor/kit/theme.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
@@ -47,7 +48,7 @@ const std::vector<Command>& commands() {
 }
 
 int wrongUse(const Error& error) {
-    std::cerr << "stepwise: " << error.text() << "\n";
+    std::cerr << "stepwise: " << error.english() << "\n";
     return kWrongUse;
 }
 
@@ -67,9 +68,7 @@ int runCommandLine(const std::vector<std::string>& words) {
         std::vector<std::string> names;
         for (const Command& command : all) names.emplace_back(command.spec.name);
         const auto near = nearestName(words[0], names);
-        return wrongUse({"There is no command " + words[0] + (near ? "; did you mean " + *near + "?" : "") +
-                             " (stepwise --help lists them)",
-                         ""});
+        return wrongUse({near ? errors::NoCommandSuggest(words[0], *near) : errors::NoCommand(words[0]), ""});
     }
     const auto arguments = Arguments::parse(it->spec, {words.begin() + 1, words.end()});
     if (!arguments) return wrongUse(arguments.error());
@@ -79,12 +78,12 @@ int runCommandLine(const std::vector<std::string>& words) {
     }
     if (const auto format = arguments->value("--format");
         format && *format != "text" && *format != "json" && *format != "junit")
-        return wrongUse({"--format is text or json, not " + *format, ""});
+        return wrongUse({errors::FormatIs(*format), ""});
     jit::setRuntimeSymbols(controller::runtimeSymbols());
     const int code = it->run(*arguments);
     std::cout.flush();
     if (std::cout) return code;
-    return wrongUse({"The output can not be written; is the disk full?", ""});
+    return wrongUse({errors::OutputNotWritten(), ""});
 }
 
 Result<projects::Project> openNamedProject(const Arguments& arguments) {
@@ -99,7 +98,7 @@ Result<projects::Project> openNamedProject(const Arguments& arguments, const std
         const std::string name = foldCase(value);
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             const auto near = nearestName(name, known);
-            return Error{"There is no library " + value + (near ? "; did you mean " + *near + "?" : ""), ""};
+            return Error{near ? errors::NoLibrarySuggest(value, *near) : errors::NoSuchLibrary(value), ""};
         }
         project->libraries.push_back(name);
     }

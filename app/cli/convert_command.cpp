@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/analysis/conversion.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
@@ -21,16 +22,14 @@ std::string onDisk(const Arguments& arguments, const std::string& path) {
 }
 
 int convert(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"convert needs a project folder or ST files (stepwise convert --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("convert")), ""});
     const auto wanted = arguments.value("--to");
     if (!wanted || (!equalsIgnoringCase(*wanted, "st") && !equalsIgnoringCase(*wanted, "il")))
-        return wrongUse({"--to is st or il", wanted.value_or("")});
+        return wrongUse({errors::ConvertTo(), wanted.value_or("")});
     const analysis::TextLanguage to =
         equalsIgnoringCase(*wanted, "st") ? analysis::TextLanguage::St : analysis::TextLanguage::Il;
     const auto unit = arguments.value("--unit");
-    if (!unit && to == analysis::TextLanguage::Il)
-        return wrongUse({"--to il needs --unit NAME: the unit that becomes an instruction list", ""});
+    if (!unit && to == analysis::TextLanguage::Il) return wrongUse({errors::ConvertNeedsUnit(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     driver::BuildInput input = project->buildInput();
@@ -43,7 +42,7 @@ int convert(const Arguments& arguments) {
             known = true;
             const auto converted = analysis::convertBody(input, file.path, place.unit, to);
             if (!converted) {
-                std::cerr << "stepwise: " << place.unit << ": " << converted.error().text() << "\n";
+                std::cerr << "stepwise: " << place.unit << ": " << converted.error().english() << "\n";
                 refused = true;
                 continue;
             }
@@ -60,7 +59,7 @@ int convert(const Arguments& arguments) {
         if (auto written = projects::writeFileAtomically(path, file.text); !written) return wrongUse(written.error());
         std::cerr << "converted " << path << "\n";
     }
-    if (unit && !known) return wrongUse({"There is no unit of that name with a body in ST or IL", *unit});
+    if (unit && !known) return wrongUse({errors::NoUnitToConvert(), *unit});
     if (done == 0 && !refused) std::cerr << "nothing to convert\n";
     return refused ? kProgramWrong : kGood;
 }

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/analysis/library_reference.h"
 
 #include <fstream>
@@ -25,7 +26,7 @@ int checkReference(const std::string& folder) {
 
 int document(const Arguments& arguments) {
     if (arguments.paths().size() != 1 || arguments.paths()[0] != "library")
-        return wrongUse({"doc needs to know what to describe: stepwise doc library", ""});
+        return wrongUse({errors::DocNeedsSubject(), ""});
     const std::string folder = arguments.value("--out").value_or("docs/library");
     if (arguments.has("--check")) return checkReference(folder);
     const auto written = analysis::writeLibraryReference(folder);

@@ -1,6 +1,8 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/messages.h"
 #include "runtime/compiler/format/format.h"
 
 #include <filesystem>
@@ -28,7 +30,7 @@ Result<std::vector<std::string>> filesOf(const std::vector<std::string>& paths) 
         } else if (fs::exists(path, problem)) {
             out.push_back(path);
         } else {
-            return Error{"There is no such file or folder", path};
+            return Error{errors::NoSuchFileOrFolder(), path};
         }
     }
     return out;
@@ -69,14 +71,13 @@ std::string difference(const std::string& path, const std::string& before, const
 }
 
 int formatFiles(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"fmt needs a project folder or ST files (stepwise fmt --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("fmt")), ""});
     const auto files = filesOf(arguments.paths());
     if (!files) return wrongUse(files.error());
     format::FormatOptions options;
     if (const auto text = arguments.value("--indent")) {
         const auto indent = parseCount(*text);
-        if (!indent || *indent < 1 || *indent > 16) return wrongUse({"--indent needs a number from 1 to 16", *text});
+        if (!indent || *indent < 1 || *indent > 16) return wrongUse({errors::IndentRange(), *text});
         options.indentWidth = static_cast<int>(*indent);
     }
     options.alignDeclarations = arguments.has("--align");

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "app/cli/panel_findings.h"
 #include "app/cli/timed_write.h"
 
@@ -39,7 +40,7 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
     printDiagnostics(built.checked, false, false);
     if (built.checked.analysis->hasErrors) return kProgramWrong;
     if (!built.program)
-        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project.name});
     hmi::PictureOptions options;
     options.folder = QString::fromStdString(folder);
     for (const std::string& language : arguments.values("--language"))
@@ -47,11 +48,10 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
     for (const std::string& panel : arguments.values("--panel")) options.panels += QString::fromStdString(panel);
     options.theme = QString::fromStdString(arguments.value("--theme").value_or(""));
     if (!options.theme.isEmpty() && options.theme != "light" && options.theme != "dark" && options.theme != "contrast")
-        return wrongUse({"--theme is light, dark or contrast", options.theme.toStdString()});
+        return wrongUse({errors::ThemeIs(), options.theme.toStdString()});
     if (const auto text = arguments.value("--scale")) {
         options.scale = std::atof(text->c_str());
-        if (!(options.scale >= 0.25 && options.scale <= 8))
-            return wrongUse({"--scale needs a number from 0.25 to 8", *text});
+        if (!(options.scale >= 0.25 && options.scale <= 8)) return wrongUse({errors::PanelScaleRange(), *text});
     }
     catchInterrupt();
     session::Settings settings;
@@ -61,7 +61,7 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
         return wrongUse(ran.error());
     needApplication();
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
-    for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
+    for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
     const auto paths = hmi::renderPanels(panels, &session, options);
     if (!paths) return wrongUse(paths.error());
     for (const QString& path : *paths) std::cout << path.toStdString() << "\n";
@@ -71,12 +71,12 @@ int pictures(const Arguments& arguments, const projects::Project& project, const
 int play(const Arguments& arguments, const projects::Project& project) {
     if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
         qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        return wrongUse({"There is no display to play the panel on; --pictures needs none", ""});
+        return wrongUse({errors::NoDisplay(), ""});
     driver::Built built = driver::build(project.buildInput());
     printDiagnostics(built.checked, false, false);
     if (built.checked.analysis->hasErrors) return kProgramWrong;
     if (!built.program)
-        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project.name});
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project.name});
     if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
     static int count = 1;
     static char name[] = "stepwise";
@@ -85,25 +85,25 @@ int play(const Arguments& arguments, const projects::Project& project) {
     kit::Theme::install(application, kit::ThemeChoice::System);
     session::Session session(std::move(built));
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
-    for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
-    if (panels.panels.empty()) return wrongUse({"The project has no panel", project.name});
+    for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
+    if (panels.panels.empty()) return wrongUse({errors::NoPanelInProject(), project.name});
     return hmi::playPanels(panels, session, QString::fromStdString(arguments.value("--panel").value_or("")),
                            arguments.has("--full-screen"));
 }
 
 int format(const projects::Project& project) {
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
-    for (const Error& problem : panels.problems) std::cerr << problem.text() << "\n";
+    for (const Error& problem : panels.problems) std::cerr << problem.english() << "\n";
     if (!panels.problems.empty()) return kProgramWrong;
     const auto done = hmi::formatPanels(panels);
     return done ? kGood : wrongUse(done.error());
 }
 
 int run(const Arguments& arguments) {
-    if (arguments.paths().size() != 1) return wrongUse({"panel needs one project folder (stepwise panel --help)", ""});
+    if (arguments.paths().size() != 1) return wrongUse({errors::PanelNeedsProject(), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
-    if (!hasPanels(*project)) return wrongUse({"The project has no panel", project->name});
+    if (!hasPanels(*project)) return wrongUse({errors::NoPanelInProject(), project->name});
     if (arguments.has("--format-files")) return format(*project);
     if (const auto folder = arguments.value("--pictures")) return pictures(arguments, *project, *folder);
     if (arguments.has("--play")) return play(arguments, *project);

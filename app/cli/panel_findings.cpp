@@ -32,7 +32,7 @@ std::string renderJson(const hmi::Finding& finding) {
     if (!finding.language.isEmpty()) object["language"] = finding.language.toStdString();
     object["code"] = finding.code().toStdString();
     object["severity"] = finding.isError ? "error" : "warning";
-    object["message"] = finding.message.toStdString();
+    object["message"] = finding.message.english();
     return object.dump();
 }
 

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "app/cli/run_output.h"
 
 #include "runtime/compiler/driver/driver.h"
@@ -21,17 +22,17 @@ public:
         input.libraries = libraries;
         m_all.push_back(driver::build(input));
         if (!m_all.back().program)
-            m_failure = m_all.back().failure.empty() ? "the program in it has errors" : m_all.back().failure;
+            m_failure = m_all.back().failure.isEmpty() ? errors::RecordedProgramHasErrors() : m_all.back().failure;
         return m_all.back().program;
     }
     [[nodiscard]] const driver::Built& newest() const { return m_all.back(); }
-    [[nodiscard]] const std::string& failure() const { return m_failure; }
+    [[nodiscard]] const Message& failure() const { return m_failure; }
     [[nodiscard]] Result<expression::Expression> compile(const image::CompiledProgram& program,
                                                          const std::string& text) const {
         for (const driver::Built& built : m_all)
             if (built.program && built.program->version == program.version)
                 return driver::compileExpression(built.checked, text);
-        return Error{"this version of the program is not in the recording", text};
+        return Error{errors::VersionNotRecorded(), text};
     }
     [[nodiscard]] history::Recompile recompile(const std::string& text) const {
         return [this, text](const image::CompiledProgram& program) {
@@ -42,7 +43,7 @@ public:
 
 private:
     std::vector<driver::Built> m_all;
-    std::string m_failure;
+    Message m_failure;
 };
 
 /// The watches as the version meant them that made the scan; those it did not know have no value.
@@ -65,39 +66,38 @@ private:
 };
 
 int replay(const Arguments& arguments) {
-    if (arguments.paths().size() != 1)
-        return wrongUse({"replay needs one recording (made by stepwise run --record)", ""});
+    if (arguments.paths().size() != 1) return wrongUse({errors::ReplayNeedsRecording(), ""});
     Versions versions;
     const auto loaded =
         history::History::load(arguments.paths()[0], [&versions](const auto& sources, const auto& libraries) {
             return versions.build(sources, libraries);
         });
     if (!loaded)
-        return wrongUse(versions.failure().empty()
+        return wrongUse(versions.failure().isEmpty()
                             ? loaded.error()
-                            : Error{"The recording can not be opened: " + versions.failure(), arguments.paths()[0]});
+                            : Error{errors::RecordingNotOpened(versions.failure()), arguments.paths()[0]});
     const history::History& history = **loaded;
     const history::Statistics statistics = history.statistics();
-    if (statistics.end == statistics.first) return wrongUse({"The recording holds no scan", arguments.paths()[0]});
+    if (statistics.end == statistics.first) return wrongUse({errors::RecordingEmpty(), arguments.paths()[0]});
     history::Position at = statistics.end - 1;
     if (const auto text = arguments.value("--at")) {
         const auto time = parseDuration(*text);
         if (!time) return wrongUse(time.error());
         const auto found = history.positionAt(*time);
-        if (!found) return wrongUse({"The recording has no scan at or before " + *text, arguments.paths()[0]});
+        if (!found) return wrongUse({errors::NoScanBefore(*text), arguments.paths()[0]});
         at = *found;
     }
     std::vector<Watch> watches;
     for (const std::string& text : arguments.values("--watch")) {
         auto expression = driver::compileExpression(versions.newest().checked, text);
-        if (!expression) return wrongUse({"--watch: " + expression.error().message, text});
+        if (!expression) return wrongUse({errors::Option(Verbatim("--watch"), expression.error().message), text});
         watches.push_back({text, *expression});
     }
     if (const auto text = arguments.value("--find")) {
         const auto expression = driver::compileExpression(versions.newest().checked, *text);
-        if (!expression) return wrongUse({"--find: " + expression.error().message, *text});
+        if (!expression) return wrongUse({errors::Option(Verbatim("--find"), expression.error().message), *text});
         if (expression->types().storageKind(expression->type()) != types::TypeKind::Bool)
-            return wrongUse({"--find needs a condition (BOOL), for example \"Main.level > 80\"", *text});
+            return wrongUse({errors::FindNeedsCondition(), *text});
         const auto found =
             history.find(*expression, versions.recompile(*text), arguments.has("--at") ? at : statistics.first,
                          history::History::Direction::Forward);
@@ -124,7 +124,7 @@ int replay(const Arguments& arguments) {
     }
     const auto stamp = history.stamp(at);
     const std::vector<std::byte> image = history.seek(at, &program);
-    if (image.empty() || !stamp) return wrongUse({"This scan is not in the recording any more", arguments.paths()[0]});
+    if (image.empty() || !stamp) return wrongUse({errors::ScanNotRecorded(), arguments.paths()[0]});
     watches = seen.of(program);
     if (arguments.wantsJson()) {
         std::cout << "{\"scans\":" << statistics.scans << ",\"scan\":" << stamp->scan
@@ -147,7 +147,7 @@ int replay(const Arguments& arguments) {
         name.resize(width + 2, ' ');
         std::cout << name
                   << (outcome.hasValue()           ? types::toText(watch.expression.types(), outcome.value)
-                      : watch.expression.isValid() ? "(" + outcome.reason + ")"
+                      : watch.expression.isValid() ? "(" + outcome.reason.english() + ")"
                                                    : "(did not exist at that scan)")
                   << "\n";
     }

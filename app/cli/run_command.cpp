@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "app/cli/run_output.h"
 #include "app/cli/timed_write.h"
 
@@ -44,17 +45,16 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
     }
     if (const auto text = arguments.value("--until")) {
         auto until = driver::compileExpression(built.checked, *text);
-        if (!until) return Error{"--until: " + until.error().message, *text};
+        if (!until) return Error{errors::Option(Verbatim("--until"), until.error().message), *text};
         if (until->types().storageKind(until->type()) != types::TypeKind::Bool)
-            return Error{"--until needs a BOOL expression", *text};
+            return Error{errors::UntilNeedsBool(), *text};
         plan.until = *until;
     }
     if (!plan.length && !plan.scans && !plan.until.isValid()) plan.length = std::chrono::seconds(10);
     if (const auto text = arguments.value("--speed")) {
         char* end = nullptr;
         plan.speed = std::strtod(text->c_str(), &end);
-        if (end == text->c_str() || *end || !(plan.speed > 0))
-            return Error{"--speed needs a number above 0, for example 10", *text};
+        if (end == text->c_str() || *end || !(plan.speed > 0)) return Error{errors::SpeedAboveZero(), *text};
         plan.isReal = true;
     }
     plan.isReal = plan.isReal || arguments.has("--real");
@@ -63,7 +63,7 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
     plan.writes = std::move(*writes);
     for (const std::string& text : arguments.values("--watch")) {
         auto expression = driver::compileExpression(built.checked, text);
-        if (!expression) return Error{"--watch: " + expression.error().message, text};
+        if (!expression) return Error{errors::Option(Verbatim("--watch"), expression.error().message), text};
         plan.watches.push_back({text, *expression});
     }
     if (plan.watches.empty()) plan.watches = allVariables(built);
@@ -71,20 +71,18 @@ Result<RunPlan> planRun(const Arguments& arguments, const driver::Built& built,
 }
 
 /// A folder that is not there is told before hours are simulated, not after.
-Result<void> checkFolder(const std::string& file, const char* what) {
+template <class What> Result<void> checkFolder(const std::string& file, const What& missing) {
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return {};
-    return Error{std::string("There is no folder for the ") + what + "; create " + folder.string() +
-                     " or name another place",
-                 file};
+    return Error{missing(folder.string()), file};
 }
 
 /// Why a run with --until ended before; nothing when it did come true.
-std::string untilProblem(const RunPlan& plan, const std::string& text, const controller::Controller& controller) {
+Message untilProblem(const RunPlan& plan, const std::string& text, const controller::Controller& controller) {
     if (!plan.until.isValid() || controller.fault() || plan.until.isTrue(controller.image())) return {};
     const expression::Outcome last = plan.until.evaluate(controller.image());
-    return "--until " + text + (last.hasValue() ? " did not come true" : " has no value: " + last.reason);
+    return last.hasValue() ? errors::UntilNotTrue(text) : errors::HasNoValue(Verbatim("--until " + text), last.reason);
 }
 
 /// Drives the controller scan by scan and hands each finished scan to the CSV.
@@ -122,8 +120,7 @@ Result<void> runScans(const RunPlan& plan, const driver::Built& built, session::
 }
 
 int run(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"run needs a project folder or ST files (stepwise run --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("run")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const driver::Built built = [&] {
@@ -137,7 +134,7 @@ int run(const Arguments& arguments) {
     }
     if (!json) printDiagnostics(built.checked, false, false);
     if (!built.program)
-        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
     if (built.program->tasks.empty()) {
         std::cerr << "stepwise: " << project->name << ": there is no PROGRAM to run\n";
         return kProgramWrong;
@@ -150,9 +147,10 @@ int run(const Arguments& arguments) {
     session::Settings settings;
     settings.record = arguments.has("--record");
     settings.retainFile = arguments.value("--retain").value_or("");
-    for (const auto& [option, what] : {std::pair{"--retain", "retain file"}, {"--record", "recording"}})
-        if (const auto file = arguments.value(option))
-            if (auto good = checkFolder(*file, what); !good) return wrongUse(good.error());
+    if (const auto file = arguments.value("--retain"))
+        if (auto good = checkFolder(*file, errors::NoFolderForRetain); !good) return wrongUse(good.error());
+    if (const auto file = arguments.value("--record"))
+        if (auto good = checkFolder(*file, errors::NoFolderForRecording); !good) return wrongUse(good.error());
     if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
         return wrongUse(start.error());
     else if (*start)
@@ -165,17 +163,17 @@ int run(const Arguments& arguments) {
     if (const auto every = arguments.value("--every"); every && *every != "scan") {
         const auto interval = parseDuration(*every);
         if (!interval || interval->count() <= 0)
-            return wrongUse(interval ? Error{"--every needs scan or a time above 0", *every} : interval.error());
+            return wrongUse(interval ? Error{errors::EveryScanOrTime(), *every} : interval.error());
         csv.setInterval(*interval);
     }
     if (const auto file = arguments.value("--csv"))
         if (auto opened = csv.open(*file); !opened) return wrongUse(opened.error());
     if (auto ran = runScans(*plan, built, session, csv); !ran) return wrongUse(ran.error());
 
-    if (const std::string problem = session.status().retainProblem; !problem.empty())
+    if (const Message problem = session.status().retainProblem; !problem.isEmpty())
         std::cerr << "stepwise: " << problem << "\n";
-    if (const std::string problem = untilProblem(*plan, arguments.value("--until").value_or(""), session.controller());
-        !problem.empty())
+    if (const Message problem = untilProblem(*plan, arguments.value("--until").value_or(""), session.controller());
+        !problem.isEmpty())
         std::cerr << "stepwise: " << problem << "\n";
     RunReport report{session.controller(), built, plan->watches, arguments.has("--stats")};
     (arguments.value("--csv") == "-" ? std::cerr : std::cout)
@@ -185,7 +183,7 @@ int run(const Arguments& arguments) {
     // One file that can not be written costs neither the values nor the other files.
     std::optional<Error> problem;
     const auto note = [&](const Result<void>& done) {
-        if (!done && problem) std::cerr << "stepwise: " << done.error().text() << "\n";
+        if (!done && problem) std::cerr << "stepwise: " << done.error().english() << "\n";
         if (!done && !problem) problem = done.error();
     };
     note(csv.close());

@@ -1,6 +1,7 @@
 #include "app/cli/run_output.h"
 
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "runtime/types/conversion.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ Result<std::optional<int64_t>> calendarStart(const std::string& text) {
     const int fields = std::sscanf(begin, "%d-%d-%d%*[-T ]%d:%d:%d", &year, &month, &day, &hour, &minute, &second);
     if ((fields != 3 && fields != 5 && fields != 6) || !types::isValidDate({year, month, day}) || hour < 0 ||
         hour > 23 || minute < 0 || minute > 59 || second < 0 || second > 59)
-        return Error{"\"" + text + "\" is not a date and time; write for example DT#2026-01-31-06:00:00", ""};
+        return Error{errors::NotADateAndTime(text), ""};
     return std::optional<int64_t>(((types::daysFromCivil({year, month, day}) * 24 + hour) * 60 + minute) *
                                       60'000'000'000 +
                                   second * 1'000'000'000ll);
@@ -94,11 +95,10 @@ Result<void> CsvWriter::open(const std::string& path) {
     const bool isOutput = path == "-";
     m_isDirect =
         isOutput || (std::filesystem::exists(m_path, ignored) && !std::filesystem::is_regular_file(m_path, ignored));
-    if (std::filesystem::is_directory(m_path, ignored))
-        return Error{"The CSV file can not be written: this is a folder", path};
+    if (std::filesystem::is_directory(m_path, ignored)) return Error{errors::CsvNotWritten(errors::IsAFolder()), path};
     m_file = isOutput ? ::fdopen(::dup(STDOUT_FILENO), "wb")
                       : std::fopen((m_path + (m_isDirect ? "" : ".part")).c_str(), "wb");
-    if (!m_file) return Error{std::string("The CSV file can not be written: ") + std::strerror(errno), path};
+    if (!m_file) return Error{errors::CsvNotWritten(errors::ofSystem(errno)), path};
     std::string head = "time_s,scan";
     for (const Watch& watch : m_watches) head += "," + csvCell(watch.text);
     head += "\r\n";
@@ -136,12 +136,11 @@ Result<void> CsvWriter::close() {
     const std::string part = m_path + ".part";
     if (bad) {
         if (!m_isDirect) std::remove(part.c_str());
-        return Error{std::string("The CSV file can not be written: ") + std::strerror(code) + "; free some space",
-                     m_path};
+        return Error{errors::CsvDiskFull(errors::ofSystem(code)), m_path};
     }
     if (m_isDirect) return {};
     if (std::rename(part.c_str(), m_path.c_str()) != 0)
-        return Error{std::string("The CSV file can not be put in place: ") + std::strerror(errno), m_path};
+        return Error{errors::CsvNotReplaced(errors::ofSystem(errno)), m_path};
     return {};
 }
 
@@ -152,7 +151,7 @@ std::string placeText(const driver::Built& built, SourceRange range) {
     return file.path() + ":" + std::to_string(file.lineColumn(range.begin).line);
 }
 std::string valueText(const types::TypeTable& types, const expression::Outcome& outcome) {
-    return outcome.hasValue() ? types::toText(types, outcome.value) : "(" + outcome.reason + ")";
+    return outcome.hasValue() ? types::toText(types, outcome.value) : "(" + outcome.reason.english() + ")";
 }
 } // namespace
 
@@ -168,7 +167,7 @@ std::string RunReport::toText(bool colours) const {
     const auto& fault = controller.fault();
     if (fault) {
         out += (colours ? std::string("\033[1;31m") : std::string()) + "fault" + (colours ? "\033[0m" : "") + ": " +
-               fault->message + "\n";
+               fault->message.english() + "\n";
         out += "  in task " + fault->task + " at " + placeText(built, fault->range) + ", scan " +
                std::to_string(fault->scan) + ", " + types::durationText(fault->time.count()) + "\n";
         constexpr size_t kFirst = 12, kLast = 4; // of a recursion the ends tell what the middle repeats
@@ -184,7 +183,7 @@ std::string RunReport::toText(bool colours) const {
         }
     }
     if (controller.simulationFault())
-        out += "simulation stopped: " + controller.simulationFault()->message + " at " +
+        out += "simulation stopped: " + controller.simulationFault()->message.english() + " at " +
                placeText(built, controller.simulationFault()->range) + "\n";
     out += std::to_string(controller.nextScan()) + " scans, last at " +
            types::durationText(controller.lastTime().count()) + "\n";
@@ -227,7 +226,8 @@ std::string RunReport::toJson() const {
         const auto fileOf = [&](SourceRange range) {
             return range.file.isValid() ? jsonString(built.program->sources[range.file].path()) : "null";
         };
-        out += "{\"code\":" + jsonString(controller::name(fault->code)) + ",\"message\":" + jsonString(fault->message) +
+        out += "{\"code\":" + jsonString(controller::name(fault->code)) +
+               ",\"message\":" + jsonString(fault->message.english()) +
                ",\"file\":" + (known ? fileOf(fault->range) : "null") + ",\"line\":" + lineOf(fault->range) +
                ",\"calls\":[";
         for (size_t i = 0; i < fault->calls.size(); ++i) {

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "app/cli/errors.h"
 #include "projects/testing/test_run.h"
 
 #include <algorithm>
@@ -48,8 +49,9 @@ std::vector<std::vector<std::string>> projectsOf(const std::vector<std::string>&
 }
 
 std::string failureText(const testing::Failure& failure) {
-    std::string out = "    " + failure.file + ":" + std::to_string(failure.line) + ": " + failure.message + "\n";
-    if (!failure.detail.empty()) out += "      " + failure.detail + "\n";
+    std::string out =
+        "    " + failure.file + ":" + std::to_string(failure.line) + ": " + failure.message.english() + "\n";
+    if (!failure.detail.isEmpty()) out += "      " + failure.detail.english() + "\n";
     out += "      scan " + std::to_string(failure.scan) + ", " + types::durationText(failure.time.count()) + "\n";
     if (!failure.recording.empty()) out += "      recording: " + failure.recording + "\n";
     return out;
@@ -100,9 +102,10 @@ void printJson(const std::vector<ProjectReport>& projects) {
                       << ",\"failures\":[";
             for (size_t f = 0; f < result.failures.size(); ++f) {
                 const testing::Failure& failure = result.failures[f];
-                std::cout << (f ? "," : "") << "{\"message\":" << jsonString(failure.message)
-                          << ",\"detail\":" << jsonString(failure.detail) << ",\"file\":" << jsonString(failure.file)
-                          << ",\"line\":" << failure.line << ",\"scan\":" << failure.scan
+                std::cout << (f ? "," : "") << "{\"message\":" << jsonString(failure.message.english())
+                          << ",\"detail\":" << jsonString(failure.detail.english())
+                          << ",\"file\":" << jsonString(failure.file) << ",\"line\":" << failure.line
+                          << ",\"scan\":" << failure.scan
                           << ",\"time\":" << jsonString(types::durationText(failure.time.count()))
                           << ",\"recording\":" << jsonString(failure.recording) << "}";
             }
@@ -149,7 +152,7 @@ void printJunit(const std::vector<ProjectReport>& projects) {
                       << "\" file=\"" << xmlText(result.file) << "\" line=\"" << result.line << "\" time=\""
                       << result.wallMs / 1000 << "\">";
             for (const testing::Failure& failure : result.failures)
-                std::cout << "\n      <failure message=\"" << xmlText(failure.message) << "\">"
+                std::cout << "\n      <failure message=\"" << xmlText(failure.message.english()) << "\">"
                           << xmlText(failureText(failure)) << "</failure>\n    ";
             std::cout << "</testcase>\n";
         }
@@ -159,8 +162,7 @@ void printJunit(const std::vector<ProjectReport>& projects) {
 }
 
 int test(const Arguments& arguments) {
-    if (arguments.paths().empty())
-        return wrongUse({"test needs project folders or ST files (stepwise test --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProjects(Verbatim("test")), ""});
     const std::string format = arguments.value("--format").value_or("text");
     testing::Options options;
     options.filter = arguments.value("--filter").value_or("");
@@ -190,7 +192,7 @@ int test(const Arguments& arguments) {
     else
         std::cout << passed << " passed, " << failed << " failed\n";
     if (passed + failed == 0 && !broken && !options.filter.empty())
-        return wrongUse({"No test has \"" + options.filter + "\" in its title", ""});
+        return wrongUse({errors::NoTestNamed(options.filter), ""});
     return failed || broken ? kProgramWrong : kGood;
 }
 

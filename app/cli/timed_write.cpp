@@ -1,6 +1,7 @@
 #include "app/cli/timed_write.h"
 
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "projects/session/value_text.h"
 #include "runtime/base/text.h"
 
@@ -10,10 +11,7 @@ namespace plc::cli {
 
 Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
     const size_t equals = word.find('=');
-    if (equals == std::string::npos || equals == 0)
-        return Error{"\"" + word +
-                         "\" is not a write; give PATH=VALUE or PATH=VALUE@TIME, for example Main.start=TRUE@1.5s",
-                     ""};
+    if (equals == std::string::npos || equals == 0) return Error{errors::NotAWrite(word), ""};
     TimedWrite write;
     write.isForce = isForce;
     write.path = word.substr(0, equals);
@@ -27,7 +25,7 @@ Result<TimedWrite> parseWrite(const std::string& word, bool isForce) {
         write.at = *time;
         write.text.erase(at);
     }
-    if (write.text.empty()) return Error{"\"" + word + "\" has no value", ""};
+    if (write.text.empty()) return Error{errors::WriteWithoutValue(word), ""};
     write.isRelease = isForce && equalsIgnoringCase(write.text, "release");
     return write;
 }

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "app/cli/timed_write.h"
 
 #include "editor/kit/theme.h"
@@ -65,12 +66,11 @@ Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Pr
         setup = std::move(*loaded);
     }
     if (setup.channels.empty() && expressions.empty()) {
-        std::string known;
+        std::vector<std::string> known;
         if (project)
             for (const std::string& trace : project->traces)
-                known += (known.empty() ? "" : ", ") + trace.substr(0, trace.find(".trace.json"));
-        return Error{"trace needs --channels EXPR,… or --setup NAME" +
-                         (known.empty() ? std::string() : " (the project has " + known + ")"),
+                known.push_back(trace.substr(0, trace.find(".trace.json")));
+        return Error{known.empty() ? errors::TraceNeedsChannels() : errors::TraceNeedsChannelsKnown(std::move(known)),
                      ""};
     }
     for (trace::ChannelSetup& channel : trace::setupOf(expressions).channels)
@@ -88,7 +88,7 @@ Result<trace::TraceSetup> setupOf(const Arguments& arguments, const projects::Pr
         }
     if (const auto text = arguments.value("--cursors")) {
         const size_t comma = text->find(',');
-        if (comma == std::string::npos) return Error{"--cursors needs two times, for example 1s,2.5s", *text};
+        if (comma == std::string::npos) return Error{errors::CursorsNeedTimes(), *text};
         const auto a = parseDuration(text->substr(0, comma)), b = parseDuration(text->substr(comma + 1));
         if (!a || !b) return !a ? a.error() : b.error();
         setup.cursorA = a->count();
@@ -116,12 +116,12 @@ Result<trace::TraceOutput> outputOf(const Arguments& arguments, trace::TraceSetu
         if (std::sscanf(text->c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
             static_cast<size_t>(used) != text->size() || width < 200 || height < 120 || width > 20'000 ||
             height > 20'000)
-            return Error{"--size needs WIDTHxHEIGHT, for example 1200x700", *text};
+            return Error{errors::SizeNeedsTwo(), *text};
         out.size = QSize(width, height);
     }
     if (const auto text = arguments.value("--scale")) {
         out.scale = std::atof(text->c_str());
-        if (!(out.scale >= 0.5 && out.scale <= 8)) return Error{"--scale needs a number from 0.5 to 8", *text};
+        if (!(out.scale >= 0.5 && out.scale <= 8)) return Error{errors::TraceScaleRange(), *text};
     }
     if (out.picture.isEmpty() && out.csv.isEmpty() && !out.wantsStatistics) out.wantsStatistics = true;
     return out;
@@ -147,8 +147,7 @@ int traceRecording(const Arguments& arguments, const std::string& file) {
 
 int run(const Arguments& arguments) {
     if (const auto file = arguments.value("--recording")) return traceRecording(arguments, *file);
-    if (arguments.paths().empty())
-        return wrongUse({"trace needs a project folder or ST files (stepwise trace --help)", ""});
+    if (arguments.paths().empty()) return wrongUse({errors::NeedsProject(Verbatim("trace")), ""});
     const auto project = openNamedProject(arguments);
     if (!project) return wrongUse(project.error());
     const auto setup = setupOf(arguments, &*project);
@@ -159,7 +158,7 @@ int run(const Arguments& arguments) {
     printDiagnostics(built.checked, false, false);
     if (built.checked.analysis->hasErrors) return kProgramWrong;
     if (!built.program)
-        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
     if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
     session::Settings settings;
     settings.historyBudget = size_t(2) << 30;

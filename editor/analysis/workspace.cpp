@@ -2,6 +2,7 @@
 
 #include "editor/kit/post.h"
 #include "projects/storage/project_file.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 
 #include <QDir>
@@ -168,16 +169,16 @@ bool Workspace::isReadOnly(const QString& file) const { return m_isReadOnly(abso
 Result<void> Workspace::makeWritable(const QString& file) {
     const QString path = absolutePath(file);
     if (!QFile::setPermissions(path, QFileInfo(path).permissions() | QFile::WriteOwner | QFile::WriteUser))
-        return Error{"The file's permissions can not be changed", toStd(file)};
+        return Error{errors::PermissionsNotChanged(), toStd(file)};
     emit accessChanged(file, isReadOnly(file));
     return {};
 }
 
 Result<void> Workspace::save(const QString& file, ReadOnly readOnly) {
     const auto it = m_files.find(file);
-    if (it == m_files.end()) return Error{"There is no such file in the project", toStd(file)};
+    if (it == m_files.end()) return Error{errors::NoSuchFileInProject(), toStd(file)};
     if (readOnly == ReadOnly::Keep && it->second.text != it->second.onDisk && isReadOnly(file))
-        return Error{"The file is read-only and was not replaced", toStd(file)};
+        return Error{errors::FileReadOnly(), toStd(file)};
     if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), it->second.text); !written)
         return written;
     const bool was = isModified(file);
@@ -206,8 +207,7 @@ void Workspace::revert(const QString& file) {
 }
 
 Result<void> Workspace::addFile(const QString& file, const std::string& text) {
-    if (m_files.contains(file) || QFile::exists(absolutePath(file)))
-        return Error{"There is a file of that name already", toStd(file)};
+    if (m_files.contains(file) || QFile::exists(absolutePath(file))) return Error{errors::FileNameInUse(), toStd(file)};
     QDir().mkpath(QFileInfo(absolutePath(file)).path());
     if (auto written = projects::writeFileAtomically(toStd(absolutePath(file)), text); !written) return written;
     m_files[file] = {text, text};
@@ -218,9 +218,9 @@ Result<void> Workspace::addFile(const QString& file, const std::string& text) {
 }
 
 Result<void> Workspace::removeFile(const QString& file) {
-    if (!m_files.contains(file)) return Error{"There is no such file in the project", toStd(file)};
+    if (!m_files.contains(file)) return Error{errors::NoSuchFileInProject(), toStd(file)};
     if (!QFile::moveToTrash(absolutePath(file)) && !QFile::remove(absolutePath(file)))
-        return Error{"The file can not be removed; check the permissions of the folder", toStd(file)};
+        return Error{errors::FileNotRemoved(), toStd(file)};
     QFile::remove(sideFile(file));
     m_files.erase(file);
     emit filesChanged();
@@ -229,11 +229,9 @@ Result<void> Workspace::removeFile(const QString& file) {
 }
 
 Result<void> Workspace::renameFile(const QString& from, const QString& to) {
-    if (!m_files.contains(from)) return Error{"There is no such file in the project", toStd(from)};
-    if (m_files.contains(to) || QFile::exists(absolutePath(to)))
-        return Error{"There is a file of that name already", toStd(to)};
-    if (!QFile::rename(absolutePath(from), absolutePath(to)))
-        return Error{"The file can not be renamed; check the permissions of the folder", toStd(from)};
+    if (!m_files.contains(from)) return Error{errors::NoSuchFileInProject(), toStd(from)};
+    if (m_files.contains(to) || QFile::exists(absolutePath(to))) return Error{errors::FileNameInUse(), toStd(to)};
+    if (!QFile::rename(absolutePath(from), absolutePath(to))) return Error{errors::FileNotRenamed(), toStd(from)};
     m_files[to] = m_files[from];
     QFile::remove(sideFile(from));
     m_files.erase(from);

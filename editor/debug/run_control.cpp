@@ -1,8 +1,10 @@
 #include "editor/debug/run_control.h"
 
+#include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/post.h"
 #include "projects/session/value_text.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 #include "runtime/debug/sites.h"
 #include "runtime/types/conversion.h"
@@ -68,7 +70,7 @@ void RunControl::build(std::function<void(bool)> then) {
             errors += d.severity == diagnostics::Severity::Error;
         if (good) adopt(built, false);
         emit buildFinished(good, good ? tr("Built in %1 ms").arg(built->checkMs + built->codeMs, 0, 'f', 0)
-                                 : !built->failure.empty()
+                                 : !built->failure.isEmpty()
                                      ? kit::messageText(built->failure)
                                      : tr("%n error(s): the program was not built", nullptr, static_cast<int>(errors)));
         if (then) then(good);
@@ -390,11 +392,11 @@ void RunControl::tick() {
     if (!m_session) return;
     const controller::State before = m_status.state;
     const uint64_t scansBefore = m_status.scans;
-    const std::string retainProblem = m_status.retainProblem;
+    const Message retainProblem = m_status.retainProblem;
     m_status = m_session->status();
-    if (!m_status.retainProblem.empty() && m_status.retainProblem != retainProblem)
+    if (!m_status.retainProblem.isEmpty() && !(m_status.retainProblem == retainProblem))
         emit messageAdded(kit::messageText(m_status.retainProblem), true);
-    for (const std::string& refusal : m_session->takeRefusals()) emit messageAdded(kit::messageText(refusal), true);
+    for (const Error& refusal : m_session->takeRefusals()) emit messageAdded(kit::messageText(refusal), true);
     m_forced.clear();
     for (const controller::Forced& forced : m_session->forces()) m_forced.insert(foldCase(forced.path));
     watchOptimising(m_session->optimising());
@@ -410,7 +412,7 @@ void RunControl::tick() {
     if (stateChanged || haltedAnew) {
         emit statusChanged();
         if (haltedAnew) {
-            if (const std::string problem = m_session->haltProblem(); !problem.empty())
+            if (const Message problem = m_session->haltProblem(); !problem.isEmpty())
                 emit messageAdded(tr("The condition of the breakpoint: %1").arg(kit::messageText(problem)), true);
             emit halted();
         }
@@ -560,7 +562,7 @@ RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) c
 }
 
 Result<types::Value> RunControl::parse(const QString& path, const QString& valueText) const {
-    if (!m_session) return Error{"The controller is not running", ""};
+    if (!m_session) return Error{errors::ControllerNotRunning(), ""};
     const auto place = m_session->program()->layout.find(path.toStdString());
     if (!place) return place.error();
     return session::parseValue(m_session->built().checked, place->type, valueText.toStdString(), path.toStdString());
@@ -569,24 +571,15 @@ Result<types::Value> RunControl::parse(const QString& path, const QString& value
 Result<void> RunControl::write(const QString& path, const QString& valueText) {
     const auto value = parse(path, valueText);
     if (!value) return value.error();
-    if (m_recorded)
-        return Error{
-            tr("A recording from a file can not be written; go back to the running controller first").toStdString(),
-            path.toStdString()};
-    if (m_viewed)
-        return Error{tr("The past can not be written; resume from here first").toStdString(), path.toStdString()};
+    if (m_recorded) return Error{errors::RecordingReadOnly(), path.toStdString()};
+    if (m_viewed) return Error{errors::PastReadOnly(), path.toStdString()};
     m_session->write(path.toStdString(), *value);
     return {};
 }
 
 Result<void> RunControl::force(const QString& path, const QString& valueText) {
-    if (m_viewed && !m_recorded)
-        return Error{tr("The past can not be forced; resume from here or go back to live first").toStdString(),
-                     path.toStdString()};
-    if (m_recorded)
-        return Error{
-            tr("A recording from a file can not be written; go back to the running controller first").toStdString(),
-            path.toStdString()};
+    if (m_viewed && !m_recorded) return Error{errors::PastNotForced(), path.toStdString()};
+    if (m_recorded) return Error{errors::RecordingReadOnly(), path.toStdString()};
     const auto value = parse(path, valueText);
     if (!value) return value.error();
     m_session->force(path.toStdString(), *value);
@@ -625,10 +618,7 @@ void RunControl::stepView(int scans) {
 }
 
 Result<void> RunControl::resumeFromView() {
-    if (m_recorded)
-        return Error{
-            tr("A recording from a file can not be resumed; only what the controller itself recorded").toStdString(),
-            ""};
+    if (m_recorded) return Error{errors::RecordingNotResumed(), ""};
     if (!m_session || !m_viewed) return {};
     const history::Position from = *m_viewed;
     if (auto resumed = m_session->resumeFrom(from); !resumed) return resumed;

@@ -2,6 +2,7 @@
 // of.
 #include "editor/graph/chart_items.h"
 #include "editor/graph/chart_view.h"
+#include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/texts.h"
 #include "runtime/base/text.h"
@@ -56,14 +57,14 @@ std::string instanceOf(const sema::Analysis& analysis, std::string_view unit) {
 }
 
 /// Errors of a chart's text, by message: what an edit adds is what it is told.
-std::vector<std::string> errorsIn(std::string_view text, std::string_view unit) {
-    std::vector<std::string> out;
+std::vector<Message> errorsIn(std::string_view text, std::string_view unit) {
+    std::vector<Message> out;
     diagnostics::Sink sink;
     const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
     const ChartPlace place = findChart(*file, unit);
     const auto keep = [&](const diagnostics::Sink& from) {
         for (const diagnostics::Diagnostic& d : from.all())
-            if (d.severity == diagnostics::Severity::Error) out.push_back(d.message());
+            if (d.severity == diagnostics::Severity::Error) out.push_back(d.message);
     };
     keep(sink);
     if (!place) return out;
@@ -80,8 +81,8 @@ QString ChartView::complaintOf(const QString& text) const {
     const Result<chart::Edits> edits = m_makeEdits(text.trimmed());
     if (!edits) return kit::messageText(edits.error());
     const std::string unit = m_unit.toStdString();
-    std::vector<std::string> before = errorsIn(m_text, unit);
-    for (const std::string& error : errorsIn(chart::applyEdits(m_text, *edits), unit)) {
+    std::vector<Message> before = errorsIn(m_text, unit);
+    for (const Message& error : errorsIn(chart::applyEdits(m_text, *edits), unit)) {
         const auto known = std::find(before.begin(), before.end(), error);
         if (known == before.end()) return kit::messageText(error);
         before.erase(known);
@@ -95,7 +96,7 @@ QString ChartView::complaintOf(const QString& text) const {
         sema::checkExpression(analysis, m_model->sources(), text.toStdString(), scope, arena);
     for (const diagnostics::Diagnostic& d : checked.diagnostics) {
         if (d.kind == diagnostics::Kind::NotAllowedInExpression) return {}; // a call: a program may, a watch may not
-        if (d.severity == diagnostics::Severity::Error) return kit::messageText(d.message());
+        if (d.severity == diagnostics::Severity::Error) return kit::messageText(d.message);
     }
     if (checked.root && analysis.program->types->storageKind(checked.root->type) != types::TypeKind::Bool)
         return tr("A condition is a BOOL");
@@ -199,7 +200,7 @@ void ChartView::editPriority() {
               [this, p](const QString& text) -> Result<chart::Edits> {
                   bool isNumber = false;
                   const int priority = text.toInt(&isNumber);
-                  if (!isNumber) return Error{tr("A priority is a number; 0 takes it away").toStdString(), {}};
+                  if (!isNumber) return Error{errors::PriorityNotNumber(), {}};
                   return editor().setPriority(TransitionId(p.index), priority);
               });
 }

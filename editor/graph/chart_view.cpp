@@ -168,7 +168,7 @@ void ChartView::rebuild() {
     chart::check(*m_chart, sink);
     std::vector<ChartMessage> messages;
     for (const diagnostics::Diagnostic& d : sink.all())
-        messages.push_back({d.range, kit::messageText(d.message()), d.severity == diagnostics::Severity::Error});
+        messages.push_back({d.range, kit::messageText(d.message), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
     applyBreakpoints();
     if (!m_selectAfter.isEmpty())
@@ -231,7 +231,7 @@ void ChartView::setModel(const std::shared_ptr<const analysis::CodeModel>& model
     std::vector<ChartMessage> messages;
     for (const diagnostics::Diagnostic& d : model->diagnostics())
         if (d.range.file == *id && d.severity != diagnostics::Severity::Info)
-            messages.push_back({d.range, kit::messageText(d.message()), d.severity == diagnostics::Severity::Error});
+            messages.push_back({d.range, kit::messageText(d.message), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
 }
 

@@ -98,7 +98,7 @@ private:
     struct Drop {
         QRectF hint;
         QString text;
-        Result<chart::Edits> edits = Error{"", ""};
+        Result<chart::Edits> edits = Error{};
         QString select;
     };
     using MakeEdits = std::function<Result<chart::Edits>(const QString& text)>;

@@ -1,5 +1,6 @@
 #include "editor/kit/plot_export.h"
 
+#include "editor/kit/errors.h"
 #include "editor/kit/plot_renderer.h"
 #include "editor/kit/plot_text.h"
 #include "editor/kit/theme.h"
@@ -18,7 +19,7 @@ namespace plc::kit {
 namespace {
 
 Error cannotWrite(const QString& path, const QString& why) {
-    return {PlotText::tr("The file cannot be written: %1").arg(why).toStdString(), path.toStdString()};
+    return {errors::NotWritten(why.toStdString()), path.toStdString()};
 }
 
 /// Nanoseconds as seconds, exact, without trailing zeros.
@@ -96,8 +97,7 @@ Result<void> exportPicture(const PlotModel& model, const QString& path, const Pi
         QPainter painter(&writer);
         printPlot(model, painter, rect);
     } else {
-        return Error{PlotText::tr("A picture's name must end in .png, .svg or .pdf.").toStdString(),
-                     path.toStdString()};
+        return Error{errors::PictureEnding({{".png", ".svg", ".pdf"}}), path.toStdString()};
     }
     if (!file.commit()) return cannotWrite(path, file.errorString());
     return {};

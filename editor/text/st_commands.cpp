@@ -1,6 +1,8 @@
 // What StEditor does at a command: highlights names and finds, comments out, selects blocks, formats, mends findings.
 #include "editor/text/st_editor.h"
 
+#include "editor/kit/message_text.h"
+#include "editor/kit/texts.h"
 #include "editor/text/st_marks.h"
 #include "runtime/compiler/format/format.h"
 
@@ -183,7 +185,7 @@ bool StEditor::goToDiagnostic(int direction) {
 void StEditor::addDeclarations(const diagnostics::Diagnostic& d,
                                const std::function<void(const QString&, const diagnostics::TextEdit&)>& add) const {
     const auto file = fileId();
-    if (!m_model || !file || d.arguments.empty()) return;
+    if (!m_model || !file || d.message.name(0).empty()) return;
     using diagnostics::Kind;
     const auto declared = [](const std::string& text) { // "x : INT" of the lines that are put in
         const QString line = QString::fromStdString(text).section(';', 0, 0).section('\n', -1).trimmed();
@@ -197,11 +199,12 @@ void StEditor::addDeclarations(const diagnostics::Diagnostic& d,
             {SectionKind::Output, tr("Declare %1 as an output")},
             {SectionKind::Global, tr("Declare %1 as a global variable")}};
         for (const auto& [section, title] : choices)
-            if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.arguments[0], section))
+            if (const auto edit = m_model->autoDeclare(*file, d.range.begin, d.message.name(0), section))
                 add(title.arg(declared(edit->text)), *edit);
-    } else if ((d.kind == Kind::UnknownMember || d.kind == Kind::UnknownParameter) && d.arguments.size() > 1) {
-        if (const auto edit = m_model->declareMember(*file, d.range.begin, d.arguments[0], d.arguments[1]))
-            add(tr("Declare %1 in %2").arg(declared(edit->text), QString::fromStdString(d.arguments[0])), *edit);
+    } else if ((d.kind == Kind::UnknownMember || d.kind == Kind::UnknownParameter)) {
+        const std::string_view owner = d.message.name(0), member = d.message.name(1);
+        if (const auto edit = m_model->declareMember(*file, d.range.begin, owner, member))
+            add(tr("Declare %1 in %2").arg(declared(edit->text), kit::fromView(owner)), *edit);
     }
 }
 
@@ -217,7 +220,7 @@ void StEditor::applyFix() {
         const bool isHere = at >= d.range.begin && at <= d.range.end;
         if (!isHere && SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(d.range.begin)) != line)
             continue;
-        for (const diagnostics::Fix& fix : d.fixes) choices.push_back({QString::fromStdString(fix.title), fix.edits});
+        for (const diagnostics::Fix& fix : d.fixes) choices.push_back({kit::messageText(fix.title), fix.edits});
         addDeclarations(d, [&](const QString& title, const diagnostics::TextEdit& edit) {
             choices.push_back({title, {edit}});
         });

@@ -436,10 +436,10 @@ void StEditor::showToolTip(const QPoint& position) {
             html += QString("<p><b>%1</b> %2</p>")
                         .arg(QString::fromUtf8(diagnostics::codeOf(d.kind).data(),
                                                static_cast<int>(diagnostics::codeOf(d.kind).size())),
-                             kit::messageText(d.message()).toHtmlEscaped());
+                             kit::messageText(d.message).toHtmlEscaped());
             for (const diagnostics::Fix& fix : d.fixes)
-                html += QString("<p>&nbsp;&nbsp;%1 <i>Alt+Enter</i></p>")
-                            .arg(QString::fromStdString(fix.title).toHtmlEscaped());
+                html +=
+                    QString("<p>&nbsp;&nbsp;%1 <i>Alt+Enter</i></p>").arg(kit::messageText(fix.title).toHtmlEscaped());
         }
     if (!html.isEmpty()) return QToolTip::showText(mapToGlobal(position), html, this);
     emit hoverRequested(m_file, static_cast<uint32_t>(at), mapToGlobal(position));

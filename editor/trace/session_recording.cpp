@@ -1,4 +1,5 @@
 #include "editor/trace/session_recording.h"
+#include "runtime/base/messages.h"
 
 namespace plc::trace {
 
@@ -35,7 +36,7 @@ std::optional<Position> SessionRecording::findChange(const std::string& text, Po
 
 Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& path, Progress* progress) {
     std::shared_ptr<FileRecording> recording(new FileRecording);
-    std::string failure;
+    Message failure;
     auto history = history::History::load(
         path,
         [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
@@ -44,7 +45,7 @@ Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& pa
             input.libraries = libraries;
             driver::Built built = driver::build(input, progress);
             if (!built.program) {
-                failure = built.failure.empty() ? "the program in it has errors" : built.failure;
+                failure = built.failure.isEmpty() ? errors::RecordedProgramHasErrors() : built.failure;
                 return nullptr;
             }
             recording->m_versions.push_back({built.program, built.checked});
@@ -52,7 +53,7 @@ Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& pa
         },
         progress);
     if (!history && isCancelled(progress)) return history.error();
-    if (!history) return failure.empty() ? history.error() : Error{"The recording can not be opened: " + failure, path};
+    if (!history) return failure.isEmpty() ? history.error() : Error{errors::RecordingNotOpened(failure), path};
     recording->m_history = std::move(*history);
     return recording;
 }
@@ -64,7 +65,7 @@ std::pair<Position, Position> FileRecording::extent() const {
 
 Result<expression::Expression> FileRecording::compile(const std::string& text) const {
     if (const auto it = m_expressions.find(text); it != m_expressions.end()) return it->second;
-    if (m_versions.empty()) return Error{"The recording holds no program", ""};
+    if (m_versions.empty()) return Error{errors::RecordingHasNoProgram(), ""};
     auto expression = driver::compileExpression(m_versions.back().checked, text);
     if (expression) m_expressions.emplace(text, *expression);
     return expression;
@@ -74,7 +75,7 @@ Result<expression::Expression> FileRecording::expression(const std::string& text
                                                          const image::CompiledProgram& program) const {
     for (const Version& version : m_versions)
         if (version.program->version == program.version) return driver::compileExpression(version.checked, text, scope);
-    return Error{"The recording holds no program", ""};
+    return Error{errors::RecordingHasNoProgram(), ""};
 }
 
 history::Recompile FileRecording::recompile(const std::string& text) const {

@@ -106,7 +106,7 @@ struct TraceFeed::Channel {
     std::string expression;
     bool isTrigger = false; // every scan
     ChannelType type;
-    std::string problem;
+    Message problem;
     std::shared_ptr<ColumnSource> source; // null while there is a problem
     bool hasStarted = false;
     Position last = 0;                     // newest position read
@@ -166,7 +166,7 @@ void TraceFeed::retryProblems() {
     for (auto& channel : m_channels) {
         if (channel->source) continue;
         const auto type = m_recording.typeOf(channel->expression);
-        channel->problem = type ? std::string() : type.error().message;
+        channel->problem = type ? Message() : type.error().message;
         if (!type) continue;
         channel->type = *type;
         const auto kind = type->isBool      ? kit::PlotValueKind::Bool
@@ -196,7 +196,7 @@ const ChannelType* TraceFeed::type(const std::string& expression) const {
     return nullptr;
 }
 
-std::string TraceFeed::problem(const std::string& expression) const {
+Message TraceFeed::problem(const std::string& expression) const {
     for (const auto& channel : m_channels)
         if (channel->expression == expression) return channel->problem;
     return {};

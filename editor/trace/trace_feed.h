@@ -59,7 +59,7 @@ public:
     /// Null when the expression is not among them; its problem then says why.
     [[nodiscard]] std::shared_ptr<const ColumnSource> source(const std::string& expression) const;
     [[nodiscard]] const ChannelType* type(const std::string& expression) const;
-    [[nodiscard]] std::string problem(const std::string& expression) const;
+    [[nodiscard]] Message problem(const std::string& expression) const;
     /// After an online change: expressions that were bad may be good now.
     void retryProblems();
 

@@ -65,7 +65,7 @@ Result<std::string> renderTrace(const Recording& recording, const TraceOutput& o
     feed.setExpressions(needed, setup.trigger.expression);
     if (!setup.trigger.expression.empty()) needed.push_back(setup.trigger.expression);
     for (const std::string& expression : needed)
-        if (const std::string problem = feed.problem(expression); !problem.empty()) return Error{problem, expression};
+        if (const Message problem = feed.problem(expression); !problem.isEmpty()) return Error{problem, expression};
     if (!setup.condition.empty())
         if (const auto type = recording.typeOf(setup.condition); !type)
             return Error{type.error().message, setup.condition};

@@ -59,9 +59,9 @@ struct MarkText {
 
 } // namespace
 
-QString markText(int kind, const std::string& utf8) {
+QString markText(int kind, const Message& message) {
     using controller::EventKind;
-    const QString text = kit::messageText(utf8);
+    const QString text = kit::messageText(message);
     const auto with = [&](const QString& word) { return text.isEmpty() ? word : word + QStringLiteral(": ") + text; };
     switch (static_cast<EventKind>(kind)) {
     case EventKind::Started:

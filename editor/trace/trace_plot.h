@@ -12,7 +12,7 @@ namespace plc::trace {
 /// stay as they are.
 void applySetup(kit::PlotModel& model, const TraceSetup& setup, const TraceFeed* feed);
 /// What happened, in words: an event's kind and its text. Also the log says it so.
-[[nodiscard]] QString markText(int kind, const std::string& text);
+[[nodiscard]] QString markText(int kind, const Message& text);
 /// Events of the recording that lie on the way to the newest scan.
 void applyMarks(kit::PlotModel& model, const Recording& recording, const std::vector<PositionRange>& chain);
 /// Draws another recording's channels beneath those of the same expression, both beginning at the same place on the

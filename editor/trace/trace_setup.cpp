@@ -1,5 +1,6 @@
 #include "editor/trace/trace_setup.h"
 
+#include "editor/kit/errors.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/read_json.h"
 
@@ -30,58 +31,64 @@ constexpr Word<TriggerEdge> Edges[] = {{TriggerEdge::Rising, "rising"},
 constexpr Word<TriggerMode> TriggerModes[] = {
     {TriggerMode::Off, "off"}, {TriggerMode::Single, "single"}, {TriggerMode::Repeated, "repeated"}};
 
+/// What is wrong with a field of the object at `where`; empty: the whole.
+Message in(const std::string& where, Message problem) {
+    return where.empty() ? problem : errors::FieldOf(where, std::move(problem));
+}
+
 /// Reads fields of one object; the first that does not fit is the error.
 class Reader {
 public:
-    Reader(const Json& json, std::string where, std::string& problem)
+    Reader(const Json& json, std::string where, Message& problem)
         : m_json(json), m_where(std::move(where)), m_problem(problem) {}
 
     void text(const char* key, std::string& out) const {
-        take(key, "a text", [&](const Json& v) { return v.is_string() && (out = v.get<std::string>(), true); });
+        take(key, phrases::AText(), [&](const Json& v) { return v.is_string() && (out = v.get<std::string>(), true); });
     }
     void flag(const char* key, bool& out) const {
-        take(key, "true or false", [&](const Json& v) { return v.is_boolean() && (out = v.get<bool>(), true); });
+        take(key, phrases::OneOf({{"true"}}, Verbatim("false")),
+             [&](const Json& v) { return v.is_boolean() && (out = v.get<bool>(), true); });
     }
     void number(const char* key, double& out, double least = -1e300, double most = 1e300) const {
-        take(key, "a number", [&](const Json& v) {
+        take(key, phrases::ANumber(), [&](const Json& v) {
             return v.is_number() && v.get<double>() >= least && v.get<double>() <= most &&
                    (out = v.get<double>(), true);
         });
     }
     template <class T> void whole(const char* key, T& out, int64_t least, int64_t most) const {
-        take(key, "a whole number", [&](const Json& v) {
+        take(key, phrases::AnInteger(), [&](const Json& v) {
             return v.is_number_integer() && v.get<int64_t>() >= least && v.get<int64_t>() <= most &&
                    (out = static_cast<T>(v.get<int64_t>()), true);
         });
     }
     /// Seconds in the file, nanoseconds here.
     void time(const char* key, int64_t& out, double least = 0) const {
-        take(key, "a number of seconds", [&](const Json& v) {
+        take(key, phrases::ANumberOfSeconds(), [&](const Json& v) {
             if (!v.is_number() || v.get<double>() < least || v.get<double>() > 9e9) return false;
             out = std::llround(v.get<double>() * 1e9);
             return true;
         });
     }
     template <class E, size_t N> void word(const char* key, E& out, const Word<E> (&words)[N]) const {
-        std::string choices;
-        for (const Word<E>& w : words) choices += (choices.empty() ? "" : ", ") + std::string(w.text);
-        take(key, "one of " + choices, [&](const Json& v) {
+        std::vector<std::string> choices;
+        for (const Word<E>& w : words) choices.emplace_back(w.text);
+        take(key, phrases::AnyOf(std::move(choices)), [&](const Json& v) {
             if (!v.is_string()) return false;
             for (const Word<E>& w : words)
                 if (v.get<std::string>() == w.text) return out = w.value, true;
             return false;
         });
     }
-    template <class Use> void take(const char* key, const std::string& wanted, Use&& use) const {
+    template <class Use> void take(const char* key, messages::Phrase wanted, Use&& use) const {
         const auto it = m_json.find(key);
-        if (it == m_json.end() || use(*it) || !m_problem.empty()) return;
-        m_problem = m_where + "\"" + key + "\" must be " + wanted;
+        if (it == m_json.end() || use(*it) || !m_problem.isEmpty()) return;
+        m_problem = in(m_where, errors::FieldMustBe(Verbatim(key), std::move(wanted)));
     }
 
 private:
     const Json& m_json;
     std::string m_where;
-    std::string& m_problem;
+    Message& m_problem;
 };
 
 Json seconds(int64_t time) {
@@ -167,7 +174,7 @@ Json channelJson(const ChannelSetup& c) {
     return w.finish();
 }
 
-ChannelSetup channelOf(const Json& json, const std::string& where, std::string& problem) {
+ChannelSetup channelOf(const Json& json, const std::string& where, Message& problem) {
     ChannelSetup c;
     c.origin = json;
     const Reader r(json, where, problem);
@@ -182,7 +189,7 @@ ChannelSetup channelOf(const Json& json, const std::string& where, std::string& 
     r.number("offset", c.offset);
     r.text("unit", c.unit);
     r.flag("visible", c.isVisible);
-    if (c.expression.empty() && problem.empty()) problem = where + "\"expression\" is missing";
+    if (c.expression.empty() && problem.isEmpty()) problem = in(where, errors::FieldMissing(Verbatim("expression")));
     return c;
 }
 
@@ -197,7 +204,7 @@ Json axisJson(const AxisSetup& a) {
     return w.finish();
 }
 
-AxisSetup axisOf(const Json& json, const std::string& where, std::string& problem) {
+AxisSetup axisOf(const Json& json, const std::string& where, Message& problem) {
     AxisSetup a;
     a.origin = json;
     const Reader r(json, where, problem);
@@ -221,26 +228,26 @@ Json chartJson(const ChartSetup& c) {
 }
 
 template <class T, class Read>
-std::vector<T> listOf(const Json& json, const char* key, const std::string& where, std::string& problem, Read&& read) {
+std::vector<T> listOf(const Json& json, const char* key, const std::string& where, Message& problem, Read&& read) {
     std::vector<T> out;
     const auto it = json.find(key);
     if (it == json.end()) return out;
     if (!it->is_array()) {
-        if (problem.empty()) problem = where + "\"" + key + "\" must be a list";
+        if (problem.isEmpty()) problem = in(where, errors::FieldMustBe(Verbatim(key), phrases::AList()));
         return out;
     }
     size_t index = 0;
     for (const Json& item : *it) {
-        const std::string place = where + std::string(key) + "[" + std::to_string(index++) + "]: ";
+        const std::string place = (where.empty() ? "" : where + ".") + key + "[" + std::to_string(index++) + "]";
         if (item.is_object())
             out.push_back(read(item, place, problem));
-        else if (problem.empty())
-            problem = place + "must be an object";
+        else if (problem.isEmpty())
+            problem = errors::FieldMustBe(place, phrases::AnObject());
     }
     return out;
 }
 
-ChartSetup chartOf(const Json& json, const std::string& where, std::string& problem) {
+ChartSetup chartOf(const Json& json, const std::string& where, Message& problem) {
     ChartSetup c;
     c.origin = json;
     const Reader r(json, where, problem);
@@ -262,7 +269,7 @@ Json triggerJson(const TriggerSetup& t) {
     return w.finish();
 }
 
-TriggerSetup triggerOf(const Json& json, const std::string& where, std::string& problem) {
+TriggerSetup triggerOf(const Json& json, const std::string& where, Message& problem) {
     TriggerSetup t;
     t.origin = json;
     const Reader r(json, where, problem);
@@ -289,19 +296,16 @@ void mendReferences(TraceSetup& setup) {
 
 Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     const JsonText<Json> read = readJson<Json>(text);
-    if (!read.isGood())
-        return Error{"The trace set-up is not JSON (see line " + std::to_string(read.line) + ")", place};
+    if (!read.isGood()) return Error{errors::TraceNotJson(read.line), place};
     const Json& json = read.value;
-    if (!json.is_object()) return Error{"A trace set-up must be a JSON object", place};
+    if (!json.is_object()) return Error{errors::TraceNotObject(), place};
     TraceSetup setup;
     setup.origin = json;
-    std::string problem;
+    Message problem;
     const Reader r(json, "", problem);
     int version = Version;
     r.whole("version", version, 1, 1'000'000);
-    if (version > Version)
-        return Error{"This trace set-up was written by a newer Stepwise (version " + std::to_string(version) + ")",
-                     place};
+    if (version > Version) return Error{errors::TraceTooNew(version), place};
     r.text("title", setup.title);
     r.time("span", setup.span, 1e-9);
     r.whole("every", setup.every, 1, 1'000'000'000);
@@ -317,11 +321,11 @@ Result<TraceSetup> readSetup(std::string_view text, const std::string& place) {
     cursor("cursorA", setup.cursorA);
     cursor("cursorB", setup.cursorB);
     if (const auto it = json.find("trigger"); it != json.end() && it->is_object())
-        setup.trigger = triggerOf(*it, "trigger: ", problem);
+        setup.trigger = triggerOf(*it, "trigger", problem);
     setup.charts = listOf<ChartSetup>(json, "charts", "", problem, chartOf);
     if (setup.charts.empty()) setup.charts.push_back({});
     setup.channels = listOf<ChannelSetup>(json, "channels", "", problem, channelOf);
-    if (!problem.empty()) return Error{"The trace set-up is not good: " + problem, place};
+    if (!problem.isEmpty()) return Error{errors::TraceInvalid(problem), place};
     mendReferences(setup);
     return setup;
 }

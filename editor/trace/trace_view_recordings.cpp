@@ -5,6 +5,7 @@
 #include "editor/kit/theme.h"
 #include "editor/trace/session_recording.h"
 #include "editor/trace/trace_view.h"
+#include "runtime/base/messages.h"
 
 #include <QDir>
 #include <QGuiApplication>
@@ -28,7 +29,7 @@ Result<std::shared_ptr<FileRecording>> TraceView::readFile(const QString& path) 
 }
 
 Result<void> TraceView::saveRecording(const QString& path) {
-    if (!m_recording) return Error{"Nothing was recorded yet", path.toStdString()};
+    if (!m_recording) return Error{errors::NothingRecorded(), path.toStdString()};
     const std::shared_ptr<void> held = m_hold ? m_hold() : nullptr;
     Result<void> saved;
     const bool isDone =

@@ -1,5 +1,6 @@
 #include "hmi/alarms/alarm_file.h"
 
+#include "hmi/model/errors.h"
 #include "runtime/base/read_json.h"
 
 #include <QSet>
@@ -7,16 +8,16 @@
 namespace plc::hmi {
 
 Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place) {
-    const auto fail = [&](const QString& message) { return Error{message.toStdString(), place.toStdString()}; };
+    const auto fail = [&](Message message) { return Error{std::move(message), place.toStdString()}; };
     const Json root = readJson<Json>(utf8).value;
-    if (!root.is_object()) return fail(QStringLiteral("The alarms are not valid JSON."));
+    if (!root.is_object()) return fail(errors::AlarmsNotJson());
     AlarmFile file;
     file.m_fields = root;
     for (const char* key : {"classes", "alarms"}) {
         if (!root.contains(key))
             file.m_fields[key] = nullptr;
         else if (!root[key].is_array())
-            return fail(QStringLiteral("`%1` must be a list.").arg(QLatin1String(key)));
+            return fail(errors::MustBeList(Verbatim(key)));
     }
     QSet<QString> ids;
     const auto read = [&](const char* key, const ElementDescriptor& descriptor, std::vector<Properties>& out) {
@@ -29,11 +30,11 @@ Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place
         return true;
     };
     if (!read("classes", alarmClassDescriptor(), file.m_classes) || !read("alarms", alarmDescriptor(), file.m_alarms))
-        return fail(QStringLiteral("Every alarm and every class is a JSON object."));
+        return fail(errors::AlarmNotObject());
     for (const Properties& row : file.m_alarms) {
         const QString id = row.text("id");
-        if (id.isEmpty()) return fail(QStringLiteral("An alarm has no id."));
-        if (ids.contains(id)) return fail(QStringLiteral("Two alarms have the id \"%1\".").arg(id));
+        if (id.isEmpty()) return fail(errors::AlarmWithoutId());
+        if (ids.contains(id)) return fail(errors::AlarmIdTwice(toUtf8(id)));
         ids += id;
     }
     return file;

@@ -1,5 +1,6 @@
 #include "hmi/alarms/alarm_store.h"
 
+#include "hmi/model/errors.h"
 #include "runtime/base/read_json.h"
 
 #include <QSqlError>
@@ -79,8 +80,7 @@ Result<void> AlarmStore::open(const QString& path) {
     m_database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_connection);
     m_database.setDatabaseName(path);
     if (!m_database.open())
-        return Error{"The alarm history could not be opened: " + m_database.lastError().text().toStdString(),
-                     path.toStdString()};
+        return Error{errors::AlarmHistoryNotOpened(m_database.lastError().text().toStdString()), path.toStdString()};
     QSqlQuery query(m_database);
     query.exec(QStringLiteral("PRAGMA journal_mode=WAL"));
     query.exec(QStringLiteral("PRAGMA synchronous=NORMAL"));
@@ -96,7 +96,7 @@ Result<void> AlarmStore::open(const QString& path) {
         !query.exec(
             QStringLiteral("CREATE UNIQUE INDEX IF NOT EXISTS events_once ON events (run, alarm, kind, position)")) ||
         !query.exec(QStringLiteral("BEGIN IMMEDIATE")) || !query.exec(QStringLiteral("COMMIT"))) // it can be written
-        return Error{"The alarm history is not usable: " + query.lastError().text().toStdString(), path.toStdString()};
+        return Error{errors::AlarmHistoryUnusable(query.lastError().text().toStdString()), path.toStdString()};
     return {};
 }
 
@@ -121,7 +121,7 @@ Result<void> AlarmStore::append(std::span<const AlarmRecord> records, const QStr
         for (int i = 0; i < 9; ++i) query.bindValue(i, fields[i]);
         if (!query.exec()) {
             m_database.rollback();
-            return Error{"The alarm history could not be written: " + query.lastError().text().toStdString(),
+            return Error{errors::AlarmHistoryNotWritten(query.lastError().text().toStdString()),
                          m_database.databaseName().toStdString()};
         }
     }

@@ -1,5 +1,6 @@
 #include "hmi/designer/design_canvas.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "hmi/view/containers.h"
 
@@ -119,7 +120,8 @@ void DesignCanvas::setFindings(const std::vector<Finding>& findings) {
         if (!one.element.isEmpty()) {
             QString& text = m_findings[one.element];
             text += (text.isEmpty() ? QString() : QStringLiteral("\n")) +
-                    (one.language.isEmpty() ? QString() : QStringLiteral("[%1] ").arg(one.language)) + one.message;
+                    (one.language.isEmpty() ? QString() : QStringLiteral("[%1] ").arg(one.language)) +
+                    kit::messageText(one.message);
         }
     viewport()->update();
 }

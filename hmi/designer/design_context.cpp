@@ -1,6 +1,7 @@
 #include "hmi/designer/design_context.h"
 
 #include "editor/kit/edit_history.h"
+#include "editor/kit/message_text.h"
 #include "hmi/designer/arrange.h"
 #include "hmi/model/walk.h"
 #include "hmi/player/plc_convert.h"
@@ -176,7 +177,7 @@ std::optional<QString> DesignContext::variableNamed(const QString& words) const 
 
 QString DesignContext::checkBinding(const QString& expression, std::string_view wanted, bool isTarget) const {
     return m_checked.analysis && !expression.trimmed().isEmpty()
-               ? hmi::checkBinding(m_checked, expression, wanted, isTarget)
+               ? kit::messageText(hmi::checkBinding(m_checked, expression, wanted, isTarget))
                : QString();
 }
 
@@ -184,7 +185,7 @@ CheckInput DesignContext::checkInput() const {
     CheckInput input = m_project.checkInput();
     if (m_checked.analysis)
         input.checkBinding = [this](const QString& expression, std::string_view wanted, bool isTarget) {
-            return checkBinding(expression, wanted, isTarget);
+            return hmi::checkBinding(m_checked, expression, wanted, isTarget);
         };
     return input;
 }

@@ -2,6 +2,7 @@
 
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/array_dialog.h"
 #include "hmi/designer/outline.h"
@@ -441,7 +442,7 @@ void PanelDesigner::showFindings() {
     for (const Finding& finding : m_findings) {
         auto* item = new QTreeWidgetItem(
             m_findingList,
-            {finding.code() + QStringLiteral("  ") + finding.message,
+            {finding.code() + QStringLiteral("  ") + kit::messageText(finding.message),
              finding.element + (finding.property.isEmpty() ? QString() : u'.' + finding.property), finding.language});
         item->setIcon(0, kit::icon(finding.isError ? kit::Icon::Error : kit::Icon::Warning));
         item->setData(0, Qt::UserRole, finding.element);

@@ -1,5 +1,6 @@
 #include "hmi/model/panel.h"
 
+#include "hmi/model/errors.h"
 #include "runtime/base/read_json.h"
 
 #include <QSet>
@@ -139,38 +140,33 @@ Json inCanonicalOrder(const Json& fields, const ElementDescriptor& descriptor, s
 
 namespace {
 
-Error errorAt(const QString& place, const QString& message) {
-    return Error{message.toStdString(), place.toStdString()};
-}
+Error errorAt(const QString& place, Message message) { return Error{std::move(message), place.toStdString()}; }
 
 } // namespace
 
 Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
     const std::string_view text = utf8.starts_with("\xEF\xBB\xBF") ? std::string_view(utf8).substr(3) : utf8;
     JsonText<Json> json = readJson<Json>(text);
-    if (!json.isGood())
-        return errorAt(place + u':' + QString::number(json.line), QStringLiteral("The panel is not valid JSON."));
+    if (!json.isGood()) return errorAt(place + u':' + QString::number(json.line), errors::PanelNotJson());
     Json& root = json.value;
-    if (!root.is_object()) return errorAt(place, QStringLiteral("A panel is a JSON object."));
+    if (!root.is_object()) return errorAt(place, errors::PanelNotObject());
     if (root.contains("version") && root["version"].is_number() && root["version"].get<double>() > 1)
-        return errorAt(place, QStringLiteral("The panel was written by a newer version of the studio."));
+        return errorAt(place, errors::PanelTooNew());
     Panel panel;
     if (!root.contains("elements")) root["elements"] = Json::array();
-    if (!root["elements"].is_array()) return errorAt(place, QStringLiteral("`elements` must be a list."));
+    if (!root["elements"].is_array()) return errorAt(place, errors::MustBeList(Verbatim("elements")));
     QSet<QString> ids;
     for (const Json& item : root["elements"]) {
         const int number = static_cast<int>(panel.m_elements.size()) + 1;
-        if (!item.is_object()) return errorAt(place, QStringLiteral("Element %1 is not an object.").arg(number));
+        if (!item.is_object()) return errorAt(place, errors::ElementNotObject(number));
         if (item.contains("kind") && !item["kind"].is_string())
-            return errorAt(place, QStringLiteral("The kind of element %1 is not a text.").arg(number));
+            return errorAt(place, errors::ElementKindNotText(number));
         const Element raw{item};
         Element element{inCanonicalOrder(item, raw.descriptor())};
         if (element.id().isEmpty())
             element.setField(
                 "id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
-        if (ids.contains(element.id()))
-            return errorAt(
-                place, QStringLiteral("Two elements have the id \"%1\"; give one of them another.").arg(element.id()));
+        if (ids.contains(element.id())) return errorAt(place, errors::ElementIdTwice(toUtf8(element.id())));
         ids += element.id();
         panel.m_elements.push_back(std::move(element));
     }

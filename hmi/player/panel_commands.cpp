@@ -1,6 +1,7 @@
 #include "hmi/player/panel_commands.h"
 #include "editor/kit/message_text.h"
 
+#include "hmi/model/errors.h"
 #include "hmi/player/panel_player.h"
 #include "runtime/base/text.h"
 
@@ -46,8 +47,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
 
 Result<std::vector<QString>> renderPanels(const PanelProject& project, session::Session* session,
                                           const PictureOptions& options) {
-    if (!QDir().mkpath(options.folder))
-        return Error{"The folder for the pictures can not be made", options.folder.toStdString()};
+    if (!QDir().mkpath(options.folder)) return Error{errors::PictureFolderNotCreated(), options.folder.toStdString()};
     std::vector<QString> out;
     for (const NamedPanel& panel : project.panels) {
         if (!options.panels.isEmpty() && !options.panels.contains(panel.name)) continue;
@@ -55,11 +55,11 @@ Result<std::vector<QString>> renderPanels(const PanelProject& project, session::
              options.languages.isEmpty() ? project.texts.settings().languages : options.languages) {
             const QString path = QDir(options.folder).filePath(QStringLiteral("%1.%2.png").arg(panel.name, language));
             if (!renderPanel(project, session, panel.name, language, options.scale, options.theme).save(path))
-                return Error{"The picture can not be written", path.toStdString()};
+                return Error{errors::PictureNotWritten(), path.toStdString()};
             out.push_back(path);
         }
     }
-    if (out.empty()) return Error{"The project has no such panel", project.folder.toStdString()};
+    if (out.empty()) return Error{errors::NoSuchPanel(), project.folder.toStdString()};
     return out;
 }
 
@@ -91,38 +91,32 @@ QString nearMatch(const driver::Checked& checked, const QString& expression) {
     return {};
 }
 
-class HmiCheck {
-    Q_DECLARE_TR_FUNCTIONS(HmiCheck)
-};
-
 } // namespace
 
-QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted,
+Message checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted,
                      bool isTarget) {
     const auto compiled = driver::compileExpression(checked, expression.toStdString());
     if (!compiled) {
-        const QString message = kit::messageText(compiled.error().message), near = nearMatch(checked, expression);
-        return near.isEmpty() || message.contains(near)
+        const Message& message = compiled.error().message;
+        const QString near = nearMatch(checked, expression);
+        return near.isEmpty() || message.english().find(toUtf8(near)) != std::string::npos
                    ? message
-                   : message + QStringLiteral("; ") + HmiCheck::tr("did you mean %1?").arg(near);
+                   : errors::BindingDidYouMean(message, toUtf8(near));
     }
     const types::TypeTable& types = compiled->types();
     const types::TypeId type = compiled->type();
-    const QString name = QString::fromStdString(types[type].name);
-    if (isTarget && !compiled->place())
-        return HmiCheck::tr("%1 is not a variable, so it can not be written.").arg(expression);
+    const std::string& name = types[type].name;
+    const std::string text = toUtf8(expression);
+    if (isTarget && !compiled->place()) return errors::TargetNotVariable(text);
     const types::Family family = types.family(type);
     const bool isBool = family == types::Family::Bool, isArray = types.isAggregate(type);
     const bool isNumber = types::isInteger(family) || family == types::Family::Real ||
                           family == types::Family::Duration || types.kind(type) == types::TypeKind::Enum;
-    if (wanted == "bool" && !isBool) return HmiCheck::tr("%1 is %2; a BOOL is needed here.").arg(expression, name);
-    if (wanted == "number" && !isNumber && !isBool)
-        return HmiCheck::tr("%1 is %2; a number is needed here.").arg(expression, name);
-    if (wanted == "text" && !types.isText(type))
-        return HmiCheck::tr("%1 is %2; a STRING is needed here.").arg(expression, name);
-    if (wanted == "array" && !isArray) return HmiCheck::tr("%1 is %2; an array is needed here.").arg(expression, name);
-    if (wanted == "any" && isArray)
-        return HmiCheck::tr("%1 is %2; a single value is needed here.").arg(expression, name);
+    if (wanted == "bool" && !isBool) return errors::BoolNeeded(text, name);
+    if (wanted == "number" && !isNumber && !isBool) return errors::NumberNeeded(text, name);
+    if (wanted == "text" && !types.isText(type)) return errors::StringNeeded(text, name);
+    if (wanted == "array" && !isArray) return errors::ArrayNeeded(text, name);
+    if (wanted == "any" && isArray) return errors::SingleValueNeeded(text, name);
     return {};
 }
 
@@ -136,17 +130,11 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
         };
     std::vector<Finding> out;
     for (const Error& problem : project.problems)
-        out.push_back({FindingKind::UnknownKind,
-                       true,
-                       QString::fromStdString(problem.place),
-                       0,
-                       {},
-                       {},
-                       {},
-                       QString::fromStdString(problem.message)});
+        out.push_back(
+            {FindingKind::UnknownKind, true, QString::fromStdString(problem.place), 0, {}, {}, {}, problem.message});
     for (Finding& finding : checkPanels(input)) out.push_back(std::move(finding));
     if (const QString variable = project.texts.settings().variable; !variable.isEmpty() && input.checkBinding) {
-        const QString complaint = checkBinding(checked, variable, "any", true);
+        Message complaint = checkBinding(checked, variable, "any", true);
         if (!complaint.isEmpty())
             out.push_back({FindingKind::WrongBinding,
                            true,
@@ -155,7 +143,7 @@ std::vector<Finding> checkPanels(const PanelProject& project, const driver::Chec
                            {},
                            QStringLiteral("languageVariable"),
                            {},
-                           complaint});
+                           std::move(complaint)});
     }
     return out;
 }

@@ -29,7 +29,7 @@ Result<void> formatPanels(const PanelProject& project);
 std::vector<Finding> checkPanels(const PanelProject& project, const driver::Checked& checked,
                                  const QStringList& languages = {});
 /// The answer of the front end to one binding; used by the designer while typing, too.
-QString checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget);
+Message checkBinding(const driver::Checked& checked, const QString& expression, std::string_view wanted, bool isTarget);
 
 /// Opens a window and plays until it is closed; returns the application's exit code.
 int playPanels(const PanelProject& project, session::Session& session, const QString& panel, bool fullScreen);

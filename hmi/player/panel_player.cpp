@@ -336,7 +336,7 @@ void PanelPlayer::frame() {
         followLanguageVariable();
         evaluateRecorded();
         if (m_session)
-            for (const std::string& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
+            for (const Error& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
     updateStatus();
     if (!m_refusal.isEmpty() && m_refusalAge.isValid() && m_refusalAge.elapsed() > 4000) {

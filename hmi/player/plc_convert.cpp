@@ -1,5 +1,7 @@
 #include "hmi/player/plc_convert.h"
 
+#include "hmi/model/errors.h"
+#include "runtime/base/messages.h"
 #include "runtime/base/text.h"
 
 #include <cmath>
@@ -98,7 +100,7 @@ std::optional<Range> rangeOf(const types::TypeTable& types, types::TypeId type) 
 }
 
 Error notFitting(const Value& value, const types::Type& type) {
-    return Error{(value.toLiteral() + QStringLiteral(" does not fit into ")).toStdString() + type.name, {}};
+    return Error{errors::PanelValueDoesNotFit(value.toLiteral().toStdString(), type.name), {}};
 }
 
 } // namespace
@@ -123,13 +125,13 @@ ValueFacts factsOf(const types::TypeTable& types, types::TypeId type, bool isWri
 
 Result<types::Value> toPlc(const types::TypeTable& types, types::TypeId type, const Value& value) {
     const types::Type& wanted = types[type];
-    if (value.isNone()) return Error{"There is no value to write", {}};
+    if (value.isNone()) return Error{errors::NoValueToWrite(), {}};
     if (types.isText(type)) {
         const QString text = value.kind() == ValueKind::Text ? value.text() : value.toLiteral();
         if (static_cast<uint32_t>(text.size()) > wanted.capacity) return notFitting(value, wanted);
         if (wanted.kind == TypeKind::Wstring) return types::Value{type, text.toStdU16String()};
         const std::optional<std::string> latin1 = utf8ToLatin1(text.toStdString());
-        if (!latin1) return Error{"STRING holds Latin-1 only; declare the variable as WSTRING", {}};
+        if (!latin1) return Error{errors::OnlyLatin1(), {}};
         return types::Value{type, *latin1};
     }
     switch (types.family(type)) {
@@ -166,7 +168,7 @@ Result<types::Value> toPlc(const types::TypeTable& types, types::TypeId type, co
     case Family::Other:
         break;
     }
-    return Error{"A " + wanted.name + " can not be written from a panel", {}};
+    return Error{errors::NotWrittenFromPanel(wanted.name), {}};
 }
 
 } // namespace plc::hmi

@@ -1,4 +1,5 @@
 #include "hmi/player/plc_values.h"
+#include "editor/kit/errors.h"
 #include "editor/kit/message_text.h"
 
 #include <cstring>
@@ -31,7 +32,7 @@ void PlcValues::compile(Binding& binding) {
         binding.value = Value::none(problem);
     };
     if (m_recording) {
-        if (!m_program) return failed(QStringLiteral("no longer recorded"));
+        if (!m_program) return failed(kit::messageText(errors::NoLongerRecorded()));
         auto compiled = m_recording->compile(text, *m_program);
         if (!compiled) return failed(kit::messageText(compiled.error().message));
         binding.compiled = std::move(*compiled);
@@ -144,7 +145,7 @@ void PlcValues::evaluate() {
         }
         if (m_image.empty()) {
             if (!binding.value.isNone()) changed = true;
-            binding.value = Value::none(QStringLiteral("no longer recorded"));
+            binding.value = Value::none(kit::messageText(errors::NoLongerRecorded()));
             binding.lastBytes.clear();
             continue;
         }

@@ -1,5 +1,7 @@
 #include "hmi/texts/csv.h"
 
+#include "hmi/model/errors.h"
+
 #include <QStringDecoder>
 #include <algorithm>
 #include <string_view>
@@ -36,16 +38,15 @@ bool isUtf8(std::string_view line) {
 } // namespace
 
 Result<CsvTable> parseCsv(const std::string& bytes, const QString& place) {
-    const auto fail = [&](int line, const char* message) {
-        return Error{message, (place + u':' + QString::number(line)).toStdString()};
+    const auto fail = [&](int line, Message message) {
+        return Error{std::move(message), (place + u':' + QString::number(line)).toStdString()};
     };
     std::string_view text = bytes;
     if (text.starts_with(kBom)) text.remove_prefix(kBom.size());
     int number = 1;
     for (size_t from = 0; from < text.size(); ++number) {
         const size_t end = std::min(text.find('\n', from), text.size());
-        if (!isUtf8(text.substr(from, end - from)))
-            return fail(number, "This line is not valid UTF-8; save the file as UTF-8.");
+        if (!isUtf8(text.substr(from, end - from))) return fail(number, errors::LineNotUtf8());
         from = end + 1;
     }
     CsvTable table;
@@ -94,12 +95,12 @@ Result<CsvTable> parseCsv(const std::string& bytes, const QString& place) {
             quoted = wasQuoted = true;
             quoteLine = line;
         } else if (wasQuoted) {
-            return fail(line, "There is text behind a closing quote; double a quote that belongs to the text.");
+            return fail(line, errors::TextAfterQuote());
         } else {
             field += c;
         }
     }
-    if (quoted) return fail(quoteLine, "The quote that opens here is never closed.");
+    if (quoted) return fail(quoteLine, errors::QuoteNotClosed());
     if (any) endRow();
     return table;
 }

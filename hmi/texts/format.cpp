@@ -1,5 +1,7 @@
 #include "hmi/texts/format.h"
 
+#include "hmi/model/errors.h"
+
 #include <QDateTime>
 #include <QRegularExpression>
 #include <QTimeZone>
@@ -164,7 +166,7 @@ TextTemplate TextTemplate::parse(const QString& text) {
         }
         const qsizetype close = text.indexOf(u'}', i);
         if (close < 0) {
-            out.error = QStringLiteral("A placeholder is not closed with }.");
+            out.error = errors::PlaceholderNotClosed(Verbatim("}"));
             literal += text.mid(i);
             break;
         }
@@ -172,7 +174,7 @@ TextTemplate TextTemplate::parse(const QString& text) {
         Part part{
             {}, inside.section(u':', 0, 0).trimmed(), inside.contains(u':') ? inside.section(u':', 1) : QString()};
         if (!part.format.isEmpty() && !NumberFormat::parse(part.format))
-            out.error = QStringLiteral("The format %1 is not known.").arg(part.format);
+            out.error = errors::TextFormatUnknown(toUtf8(part.format));
         if (!literal.isEmpty()) out.parts.push_back({literal, {}, {}});
         literal.clear();
         out.parts.push_back(part);

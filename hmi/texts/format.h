@@ -2,6 +2,7 @@
 // language writes numbers, dates and units. Pure functions, any thread.
 #pragma once
 #include "hmi/texts/language.h"
+#include "runtime/base/message.h"
 
 #include <functional>
 
@@ -33,7 +34,7 @@ struct TextTemplate {
         QString format;
     };
     std::vector<Part> parts;
-    QString error; // an open brace that is never closed, a bad format
+    Message error; // an open brace that is never closed, a bad format
 
     static TextTemplate parse(const QString& text);
     QStringList names() const;

@@ -1,5 +1,7 @@
 #include "hmi/texts/text_table.h"
 
+#include "hmi/model/errors.h"
+
 #include <QRegularExpression>
 
 namespace plc::hmi {
@@ -7,34 +9,29 @@ namespace plc::hmi {
 Result<TextTable> TextTable::parse(const std::string& bytes, const QString& place) {
     Result<CsvTable> csv = parseCsv(bytes, place);
     if (!csv) return csv.error();
-    const auto fail = [&](int line, const QString& message) {
-        return Error{message.toStdString(), (place + u':' + QString::number(line)).toStdString()};
+    const auto fail = [&](int line, Message message) {
+        return Error{std::move(message), (place + u':' + QString::number(line)).toStdString()};
     };
     TextTable table;
     if (csv->rows.empty()) return table;
     const QStringList& header = csv->rows.front();
     if (header.size() < 2 || header[0].trimmed().compare(QStringLiteral("key"), Qt::CaseInsensitive) != 0 ||
         header[1].trimmed().compare(QStringLiteral("comment"), Qt::CaseInsensitive) != 0)
-        return fail(1, QStringLiteral("The first line must be: key,comment and one language tag per column."));
+        return fail(1, errors::TextHeader(Verbatim("key,comment")));
     for (qsizetype i = 2; i < header.size(); ++i) {
         const QString tag = header[i].trimmed();
-        if (tag.isEmpty()) return fail(1, QStringLiteral("Column %1 has no language tag.").arg(i + 1));
-        if (table.columnOf(tag) >= 0) return fail(1, QStringLiteral("The language %1 has two columns.").arg(tag));
+        if (tag.isEmpty()) return fail(1, errors::ColumnWithoutLanguage(i + 1));
+        if (table.columnOf(tag) >= 0) return fail(1, errors::LanguageTwice(toUtf8(tag)));
         table.m_tags += tag;
     }
     for (size_t i = 1; i < csv->rows.size(); ++i) {
         const QStringList& cells = csv->rows[i];
         const int line = csv->lines[i];
-        if (cells.size() > header.size())
-            return fail(
-                line,
-                QStringLiteral("This line has %1 fields, the header has %2.").arg(cells.size()).arg(header.size()));
+        if (cells.size() > header.size()) return fail(line, errors::TooManyFields(cells.size(), header.size()));
         Row row{cells.value(0).trimmed(), cells.value(1), {}, line};
-        if (row.key.isEmpty()) return fail(line, QStringLiteral("This line has no key."));
+        if (row.key.isEmpty()) return fail(line, errors::LineWithoutKey());
         if (const int other = table.m_index.value(row.key, -1); other >= 0)
-            return fail(line, QStringLiteral("The key %1 stands already on line %2.")
-                                  .arg(row.key)
-                                  .arg(table.m_rows[static_cast<size_t>(other)].line));
+            return fail(line, errors::KeyTwice(toUtf8(row.key), table.m_rows[static_cast<size_t>(other)].line));
         for (qsizetype column = 2; column < header.size(); ++column) row.texts += cells.value(column);
         table.m_index[row.key] = static_cast<int>(table.m_rows.size());
         table.m_rows.push_back(std::move(row));

@@ -1,9 +1,9 @@
 #include "hmi/view/panel_check.h"
 
+#include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
 #include "hmi/view/arrays.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -14,14 +14,17 @@ namespace plc::hmi {
 
 namespace {
 
-class HmiCheck {
-    Q_DECLARE_TR_FUNCTIONS(HmiCheck)
-};
-
 QString panelFile(const QString& name) { return QStringLiteral("hmi/%1.panel.json").arg(name); }
 
 const QString kTextFile = QStringLiteral("hmi/texts.csv");
 const QString kAlarmFile = QStringLiteral("hmi/alarms.json");
+
+/// "{a}", "{b}": as they are written in a text.
+std::vector<std::string> bracedNames(const QStringList& names) {
+    std::vector<std::string> out;
+    for (const QString& name : names) out.push_back("{" + toUtf8(name) + "}");
+    return out;
+}
 
 bool hasLetters(const QString& text) {
     int letters = 0;
@@ -39,8 +42,8 @@ struct Checker {
     QStringList languages() const { return input.languages.isEmpty() ? settings().languages : input.languages; }
 
     void add(FindingKind kind, bool isError, const QString& file, const ElementId& element, const QString& property,
-             const QString& message, const QString& language = {}, int line = 0) {
-        found.push_back({kind, isError, file, line, element, property, language, message});
+             Message message, const QString& language = {}, int line = 0) {
+        found.push_back({kind, isError, file, line, element, property, language, std::move(message)});
     }
 
     /// A text of an element or alarm with the placeholders that it can fill.
@@ -49,7 +52,7 @@ struct Checker {
         if (!isTextKey(text.text)) {
             if (hasLetters(text.text) && settings().languages.size() > 1 && !hasFixedLanguage)
                 add(FindingKind::HardCodedText, false, file, id, text.place(),
-                    HmiCheck::tr("The text \"%1\" has no key, so it can not be translated.").arg(text.text));
+                    errors::TextWithoutKey(toUtf8(text.text)));
             checkNames(file, id, text, text.text, {}, names);
             return;
         }
@@ -57,8 +60,7 @@ struct Checker {
         usedKeys += key;
         const int row = table().rowOf(key);
         if (row < 0) {
-            add(FindingKind::MissingKey, true, file, id, text.place(),
-                HmiCheck::tr("The key %1 is not in the text table.").arg(key));
+            add(FindingKind::MissingKey, true, file, id, text.place(), errors::KeyMissing(toUtf8(key)));
             return;
         }
         for (const QString& tag : table().tags()) {
@@ -75,7 +77,7 @@ struct Checker {
         for (const QString& name : parts.names())
             if (!names.contains(name))
                 add(FindingKind::MissingValue, true, file, id, text.place(),
-                    HmiCheck::tr("The text needs a value for {%1}; give it in \"Values in texts\".").arg(name), tag);
+                    errors::ValueForTextMissing("{" + toUtf8(name) + "}"), tag);
     }
 
     void checkLists(const QString& file, const ElementId& id, const Properties& properties) {
@@ -84,7 +86,7 @@ struct Checker {
             const int length = table().listLength(prefix);
             if (length == 0)
                 add(FindingKind::MissingKey, true, file, id, list.place(),
-                    HmiCheck::tr("The text list %1 is empty: there is no key %1.0.").arg(prefix));
+                    errors::TextListEmpty(toUtf8(prefix), toUtf8(prefix) + ".0"));
             for (int i = 0; i < length; ++i) usedKeys += prefix + u'.' + QString::number(i);
         });
     }
@@ -97,9 +99,9 @@ struct Checker {
                 const int first = properties.integer("first");
                 expression = withIndex(expression, first, first, first);
             }
-            const QString complaint =
-                input.checkBinding(expression, binding.hint, binding.type == PropertyType::Target);
-            if (!complaint.isEmpty()) add(FindingKind::WrongBinding, true, file, id, binding.place(), complaint);
+            Message complaint = input.checkBinding(expression, binding.hint, binding.type == PropertyType::Target);
+            if (!complaint.isEmpty())
+                add(FindingKind::WrongBinding, true, file, id, binding.place(), std::move(complaint));
         });
     }
 
@@ -107,43 +109,37 @@ struct Checker {
         const ElementId id = element.id();
         if (element.kind() == ElementKind::Unknown)
             add(FindingKind::UnknownKind, false, file, id, QStringLiteral("kind"),
-                HmiCheck::tr("This version does not know the element kind \"%1\"; it is kept as it is.")
-                    .arg(element.text("kind")));
+                errors::ElementKindUnknown(toUtf8(element.text("kind"))));
         QStringList names;
         if (const Json& values = element.at("values"); values.is_object())
             for (const auto& [name, expression] : values.items()) names += QString::fromStdString(name);
         const QString fixed = element.text("language");
         if (!fixed.isEmpty() && table().columnOf(fixed) < 0 && !settings().languages.contains(fixed))
             add(FindingKind::UnknownLanguage, true, file, id, QStringLiteral("language"),
-                HmiCheck::tr("The project has no language %1.").arg(fixed));
+                errors::NoLanguage(toUtf8(fixed)));
         forEachText(element, [&](const Found& text) { checkText(file, id, text, names, !fixed.isEmpty()); });
         checkLists(file, id, element);
         checkBindings(file, id, element,
                       element.kind() == ElementKind::ArrayTable || element.kind() == ElementKind::CellGrid);
         if (const QRectF rect = element.rect(); !QRectF(QPointF(), panel.size()).intersects(rect))
-            add(FindingKind::Outside, false, file, id, QStringLiteral("rect"),
-                HmiCheck::tr("The element lies outside the panel."));
+            add(FindingKind::Outside, false, file, id, QStringLiteral("rect"), errors::ElementOutside());
         for (const PropertyDescriptor& property : element.descriptor().properties) {
             const QString value = element.text(property.key);
             const QString name = QString::fromStdString(std::string(property.key));
             if (property.type == PropertyType::File && !value.isEmpty() && !input.folder.isEmpty() &&
                 !QFileInfo::exists(QDir(input.folder).filePath(value)))
-                add(FindingKind::MissingImage, true, file, id, name,
-                    HmiCheck::tr("The file %1 is not there.").arg(value));
+                add(FindingKind::MissingImage, true, file, id, name, errors::FileMissing(toUtf8(value)));
             if (property.type == PropertyType::Panel && !value.isEmpty()) {
                 const bool isKnown = std::any_of(input.panels.begin(), input.panels.end(),
                                                  [&](const NamedPanel& one) { return one.name == value; });
-                if (!isKnown)
-                    add(FindingKind::UnknownPanel, true, file, id, name,
-                        HmiCheck::tr("There is no panel %1.").arg(value));
+                if (!isKnown) add(FindingKind::UnknownPanel, true, file, id, name, errors::NoPanel(toUtf8(value)));
             }
             if (property.key == "format" && !value.isEmpty() && !NumberFormat::parse(value))
                 add(FindingKind::BadFormat, true, file, id, name,
-                    HmiCheck::tr("The format %1 is not known; %.1f and %d are.").arg(value));
+                    errors::FormatUnknown(toUtf8(value), Verbatim("%.1f"), Verbatim("%d")));
             if (element.kind() == ElementKind::Button && property.key == "tag" &&
                 element.text("action") == QStringLiteral("language") && !settings().languages.contains(value))
-                add(FindingKind::UnknownLanguage, true, file, id, name,
-                    HmiCheck::tr("The project has no language %1.").arg(value));
+                add(FindingKind::UnknownLanguage, true, file, id, name, errors::NoLanguage(toUtf8(value)));
         }
     }
 
@@ -167,11 +163,11 @@ struct Checker {
             checkBindings(kAlarmFile, id, row);
             if (row.text("condition").isEmpty())
                 add(FindingKind::WrongBinding, true, kAlarmFile, id, QStringLiteral("condition"),
-                    HmiCheck::tr("The alarm has no condition."));
+                    errors::AlarmWithoutCondition());
             const QString own = row.text("class");
             if (!own.isEmpty() && !classes.isEmpty() && !classes.contains(own))
                 add(FindingKind::UnknownClass, true, kAlarmFile, id, QStringLiteral("class"),
-                    HmiCheck::tr("There is no alarm class %1.").arg(own));
+                    errors::NoAlarmClass(toUtf8(own)));
         }
     }
 
@@ -179,8 +175,8 @@ struct Checker {
         for (const QString& key : input.keysUsedElsewhere) usedKeys += key;
         for (const TextTable::Row& row : table().rows()) {
             if (!usedKeys.contains(row.key) && !row.key.startsWith(QStringLiteral("hmi.")))
-                add(FindingKind::OrphanKey, false, kTextFile, {}, row.key,
-                    HmiCheck::tr("No panel and no alarm uses the key %1.").arg(row.key), {}, row.line);
+                add(FindingKind::OrphanKey, false, kTextFile, {}, row.key, errors::KeyUnused(toUtf8(row.key)), {},
+                    row.line);
             QStringList names;
             QString namesOf;
             for (qsizetype i = 0; i < table().tags().size(); ++i) {
@@ -194,9 +190,8 @@ struct Checker {
                     namesOf = tag;
                 } else if (parts.names() != names) {
                     add(FindingKind::PlaceholderMismatch, true, kTextFile, {}, row.key,
-                        HmiCheck::tr("%1 has the placeholders {%2}, but %3 has {%4}.")
-                            .arg(tag, parts.names().join(QStringLiteral(", ")), namesOf,
-                                 names.join(QStringLiteral(", "))),
+                        errors::PlaceholdersDiffer(toUtf8(tag), bracedNames(parts.names()), toUtf8(namesOf),
+                                                   bracedNames(names)),
                         tag, row.line);
                 }
             }
@@ -208,7 +203,7 @@ struct Checker {
                     has = !table().text(row.key, one).isEmpty();
                 if (!has)
                     add(FindingKind::MissingTranslation, false, kTextFile, {}, row.key,
-                        HmiCheck::tr("The key %1 has no text in %2.").arg(row.key, tag), tag, row.line);
+                        errors::TranslationMissing(toUtf8(row.key), toUtf8(tag)), tag, row.line);
             }
         }
     }
@@ -216,7 +211,7 @@ struct Checker {
     void checkFonts() {
         if (!QFontDatabase::hasFamily(settings().font))
             add(FindingKind::MissingFont, true, QStringLiteral("project.json"), {}, QStringLiteral("font"),
-                HmiCheck::tr("The font %1 is not installed here, so texts can not be measured.").arg(settings().font));
+                errors::FontMissing(toUtf8(settings().font)));
         for (const TextTable::Row& row : table().rows())
             for (qsizetype i = 0; i < table().tags().size(); ++i) {
                 const QString tag = table().tags()[i];
@@ -229,7 +224,8 @@ struct Checker {
                         (c >= 0x2066 && c <= 0x2069) || metrics.inFontUcs4(c))
                         continue;
                     add(FindingKind::MissingGlyph, true, kTextFile, {}, row.key,
-                        HmiCheck::tr("No font has the character U+%1.").arg(c, 4, 16, QLatin1Char('0')), tag, row.line);
+                        errors::GlyphMissing(toUtf8(QStringLiteral("U+%1").arg(c, 4, 16, QLatin1Char('0')))), tag,
+                        row.line);
                     break;
                 }
             }
@@ -260,18 +256,14 @@ struct Checker {
                     said += place + tag + box.text;
                     const QSizeF needed = neededSize(box);
                     const QString shown = box.text.size() > 60 ? box.text.left(57) + u'…' : box.text;
-                    const QString message =
-                        needed.width() > box.rect.width() + 0.5
-                            ? HmiCheck::tr("\"%1\" does not fit: it needs %2 px, there are %3.")
-                                  .arg(shown)
-                                  .arg(std::ceil(needed.width()))
-                                  .arg(std::floor(box.rect.width()))
-                            : HmiCheck::tr("\"%1\" does not fit: it needs a height of %2 px, there are %3.")
-                                  .arg(shown)
-                                  .arg(std::ceil(needed.height()))
-                                  .arg(std::floor(box.rect.height()));
+                    const bool isTooWide = needed.width() > box.rect.width() + 0.5;
+                    const auto pixels = [](double length) { return static_cast<int64_t>(length); };
+                    Message message = isTooWide ? errors::TextTooWide(toUtf8(shown), pixels(std::ceil(needed.width())),
+                                                                      pixels(std::floor(box.rect.width())))
+                                                : errors::TextTooHigh(toUtf8(shown), pixels(std::ceil(needed.height())),
+                                                                      pixels(std::floor(box.rect.height())));
                     add(FindingKind::TextTooLong, false, panelFile(named.name), view->element().id(), box.property,
-                        message, fixed.isEmpty() ? tag : fixed);
+                        std::move(message), fixed.isEmpty() ? tag : fixed);
                 }
             }
         }
@@ -289,10 +281,8 @@ QString Finding::text() const {
     if (!element.isEmpty() || !property.isEmpty())
         out += element + (element.isEmpty() || property.isEmpty() ? QString() : QStringLiteral(".")) + property;
     if (!language.isEmpty()) out += QStringLiteral(" [%1]").arg(language);
-    return out + QStringLiteral(": ") +
-           (isError ? QCoreApplication::translate("HmiCheck", "error")
-                    : QCoreApplication::translate("HmiCheck", "warning")) +
-           u' ' + code() + QStringLiteral(": ") + message;
+    return out + QStringLiteral(": ") + (isError ? QStringLiteral("error ") : QStringLiteral("warning ")) + code() +
+           QStringLiteral(": ") + QString::fromStdString(message.english());
 }
 
 std::vector<Finding> checkPanels(const CheckInput& input) {

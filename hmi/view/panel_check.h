@@ -36,10 +36,11 @@ struct Finding {
     ElementId element;
     QString property; // "states[2].text"
     QString language;
-    QString message; // a whole sentence in the studio's language
+    Message message;
     /// "H1004", for lists and documentation.
     QString code() const;
-    QString text() const; // "hmi/main.panel.json: button1.text [de]: …"
+    /// English: "hmi/main.panel.json: button1.text [de]: warning H1007: …".
+    QString text() const;
 };
 
 struct NamedPanel {
@@ -48,7 +49,7 @@ struct NamedPanel {
 };
 
 /// What the checker says to a binding: nothing, or why it is wrong (with the near match).
-using BindingCheck = std::function<QString(const QString& expression, std::string_view wanted, bool isTarget)>;
+using BindingCheck = std::function<Message(const QString& expression, std::string_view wanted, bool isTarget)>;
 
 struct CheckInput {
     std::vector<NamedPanel> panels;
