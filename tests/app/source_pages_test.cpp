@@ -50,7 +50,7 @@ protected:
         const auto model = window->workspace().presentModel();
         if (!model) return {"no model"};
         for (const diagnostics::Diagnostic& each : model->diagnostics())
-            if (each.range.file == *model->fileOf(file)) out.push_back(each.message());
+            if (each.range.file == *model->fileOf(file)) out.push_back(each.message.english());
         return out;
     }
     void replace(const char* file, const std::string& from, const std::string& to) {

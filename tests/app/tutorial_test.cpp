@@ -131,7 +131,7 @@ TEST(Tutorial, ItsStepsWork) {
     EXPECT_FALSE(report->hasErrors) << (report->diagnostics.empty() ? "" : report->diagnostics.front());
     ASSERT_EQ(report->results.size(), 1u);
     EXPECT_TRUE(report->results[0].passed())
-        << (report->results[0].failures.empty() ? "" : report->results[0].failures[0].message);
+        << (report->results[0].failures.empty() ? "" : report->results[0].failures[0].message.english());
 }
 
 } // namespace

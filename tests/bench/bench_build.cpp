@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
         }
         const auto optimising = std::chrono::steady_clock::now();
         if (const auto done = driver::optimise(built); !done) {
-            std::fprintf(stderr, "%s\n", done.error().text().c_str());
+            std::fprintf(stderr, "%s\n", done.error().english().c_str());
             return 1;
         }
         const double optimise = secondsSince(optimising);

@@ -23,11 +23,12 @@ driver::Built build(const std::string& text) {
     input.files.push_back({"main.st", text});
     driver::Built built = driver::build(input);
     if (!built.program) {
-        for (const auto& d : built.checked.analysis->diagnostics) std::fprintf(stderr, "%s\n", d.message().c_str());
+        for (const auto& d : built.checked.analysis->diagnostics)
+            std::fprintf(stderr, "%s\n", d.message.english().c_str());
         std::exit(1);
     }
     if (const Result<void> done = driver::optimise(built); !done)
-        std::fprintf(stderr, "%s\n", done.error().message.c_str());
+        std::fprintf(stderr, "%s\n", done.error().message.english().c_str());
     return built;
 }
 

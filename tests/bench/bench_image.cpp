@@ -47,7 +47,7 @@ void BenchImage::scan(const image::Code& code) {
 double BenchImage::number(const std::string& path) const {
     const auto place = m_program.layout.find(path);
     if (!place) {
-        std::fprintf(stderr, "%s\n", place.error().text().c_str());
+        std::fprintf(stderr, "%s\n", place.error().english().c_str());
         std::exit(1);
     }
     const types::TypeTable& types = *m_program.layout.types;
@@ -62,7 +62,7 @@ driver::Built buildOrDie(const std::string& name, const std::string& text) {
     if (built.program) return built;
     for (const auto& diagnostic : built.checked.analysis->diagnostics)
         if (diagnostic.severity == diagnostics::Severity::Error)
-            std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message().c_str());
+            std::fprintf(stderr, "%s: %s\n", name.c_str(), diagnostic.message.english().c_str());
     std::fprintf(stderr, "%s does not compile %s\n", name.c_str(), built.failure.c_str());
     std::exit(1);
 }

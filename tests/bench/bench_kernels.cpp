@@ -52,7 +52,7 @@ std::unique_ptr<Loaded> loadKernel(const char* name) {
     loaded->built =
         buildOrDie(std::string(name) + ".st", readFile(plc::sourceDir() + "/tests/bench/kernels/" + name + ".st"));
     if (const auto done = driver::optimise(loaded->built); !done) {
-        std::fprintf(stderr, "%s\n", done.error().text().c_str());
+        std::fprintf(stderr, "%s\n", done.error().english().c_str());
         std::exit(1);
     }
     loaded->quick = std::make_unique<BenchImage>(*loaded->built.program);

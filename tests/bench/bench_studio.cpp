@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
         const auto found = model->rename(*model->fileOf("src/plant.st"),
                                          static_cast<uint32_t>(editor.utf8().find("FUNCTION " + from) + 9), to);
         if (!found) {
-            std::fprintf(stderr, "rename: %s\n", found.error().text().c_str());
+            std::fprintf(stderr, "rename: %s\n", found.error().english().c_str());
             return 1;
         }
         edits.add(seconds(CLOCK_MONOTONIC) - begin);

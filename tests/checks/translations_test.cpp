@@ -134,7 +134,7 @@ void collectUses(const fs::path& file, std::vector<Use>& out) {
 
 std::vector<Use> usesInSources() {
     std::vector<Use> out;
-    for (const char* folder : {"app", "editor", "hmi", "runtime/diagnostics"})
+    for (const char* folder : {"app", "editor", "hmi", "runtime"})
         for (const auto& entry : fs::recursive_directory_iterator(sourceFolder + "/" + folder)) {
             const std::string ending = entry.path().extension().string();
             if (ending == ".cpp" || ending == ".h") collectUses(entry.path(), out);
@@ -149,7 +149,7 @@ std::vector<Use> usesInSources() {
     return out;
 }
 
-/// %1, %L2, %n, {0}: the places that are filled in.
+/// %1, %L2, %n, {0}: the places that are filled in. {1:bit|bits} chooses a form, which a language may not need.
 std::set<std::string> placeholders(const std::string& text) {
     std::set<std::string> out;
     for (size_t i = 0; i + 1 < text.size(); ++i) {
@@ -158,7 +158,8 @@ std::set<std::string> placeholders(const std::string& text) {
             if (digit < text.size() && (std::isdigit(static_cast<unsigned char>(text[digit])) || text[digit] == 'n'))
                 out.insert(std::string("%") + text[digit]);
         }
-        if (text[i] == '{' && std::isdigit(static_cast<unsigned char>(text[i + 1]))) out.insert(text.substr(i, 3));
+        if (text[i] == '{' && std::isdigit(static_cast<unsigned char>(text[i + 1])) && text.substr(i + 2, 1) == "}")
+            out.insert(text.substr(i, 3));
     }
     return out;
 }

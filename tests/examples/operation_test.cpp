@@ -58,7 +58,7 @@ class Example : public ::testing::TestWithParam<std::string> {
 protected:
     void SetUp() override {
         auto opened = projects::openProject({folder});
-        ASSERT_TRUE(opened) << opened.error().text();
+        ASSERT_TRUE(opened) << opened.error().english();
         project = std::move(*opened);
         panels = hmi::loadPanelProject(project);
     }
@@ -103,7 +103,7 @@ TEST_P(Example, TestsTheConditionsOfItsAlarms) {
         for (auto& [condition, isThere] : came) {
             if (isThere) continue;
             const auto expression = session.expression(condition);
-            ASSERT_TRUE(expression) << condition << ": " << expression.error().message;
+            ASSERT_TRUE(expression) << condition << ": " << expression.error().message.english();
             isThere = expression->isTrue(history.seek(history.statistics().first)) ||
                       history
                           .find(*expression, session.recompile(condition), history.statistics().first,
@@ -112,14 +112,14 @@ TEST_P(Example, TestsTheConditionsOfItsAlarms) {
         }
     };
     const auto report = plc::testing::runTests(project, options);
-    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_TRUE(report) << report.error().english();
     EXPECT_EQ(report->failed(), 0u);
     for (const auto& [condition, isThere] : came)
         EXPECT_TRUE(isThere) << "no test of the project in which " << condition;
 }
 
 TEST_P(Example, SpeaksEveryLanguageAndItsPanelsAreWithoutFindings) {
-    for (const Error& problem : panels.problems) ADD_FAILURE() << problem.text();
+    for (const Error& problem : panels.problems) ADD_FAILURE() << problem.english();
     const driver::Checked checked = driver::check(project.buildInput());
     EXPECT_FALSE(checked.analysis->hasErrors);
     for (const hmi::Finding& finding : hmi::checkPanels(panels, checked)) ADD_FAILURE() << finding.text().toStdString();
@@ -133,23 +133,23 @@ struct Shown {
 
 TEST_P(Example, RunsAMinuteWithoutAFaultAndItsPanelMoves) {
     driver::Built built = driver::build(project.buildInput());
-    ASSERT_TRUE(built.program) << built.failure;
+    ASSERT_TRUE(built.program) << built.failure.english();
     const auto arguments = cli::Arguments::parse(cli::panelCommand().spec, pictureOptions(folder, "panel"));
-    ASSERT_TRUE(arguments) << arguments.error().text();
+    ASSERT_TRUE(arguments) << arguments.error().english();
     nanoseconds length = std::chrono::minutes(1);
     if (const auto text = arguments->value("--at")) {
         const auto time = cli::parseDuration(*text);
-        ASSERT_TRUE(time) << time.error().text();
+        ASSERT_TRUE(time) << time.error().english();
         length = std::max(length, *time);
     }
     session::Settings settings;
     settings.historyBudget = size_t(1) << 30;
     session::Session session(std::move(built), settings);
     const auto ran = cli::runProject(*arguments, session.built(), session, length, "");
-    ASSERT_TRUE(ran) << ran.error().text();
+    ASSERT_TRUE(ran) << ran.error().english();
     EXPECT_EQ(session.controller().state(), controller::State::Running);
-    EXPECT_FALSE(session.controller().fault()) << session.controller().fault()->message;
-    EXPECT_FALSE(session.controller().simulationFault()) << session.controller().simulationFault()->message;
+    EXPECT_FALSE(session.controller().fault()) << session.controller().fault()->message.english();
+    EXPECT_FALSE(session.controller().simulationFault()) << session.controller().simulationFault()->message.english();
     EXPECT_GE(session.controller().lastTime() + std::chrono::seconds(2), length);
 
     hmi::PlcValues values(session);

@@ -16,12 +16,12 @@ class BothTiers : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(BothTiers, LeaveTheSameImageAfterEveryScan) {
     const auto project = projects::openProject({exampleFolder(GetParam())});
-    ASSERT_TRUE(project) << project.error().text();
+    ASSERT_TRUE(project) << project.error().english();
     const driver::Built quick = driver::build(project->buildInput());
-    ASSERT_TRUE(quick.program) << quick.failure;
+    ASSERT_TRUE(quick.program) << quick.failure.english();
     const driver::Built fast = driver::build(project->buildInput());
     const auto done = driver::optimise(fast);
-    ASSERT_TRUE(done) << done.error().text();
+    ASSERT_TRUE(done) << done.error().english();
     controller::Controller a(quick.program), c(fast.program);
     a.useQuickCode(true);
     a.start();
@@ -37,7 +37,7 @@ TEST_P(BothTiers, LeaveTheSameImageAfterEveryScan) {
         }
         if (isGood) continue;
         ASSERT_TRUE(a.fault() && c.fault());
-        EXPECT_EQ(a.fault()->message, c.fault()->message);
+        EXPECT_EQ(a.fault()->message.english(), c.fault()->message.english());
         EXPECT_EQ(a.fault()->range, c.fault()->range);
         break;
     }

@@ -61,7 +61,7 @@ std::string programOf(const std::vector<Row>& rows) {
 
 std::string valueAt(const image::CompiledProgram& program, std::span<const std::byte> image, const std::string& path) {
     const auto place = program.layout.find(path);
-    if (!place) return place.error().text();
+    if (!place) return place.error().english();
     return types::toText(*program.layout.types, types::readValue(*program.layout.types, place->type,
                                                                  image.subspan(place->offset), place->bit));
 }
@@ -70,7 +70,7 @@ void expectAgreement(const std::vector<Row>& rows) {
     driver::BuildInput input;
     input.files.push_back({"rows.st", programOf(rows)});
     const driver::Built built = driver::build(input);
-    ASSERT_EQ(built.failure, "");
+    ASSERT_EQ(built.failure.english(), "");
     for (const auto& diagnostic : built.checked.analysis->diagnostics)
         if (diagnostic.severity == diagnostics::Severity::Error)
             ADD_FAILURE() << diagnostics::renderText(*built.checked.sources, diagnostic, false);
@@ -78,7 +78,7 @@ void expectAgreement(const std::vector<Row>& rows) {
     const auto scanned = [&] {
         controller::Controller controller(built.program);
         controller.start();
-        EXPECT_TRUE(controller.scan()) << controller.fault()->message;
+        EXPECT_TRUE(controller.scan()) << controller.fault()->message.english();
         return std::vector<std::byte>(controller.image().begin(), controller.image().end());
     };
     const std::vector<std::byte> quick = scanned();
@@ -95,12 +95,12 @@ void expectAgreement(const std::vector<Row>& rows) {
         const auto expression = driver::compileExpression(
             built.checked, filledIn(rows[r], [&](size_t i) { return variable(r, i); }), "Main");
         if (!expression) {
-            ADD_FAILURE() << shown << ": " << expression.error().message;
+            ADD_FAILURE() << shown << ": " << expression.error().message.english();
             continue;
         }
         const auto outcome = expression->evaluate(quick);
         const auto place = built.program->layout.find("Main.v" + number);
-        ASSERT_TRUE(outcome.hasValue()) << shown << ": " << outcome.reason;
+        ASSERT_TRUE(outcome.hasValue()) << shown << ": " << outcome.reason.english();
         EXPECT_EQ(types::toText(expression->types(), types::convert(expression->types(), outcome.value, place->type)),
                   value)
             << "evaluated " << shown;

@@ -34,14 +34,14 @@ void checkBroken(const std::string& text, bool runs) {
     for (const auto& diagnostic : checked.analysis->diagnostics) {
         if (!diagnostic.range.file.isValid()) continue; // about the program as a whole
         ASSERT_LE(diagnostic.range.end, (*checked.sources)[diagnostic.range.file].text().size())
-            << diagnostic.message() << "\n"
+            << diagnostic.message.english() << "\n"
             << text;
-        ASSERT_LE(diagnostic.range.begin, diagnostic.range.end) << diagnostic.message() << "\n" << text;
+        ASSERT_LE(diagnostic.range.begin, diagnostic.range.end) << diagnostic.message.english() << "\n" << text;
         ASSERT_FALSE(diagnostics::renderText(*checked.sources, diagnostic, false).empty());
     }
     if (!runs || checked.analysis->hasErrors) return;
     const driver::Built built = driver::build(input);
-    EXPECT_EQ(built.failure, "") << text;
+    EXPECT_EQ(built.failure.english(), "") << text;
     if (!built.program) return;
     controller::Settings settings;
     settings.loopBudgetPerScan = 100'000;

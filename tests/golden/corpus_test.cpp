@@ -97,7 +97,7 @@ public:
             if (step.contains("scans")) scan(step["scans"].get<int>());
             if (step.contains("expect"))
                 for (const auto& [name, value] : step["expect"].items()) expect(name, value);
-            ASSERT_FALSE(m_controller.fault()) << m_controller.fault()->message << " at line "
+            ASSERT_FALSE(m_controller.fault()) << m_controller.fault()->message.english() << " at line "
                                                << m_built.program->sources[m_controller.fault()->range.file]
                                                       .lineColumn(m_controller.fault()->range.begin)
                                                       .line;
@@ -126,7 +126,7 @@ private:
 
     void set(const std::string& name, const json& value) {
         const auto place = m_built.program->layout.find(pathOf(name));
-        ASSERT_TRUE(place) << name << ": " << place.error().text();
+        ASSERT_TRUE(place) << name << ": " << place.error().english();
         const auto& types = *m_built.program->layout.types;
         std::string text = value.is_string() ? value.get<std::string>() : value.dump();
         if (types.isText(place->type)) text = "'" + text + "'";
@@ -141,9 +141,9 @@ private:
             return expectRelation(name, expected.get<std::string>());
         auto expression = driver::compileExpression(m_built.checked, m_instance + "." + name);
         if (!expression) expression = driver::compileExpression(m_built.checked, name);
-        ASSERT_TRUE(expression) << name << ": " << expression.error().message;
+        ASSERT_TRUE(expression) << name << ": " << expression.error().message.english();
         const auto outcome = expression->evaluate(m_controller.image());
-        ASSERT_TRUE(outcome.hasValue()) << name << ": " << outcome.reason;
+        ASSERT_TRUE(outcome.hasValue()) << name << ": " << outcome.reason.english();
         const auto& types = expression->types();
         const std::string shown = name + " = " + types::toText(types, outcome.value) + ", expected " + expected.dump();
         if (expected.is_boolean()) {
@@ -167,7 +167,7 @@ private:
     static bool isRelation(const std::string& text) { return text.starts_with("<") || text.starts_with(">"); }
     void expectRelation(const std::string& name, const std::string& relation) {
         const auto expression = driver::compileExpression(m_built.checked, m_instance + "." + name + " " + relation);
-        ASSERT_TRUE(expression) << expression.error().message;
+        ASSERT_TRUE(expression) << expression.error().message.english();
         EXPECT_TRUE(expression->isTrue(m_controller.image())) << name << " " << relation;
     }
 
@@ -193,7 +193,7 @@ void runVector(driver::BuildInput input, const json& vector) {
         instance = "BenchInstance";
     }
     const driver::Built built = driver::build(input);
-    ASSERT_EQ(built.failure, "");
+    ASSERT_EQ(built.failure.english(), "");
     ASSERT_TRUE(built.program) << errorsOf(built.checked);
     VectorRun(built, instance).perform(vector);
     ASSERT_TRUE(driver::optimise(built));

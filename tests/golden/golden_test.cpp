@@ -48,13 +48,13 @@ driver::BuildInput inputFor(const fs::path& source, const std::vector<Line>& scr
 
 std::string shown(const SourceSet& sources, const diagnostics::Diagnostic& diagnostic) {
     if (!diagnostic.range.file.isValid())
-        return std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
+        return std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message.english();
     const auto& file = sources[diagnostic.range.file];
     const auto begin = file.lineColumn(diagnostic.range.begin), end = file.lineColumn(diagnostic.range.end);
     const std::string place = diagnostic.range.file.index() == 0 ? "" : file.path() + ":";
     return place + std::to_string(begin.line) + ":" + std::to_string(begin.column) + "-" +
            (end.line == begin.line ? "" : std::to_string(end.line) + ":") + std::to_string(end.column) + " " +
-           std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message();
+           std::string(diagnostics::codeOf(diagnostic.kind)) + ": " + diagnostic.message.english();
 }
 
 /// One run of a script on one tier. Lines of `script` are rewritten to what came out.
@@ -99,13 +99,13 @@ private:
     }
 
     void expectDone(const Line& line, const Result<void>& result) {
-        if (!result) ADD_FAILURE() << m_tier << ": " << line.text << ": " << result.error().text();
+        if (!result) ADD_FAILURE() << m_tier << ": " << line.text << ": " << result.error().english();
     }
 
     void write(const Line& line) {
         const auto place = m_built.program->layout.find(line.left);
         if (!place) {
-            ADD_FAILURE() << m_tier << ": " << place.error().text();
+            ADD_FAILURE() << m_tier << ": " << place.error().english();
             return;
         }
         const auto value = types::parseValue(*m_built.program->layout.types, place->type, line.right);
@@ -120,12 +120,13 @@ private:
     void expect(Line& line) {
         const auto expression = driver::compileExpression(m_built.checked, line.left);
         if (!expression) {
-            ADD_FAILURE() << m_tier << ": " << line.left << ": " << expression.error().message;
+            ADD_FAILURE() << m_tier << ": " << line.left << ": " << expression.error().message.english();
             return;
         }
         const expression::Outcome outcome = expression->evaluate(m_controller.image());
         settle(line,
-               outcome.hasValue() ? types::toText(expression->types(), outcome.value) : "(" + outcome.reason + ")",
+               outcome.hasValue() ? types::toText(expression->types(), outcome.value)
+                                  : "(" + outcome.reason.english() + ")",
                line.left + " = ", line.right);
     }
 
@@ -162,12 +163,12 @@ void runGolden(const fs::path& source) {
     const fs::path expectedFile = withExtension(source, ".expected");
     std::vector<Line> script = parseScript(readText(expectedFile));
     const driver::Built built = driver::build(inputFor(source, script));
-    ASSERT_EQ(built.failure, "");
+    ASSERT_EQ(built.failure.english(), "");
     if (!built.program) return expectNoErrors(built.checked);
     std::vector<Line> quick = script;
     Run(built, "quick").perform(quick);
     const auto optimised = driver::optimise(built);
-    ASSERT_TRUE(optimised) << optimised.error().text();
+    ASSERT_TRUE(optimised) << optimised.error().english();
     Run(built, "optimised").perform(script);
     for (size_t i = 0; i < script.size(); ++i)
         EXPECT_EQ(quick[i].text, script[i].text) << "quick and optimised code differ";

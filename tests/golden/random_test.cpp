@@ -276,7 +276,7 @@ Scanned scanned(const driver::Built& built) {
     }
     if (controller.fault()) {
         const auto& fault = *controller.fault();
-        out.fault = fault.message + " at line " +
+        out.fault = fault.message.english() + " at line " +
                     std::to_string(built.program->sources[fault.range.file].lineColumn(fault.range.begin).line);
     }
     return out;
@@ -316,7 +316,7 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
     input.files.push_back({"random.st", generator.program(mayFault ? nullptr : &watched)});
     const std::string& text = input.files[0].text;
     const driver::Built built = driver::build(input);
-    ASSERT_EQ(built.failure, "") << "seed " << seed << "\n" << text;
+    ASSERT_EQ(built.failure.english(), "") << "seed " << seed << "\n" << text;
     for (const auto& diagnostic : built.checked.analysis->diagnostics) {
         // chance made a constant index or divisor that can not be
         if (diagnostic.kind == diagnostics::Kind::ConstantIndexOutOfRange ||
@@ -343,14 +343,14 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
         const auto expression = driver::compileExpression(built.checked, expr, "Main");
         if (!expression) {
             if (expr.find("Mixed(") == std::string::npos)
-                ADD_FAILURE() << "seed " << seed << ": " << expr << ": " << expression.error().message;
+                ADD_FAILURE() << "seed " << seed << ": " << expr << ": " << expression.error().message.english();
             continue; // calls of functions are not for watches
         }
         const auto place = built.program->layout.find("Main." + name);
         ASSERT_TRUE(place);
         const auto& types = expression->types();
         const auto outcome = expression->evaluate(quick.images.back());
-        std::string value = outcome.hasValue() ? types::toText(types, outcome.value) : outcome.reason;
+        std::string value = outcome.hasValue() ? types::toText(types, outcome.value) : outcome.reason.english();
         if (types.isText(place->type) && outcome.hasValue() &&
             std::get<std::string>(outcome.value.data).size() > types[place->type].capacity)
             continue; // cut when it was stored

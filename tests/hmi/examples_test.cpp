@@ -21,12 +21,12 @@ QStringList examplesWithPanels() {
 TEST(Examples, PanelsTextsAndAlarmsAreCanonicalAndWithoutErrors) {
     for (const QString& path : examplesWithPanels()) {
         const auto project = projects::openProject({path.toStdString()});
-        ASSERT_TRUE(project) << project.error().text();
+        ASSERT_TRUE(project) << project.error().english();
         const PanelProject panels = loadPanelProject(*project);
         if (qEnvironmentVariableIsSet("STEPWISE_FORMAT")) {
             ASSERT_TRUE(formatPanels(panels));
         }
-        for (const Error& problem : panels.problems) ADD_FAILURE() << problem.text();
+        for (const Error& problem : panels.problems) ADD_FAILURE() << problem.english();
         for (const NamedPanel& panel : panels.panels)
             EXPECT_EQ(panel.panel.write(), *projects::readFile(panels.panelPath(panel.name).toStdString()))
                 << path.toStdString();
@@ -51,7 +51,7 @@ TEST(Examples, AlarmTextsFollowTheLanguageThatTheProgramChooses) {
     ASSERT_TRUE(project);
     const PanelProject panels = loadPanelProject(*project);
     driver::Built built = driver::build(project->buildInput());
-    ASSERT_TRUE(built.program) << built.failure;
+    ASSERT_TRUE(built.program) << built.failure.english();
     session::Session session(std::move(built));
     const auto runFor = [&](int seconds) {
         const auto until = session.status().time + std::chrono::seconds(seconds);

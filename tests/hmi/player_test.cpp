@@ -327,7 +327,7 @@ TEST(Player, PicturesOfEveryPanelInEveryLanguage) {
     PictureOptions options;
     options.folder = folder;
     const auto paths = renderPanels(machine.project, &machine.session, options);
-    ASSERT_TRUE(paths) << paths.error().text();
+    ASSERT_TRUE(paths) << paths.error().english();
     EXPECT_EQ(paths->size(), 3u);
     EXPECT_NE(QImage(folder + QStringLiteral("/main.en.png")), QImage(folder + QStringLiteral("/main.ar.png")));
     QDir(folder).removeRecursively();
@@ -349,7 +349,7 @@ TEST(Check, TheFrontEndChecksEveryBinding) {
     };
     for (const auto& row : rows) {
         const std::string complaint =
-            checkBinding(built.checked, QLatin1String(row.expression), row.wanted, row.isTarget).toStdString();
+            checkBinding(built.checked, QLatin1String(row.expression), row.wanted, row.isTarget).english();
         if (*row.complaint)
             EXPECT_NE(complaint.find(row.complaint), std::string::npos) << row.expression << ": " << complaint;
         else

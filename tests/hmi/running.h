@@ -50,7 +50,7 @@ inline driver::Built builtMachine() {
     driver::BuildInput input;
     input.files.push_back({"main.st", kMachine});
     driver::Built built = driver::build(input);
-    std::string messages = built.failure;
+    std::string messages = built.failure.english();
     if (built.checked.analysis)
         for (const auto& one : built.checked.analysis->diagnostics)
             messages += diagnostics::renderText(*built.checked.sources, one, false) + "\n";
@@ -77,7 +77,7 @@ inline PanelProject machineProject() {
 
 inline Panel panelOf(const std::string& elements) {
     Result<Panel> panel = Panel::parse("{\"size\": [640, 400], \"elements\": [" + elements + "]}", QStringLiteral("p"));
-    EXPECT_TRUE(panel) << (panel ? "" : panel.error().text());
+    EXPECT_TRUE(panel) << (panel ? "" : panel.error().english());
     return panel ? *panel : Panel();
 }
 

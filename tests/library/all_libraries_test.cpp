@@ -105,8 +105,8 @@ TEST(DocComments, HoldExamplesThatParse) {
             diagnostics::Sink sink;
             syntax::SyntaxFile file;
             static_cast<void>(parse::parseStatements(file, example, sink));
-            EXPECT_FALSE(sink.hasErrors())
-                << name << '.' << folded << ": " << example << (sink.all().empty() ? "" : sink.all()[0].message());
+            EXPECT_FALSE(sink.hasErrors()) << name << '.' << folded << ": " << example
+                                           << (sink.all().empty() ? "" : sink.all()[0].message.english());
         }
     }
 }

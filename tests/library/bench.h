@@ -23,7 +23,7 @@ inline driver::Built buildText(const std::string& text, const std::vector<std::s
     input.libraries = libraries;
     driver::Built built = driver::build(input);
     if (built.program) return built;
-    std::string message = built.failure;
+    std::string message = built.failure.english();
     for (const diagnostics::Diagnostic& diagnostic : built.checked.analysis->diagnostics)
         if (diagnostic.severity == diagnostics::Severity::Error)
             message += diagnostics::renderText(*built.checked.sources, diagnostic, false);
@@ -52,8 +52,8 @@ public:
         for (int i = 0; i < count; ++i) {
             const bool good = m_controller->scan();
             if (!good || m_controller->fault())
-                throw std::runtime_error("fault: " +
-                                         (m_controller->fault() ? m_controller->fault()->message : std::string("?")));
+                throw std::runtime_error(
+                    "fault: " + (m_controller->fault() ? m_controller->fault()->message.english() : std::string("?")));
         }
     }
     /// Scans until the scan at `time` has been made.
@@ -69,7 +69,7 @@ public:
 
     [[nodiscard]] types::Value value(const std::string& path) const {
         auto read = m_controller->read(pathOf(path));
-        if (!read) throw std::runtime_error(read.error().text());
+        if (!read) throw std::runtime_error(read.error().english());
         return *read;
     }
     [[nodiscard]] double real(const std::string& path) const {
@@ -97,7 +97,7 @@ public:
     }
     void write(const std::string& path, const types::Value& changed) {
         if (auto done = m_controller->write(pathOf(path), changed); !done)
-            throw std::runtime_error(done.error().text());
+            throw std::runtime_error(done.error().english());
     }
 
     [[nodiscard]] controller::Controller& controller() { return *m_controller; }

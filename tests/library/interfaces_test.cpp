@@ -128,7 +128,7 @@ TEST(LibraryTexts, ParseWithoutAMessage) {
     for (const std::string_view name : library::libraries()) {
         const ParsedLibrary parsed = parseLibrary(name);
         for (const auto& diagnostic : parsed.diagnostics)
-            ADD_FAILURE() << name << " at " << diagnostic.range.begin << ": " << diagnostic.message();
+            ADD_FAILURE() << name << " at " << diagnostic.range.begin << ": " << diagnostic.message.english();
         EXPECT_FALSE(parsed.pous.empty()) << name;
         for (const auto& [folded, entry] : parsed.pous) {
             const syntax::Pou& pou = *entry.first;

@@ -1,6 +1,7 @@
 // Every file that comes from outside besides ST, damaged at random: it is refused or read, written again and read the
 // same; no crash, no hang. STEPWISE_SEED repeats a run, STEPWISE_LONG=1 takes many more rounds.
 #include "projects/session/session.h"
+#include "runtime/base/messages.h"
 #include "tests/fuzz/inputs_impl.h"
 #include "tests/loaders/damage.h"
 #include "tests/support/paths.h"
@@ -94,7 +95,7 @@ std::string recording() {
     EXPECT_TRUE(built.program);
     session::Session session(built);
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 500; });
-    session.history().mark(5, "here", std::chrono::milliseconds(5));
+    session.history().mark(5, errors::Plainly(Verbatim("here")), std::chrono::milliseconds(5));
     const std::string path = scratch().write("good.stwrec", "");
     EXPECT_TRUE(session.history().save(path));
     return contentOf(path);

@@ -93,7 +93,7 @@ void save(editor::ChartView& view, const QString& folder, const Shot& shot, cons
 
 bool take(const Shot& shot, const QString& folder) {
     const auto project = projects::openProject({plc::sourceDir() + "/projects/examples/" + shot.project});
-    if (!project) return std::fprintf(stderr, "%s\n", project.error().text().c_str()), false;
+    if (!project) return std::fprintf(stderr, "%s\n", project.error().english().c_str()), false;
     driver::Built built = driver::build(project->buildInput());
     if (!built.program) return std::fprintf(stderr, "%s has errors\n", shot.project), false;
     std::string text;
@@ -122,7 +122,7 @@ bool take(const Shot& shot, const QString& folder) {
         return out;
     });
     const auto until = session.expression(shot.until);
-    if (!until) return std::fprintf(stderr, "%s: %s\n", shot.until, until.error().text().c_str()), false;
+    if (!until) return std::fprintf(stderr, "%s: %s\n", shot.until, until.error().english().c_str()), false;
     view.setPast(true); // the last path by the time of the plant, not of the clock on the wall
     size_t pressed = 0;
     int64_t reached = -1;

@@ -37,7 +37,7 @@ std::vector<std::string> unusedIn(const projects::Project& project) {
     const driver::Checked checked = driver::check(project.buildInput());
     for (const auto& diagnostic : checked.analysis->diagnostics)
         if (diagnostics::codeOf(diagnostic.kind) == "P3005" || diagnostics::codeOf(diagnostic.kind) == "P3006")
-            out.push_back(diagnostic.message());
+            out.push_back(diagnostic.message.english());
     return out;
 }
 

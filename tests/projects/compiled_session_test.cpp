@@ -30,8 +30,8 @@ driver::Built build(const std::string& text) {
 #endif
     driver::Built built = driver::build(input);
     std::string messages;
-    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message() + "\n";
-    EXPECT_TRUE(built.program) << messages << built.failure;
+    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message.english() + "\n";
+    EXPECT_TRUE(built.program) << messages << built.failure.english();
     return built;
 }
 
@@ -107,7 +107,7 @@ public:
                 ASSERT_TRUE(
                     session.controller().write(m_input, Value{TypeTable::of(TypeKind::Int), int64_t(dice() % 100)}));
             }
-            ASSERT_TRUE(session.controller().scan()) << session.controller().fault()->message;
+            ASSERT_TRUE(session.controller().scan()) << session.controller().fault()->message.english();
         }
     }
 
@@ -231,12 +231,12 @@ END_PROGRAM)";
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 20; });
     controller::OnlineChangeReport report;
     session.changeProgram(build(after), [&](const auto& r) { report = r; });
-    ASSERT_EQ(report.refusal, "");
+    ASSERT_EQ(report.refusal.english(), "");
     EXPECT_EQ(session.controller().read("Main.m[2].hours")->integer(), 20);
     EXPECT_EQ(session.controller().read("Main.m[2].t.ET")->integer(), 190'000'000);
     EXPECT_EQ(report.nulled, std::vector<std::string>{"Main.q"});
     session.runHere([](const controller::Controller& c) { return c.nextScan() == 21; });
-    ASSERT_FALSE(session.controller().fault()) << session.controller().fault()->message;
+    ASSERT_FALSE(session.controller().fault()) << session.controller().fault()->message.english();
     EXPECT_EQ(session.controller().read("Main.seen")->integer(), 1021);
     EXPECT_EQ(session.controller().read("Main.m[1].hours")->integer(), 21);
 }
@@ -258,7 +258,7 @@ TEST(Debugging, BreaksStepsAndShowsVariablesOfCompiledCode) {
     session.setBreakpoints({inBlock});
     ASSERT_TRUE(
         eventually([&] { return session.status().state == PlcState::Halted && session.haltFrames().size() == 2; }));
-    EXPECT_EQ(session.haltProblem(), "");
+    EXPECT_EQ(session.haltProblem().english(), "");
     EXPECT_EQ(session.haltFrames()[0].function, "B");
     EXPECT_EQ(session.haltFrames()[0].instance, "Main.b2");
     EXPECT_EQ(session.haltFrames()[1].function, "Main");
@@ -347,7 +347,7 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
         auto isChanged = std::make_shared<std::atomic<bool>>(false);
         session.changeProgram(build(i % 2 ? kPlant : changed),
                               [isChanged](const controller::OnlineChangeReport& report) {
-                                  EXPECT_EQ(report.refusal, "");
+                                  EXPECT_EQ(report.refusal.english(), "");
                                   *isChanged = true;
                               });
         EXPECT_TRUE(eventually([&] { return isChanged->load(); }));
@@ -358,7 +358,7 @@ TEST(CompiledSession, AnyThreadMayWriteForceReadAndChangeTheProgramWhileScansRun
     writer.join();
     reader.join();
     const Status status = session.status();
-    EXPECT_EQ(status.state, PlcState::Running) << (status.fault ? status.fault->message : "");
+    EXPECT_EQ(status.state, PlcState::Running) << (status.fault ? status.fault->message.english() : "");
 }
 
 #ifdef __SANITIZE_THREAD__

@@ -35,15 +35,15 @@ std::vector<std::string> traceOf(const std::string& text, const std::vector<std:
     std::vector<std::string> out;
     const driver::Built built = driver::build(inputOf(text));
     if (!built.program) {
-        out.push_back(built.failure);
-        for (const auto& d : built.checked.analysis->diagnostics) out.push_back(d.message());
+        out.push_back(built.failure.english());
+        for (const auto& d : built.checked.analysis->diagnostics) out.push_back(d.message.english());
         return out;
     }
     session::Session session(built);
     std::vector<expression::Expression> values;
     for (const std::string& name : names) {
         auto value = session.expression("Main." + name);
-        if (!value) return {value.error().text()};
+        if (!value) return {value.error().english()};
         values.push_back(*value);
     }
     session.runHere([&](const controller::Controller& c) {
@@ -58,7 +58,7 @@ std::vector<std::string> traceOf(const std::string& text, const std::vector<std:
 
 std::string converted(const std::string& text, const std::string& unit, TextLanguage to) {
     const auto out = convertBody(inputOf(text), "main.st", unit, to);
-    EXPECT_TRUE(out) << unit << ": " << (out ? "" : out.error().text());
+    EXPECT_TRUE(out) << unit << ": " << (out ? "" : out.error().english());
     return out ? out->text : text;
 }
 
@@ -206,7 +206,7 @@ TEST(Conversion, CommentsPragmasAndTakenNamesAreMinded) {
     std::string good = text;
     good.replace(good.find("        ST      result1\n"), 24, "        LD      5\n        ST      result1\n");
     const auto out = convertBody(inputOf(good), "main.st", "Main", TextLanguage::St);
-    ASSERT_TRUE(out) << out.error().text();
+    ASSERT_TRUE(out) << out.error().english();
     EXPECT_EQ(out->text,
               "{attribute 'x'}\nPROGRAM Main\nVAR\n    result1 : INT; // taken\n    i, j : INT;\nEND_VAR\nVAR\n    "
               "result2 : INT;\nEND_VAR\n(* one *)\n// two\nresult2 := i + 1;\ni := result2;\nIF result2 > 3 THEN\n    "
@@ -215,14 +215,14 @@ TEST(Conversion, CommentsPragmasAndTakenNamesAreMinded) {
         inputOf("PROGRAM Main\nVAR i, j : INT; END_VAR\nFOR i := 1 TO j DO j := j - 1; END_FOR\nEND_PROGRAM\n"),
         "main.st", "Main", TextLanguage::Il);
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().text().find("has no like in an instruction list"), std::string::npos);
+    EXPECT_NE(none.error().english().find("has no equivalent in an instruction list"), std::string::npos);
     EXPECT_FALSE(convertBody(inputOf(good), "main.st", "Main", TextLanguage::Il)); // is one already
     EXPECT_FALSE(convertBody(inputOf(good), "main.st", "None", TextLanguage::St));
     EXPECT_FALSE(convertBody(inputOf(good), "other.st", "Main", TextLanguage::St));
     const auto pragma =
         convertBody(inputOf("{language 'IL'}\nPROGRAM Main\nVAR i : INT; END_VAR\nLD 1\nST i\nEND_PROGRAM\n"),
                     "main.st", "Main", TextLanguage::St);
-    ASSERT_TRUE(pragma) << pragma.error().text();
+    ASSERT_TRUE(pragma) << pragma.error().english();
     EXPECT_EQ(pragma->text, "{language 'ST'}\nPROGRAM Main\nVAR i : INT; END_VAR\ni := 1;\nEND_PROGRAM\n");
 }
 

@@ -60,8 +60,8 @@ driver::Built build() {
     input.files.push_back({"main.st", kProgram});
     driver::Built built = driver::build(input);
     std::string messages;
-    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message() + "\n";
-    EXPECT_TRUE(built.program) << messages << built.failure;
+    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message.english() + "\n";
+    EXPECT_TRUE(built.program) << messages << built.failure.english();
     return built;
 }
 
@@ -93,7 +93,7 @@ TEST(LargeImages, EveryRecordedImageIsTheImageInBothTiers) {
                 plc.start();
             }
             if (scan == 250) plc.reset(controller::ResetKind::Warm), plc.start();
-            ASSERT_TRUE(plc.scan()) << plc.fault()->message;
+            ASSERT_TRUE(plc.scan()) << plc.fault()->message.english();
             const std::vector<std::byte> recorded = session.history().seek(session.history().statistics().end - 1);
             ASSERT_EQ(recorded.size(), plc.image().size());
             for (uint32_t at = 0; at < dataEnd; ++at)

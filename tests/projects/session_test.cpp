@@ -88,7 +88,9 @@ TEST(Session, SteppedByTheCallerItRunsUntilItIsToldToStop) {
     session.write("x", dint(5));
     EXPECT_EQ(session.controller().read("x")->integer(), 5);
     session.write("y", dint(5));
-    EXPECT_EQ(session.takeRefusals(), std::vector<std::string>{"y: there is no variable 'y'"});
+    const std::vector<Error> refused = session.takeRefusals();
+    ASSERT_EQ(refused.size(), 1u);
+    EXPECT_EQ(refused[0].english(), "y: there is no variable 'y'");
 }
 
 TEST(Session, TheScanThreadRunsInRealTimeAndStops) {
@@ -156,17 +158,17 @@ TEST(Session, ForcesRefusalsAndEventsCanBeSeen) {
     session.write("x", dint(3));
     std::vector<std::string> refusals;
     ASSERT_TRUE(eventually([&] {
-        for (std::string& text : session.takeRefusals()) refusals.push_back(text);
+        for (const Error& each : session.takeRefusals()) refusals.push_back(each.english());
         return !refusals.empty();
     }));
-    EXPECT_EQ(refusals.front(), "x: x is forced; release it before writing");
+    EXPECT_EQ(refusals.front(), "x: x is forced; release the force before writing");
     session.unforceAll();
     ASSERT_TRUE(eventually([&] { return session.forces().empty(); }));
     ASSERT_TRUE(eventually([&] { return session.eventsSince(0).size() >= 3; }));
     const auto events = session.eventsSince(0);
     EXPECT_EQ(events[0].kind, controller::EventKind::Started);
     EXPECT_EQ(events[1].kind, controller::EventKind::Force);
-    EXPECT_EQ(events[1].text, "x := 77");
+    EXPECT_EQ(events[1].text.english(), "x := 77");
     EXPECT_EQ(session.eventsSince(events.size() - 1).size(), 1u);
 }
 
@@ -188,7 +190,7 @@ TEST(Session, HaltedAtABreakpointItServesWritesAndGoesOnOrLeavesTheScan) {
     bool isChanged = false;
     std::atomic<bool> isDone{false};
     session.changeProgram(program(), [&](const controller::OnlineChangeReport& report) {
-        isChanged = report.refusal.empty();
+        isChanged = report.refusal.isEmpty();
         isDone = true;
     });
     std::this_thread::sleep_for(20ms);
@@ -245,14 +247,14 @@ TEST(Session, RetainedValuesComeBackFromTheFile) {
         saved = session.controller().read("count")->integer();
         EXPECT_GT(saved, 100);
         EXPECT_EQ(session.controller().read("x")->integer(), 0);
-        EXPECT_EQ(session.status().retainProblem, "");
+        EXPECT_EQ(session.status().retainProblem.english(), "");
     }
     std::ofstream(file, std::ios::app) << "x";
     std::ofstream(file) << "nonsense";
     {
         Session session(program(), settings);
         EXPECT_EQ(session.controller().read("count")->integer(), 0);
-        EXPECT_NE(session.status().retainProblem, "");
+        EXPECT_NE(session.status().retainProblem.english(), "");
     }
     std::filesystem::remove(file);
 }

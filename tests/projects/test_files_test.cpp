@@ -40,7 +40,7 @@ std::shared_ptr<const CodeModel> modelOf(const std::string& test, const std::str
 std::vector<std::string> findings(const CodeModel& model, const char* file) {
     std::vector<std::string> out;
     for (const diagnostics::Diagnostic& each : model.diagnostics())
-        if (each.range.file == *model.fileOf(file)) out.push_back(each.message());
+        if (each.range.file == *model.fileOf(file)) out.push_back(each.message.english());
     return out;
 }
 std::string detailOf(const Completion& completion, const std::string& name) {
@@ -113,7 +113,7 @@ TEST(TestFiles, ARenameFromATestChangesTheProgram) {
     const auto model = modelOf(kTest);
     const FileId file = *model->fileOf("tests/line.st");
     const auto edits = model->rename(file, static_cast<uint32_t>(std::string(kTest).find("turns > i")), "rounds");
-    ASSERT_TRUE(edits) << edits.error().text();
+    ASSERT_TRUE(edits) << edits.error().english();
     ASSERT_EQ(edits->size(), 2u);
     for (const FileEdits& each : *edits) EXPECT_EQ(each.edits.size(), each.file == file ? 1u : 3u) << "the title stays";
     const auto own =

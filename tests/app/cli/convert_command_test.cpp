@@ -1,5 +1,5 @@
-// `stepwise convert`: prints the file in the other language, or writes it; says what has no like; wrong use is told as
-// such.
+// `stepwise convert`: prints the file in the other language, or writes it; says what has no equivalent; wrong use is
+// told as such.
 #include "app/cli/command.h"
 
 #include <QTemporaryDir>
@@ -74,7 +74,7 @@ TEST_F(ConvertCommand, WritesTheFileThereAndBack) {
 TEST_F(ConvertCommand, SaysWhatHasNoLikeAndWhatIsWrongUse) {
     const Outcome none = run({"units.st", "--to", "il", "--unit", "Main"});
     EXPECT_EQ(none.exitCode, cli::kProgramWrong);
-    EXPECT_NE(none.err.find("FOR with this end or step has no like"), std::string::npos) << none.err;
+    EXPECT_NE(none.err.find("FOR with this end or step has no equivalent"), std::string::npos) << none.err;
     EXPECT_EQ(run({"units.st", "--to", "il"}).exitCode, cli::kWrongUse) << "which unit?";
     EXPECT_EQ(run({"units.st", "--to", "ld"}).exitCode, cli::kWrongUse);
     EXPECT_EQ(run({"units.st", "--to", "st", "--unit", "Nobody"}).exitCode, cli::kWrongUse);

@@ -76,7 +76,7 @@ TEST_F(RunCommand, AFullDiskLeavesTheOldTableAndIsTold) {
     ::setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(code, 2);
-    EXPECT_NE(err.find("The CSV file can not be written"), std::string::npos) << err;
+    EXPECT_NE(err.find("The CSV file cannot be written"), std::string::npos) << err;
     EXPECT_EQ(read("old.csv"), "kept");
     EXPECT_FALSE(fs::exists(path("old.csv.part")));
 }
@@ -84,7 +84,7 @@ TEST_F(RunCommand, AFullDiskLeavesTheOldTableAndIsTold) {
 TEST_F(RunCommand, AFolderIsNoTable) {
     fs::create_directory(path("folder"));
     EXPECT_EQ(run({path("main.st"), "--scans", "1", "--csv", path("folder")}), 2);
-    EXPECT_NE(err.find("this is a folder"), std::string::npos) << err;
+    EXPECT_NE(err.find("it is a folder"), std::string::npos) << err;
     EXPECT_EQ(run({path("main.st"), "--scans", "1", "--csv", path("none/x.csv")}), 2);
     EXPECT_NE(err.find("none/x.csv"), std::string::npos) << err;
 }

@@ -67,15 +67,16 @@ TEST_F(RunValues, WhatAValueWouldLoseIsRefusedAndTheMessageSaysWhatToWrite) {
         {"Main.x=70000", "70000 does not fit into Main.x"},
         {"Main.b=5", "5 does not fit into Main.b, which is BOOL; write TRUE or FALSE"},
         {"Main.r=1e39", "1e39 does not fit into Main.r"},
-        {"Main.s=hello", "hello is not a value for Main.s, which is STRING(12); write it in quotes, 'text'"},
+        {"Main.s=hello", "hello is not a value for Main.s, which is STRING(12); write it in quotes, for example "
+                         "'text', with Latin-1 characters only"},
         {"Main.c=Bleu", "did you mean Blue?"},
         {"Main.c=Yellow", "its values are Red, Green, Blue"},
         {"Main.t=5s", "write for example T#1s500ms"},
         {"Main.d=D#2020-02-30", "write for example D#2026-01-31"},
         {"Main.ch='AB'", "write one character in quotes"},
         {"Main.a=[1,2,3,4]", "write all elements"},
-        {"Main.small=11", "11 lies outside 0..10"},
-        {"Main.a[4]=1", "index 4 lies outside 1..3"},
+        {"Main.small=11", "11 is outside 0..10"},
+        {"Main.a[4]=1", "index 4 is outside 1..3"},
         {"Mian.x=1", "did you mean"},
     };
     for (const auto& row : rows) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/trace/recording.h"
+#include "runtime/base/messages.h"
 
 #include <cmath>
 #include <functional>
@@ -62,7 +63,7 @@ public:
     history::Statistics statistics() const override { return {scans.size() - oldest, oldest, scans.size(), 0, 0, 1}; }
     Result<ChannelType> typeOf(const std::string& text) const override {
         const auto it = channels.find(text);
-        if (it == channels.end()) return Error{"There is no " + text, ""};
+        if (it == channels.end()) return Error{errors::NoVariable(text), ""};
         return it->second.type;
     }
     std::vector<history::Sample> samples(const std::string& text, Position from, Position to) const override {
@@ -83,7 +84,9 @@ public:
         return seek(from, direction, [&](Position p) { return p > oldest && value(scans[p]) != value(scans[p - 1]); });
     }
     std::shared_ptr<const image::CompiledProgram> program() const override { return nullptr; }
-    plc::Result<void> save(const std::string& path, Progress*) const override { return Error{"nothing to save", path}; }
+    plc::Result<void> save(const std::string& path, Progress*) const override {
+        return Error{errors::NothingRecorded(), path};
+    }
 
 private:
     bool truth(const std::string& text, Position p) const { return channels.at(text).value(scans[p]).value_or(0) != 0; }

@@ -29,8 +29,8 @@ driver::Built build(const std::string& text) {
     input.files.push_back({"main.st", text});
     driver::Built built = driver::build(input);
     std::string messages;
-    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message() + "\n";
-    EXPECT_TRUE(built.program) << messages << built.failure;
+    for (const auto& d : built.checked.analysis->diagnostics) messages += d.message.english() + "\n";
+    EXPECT_TRUE(built.program) << messages << built.failure.english();
     return built;
 }
 
@@ -212,7 +212,8 @@ TEST(SessionTrace, EveryExecutedScanOfOneMillisecondIsThereAndSkippedOnesAreCoun
     EXPECT_EQ(status.scans + status.skippedScans, static_cast<uint64_t>(source->timeRange()->second / 1'000'000) + 1);
     uint64_t marked = 0;
     for (const history::Mark& mark : recording.marks())
-        if (mark.kind == static_cast<int>(controller::EventKind::SkippedScans)) marked += std::stoull(mark.text);
+        if (mark.kind == static_cast<int>(controller::EventKind::SkippedScans))
+            marked += std::stoull(mark.text.english());
     EXPECT_EQ(marked, status.skippedScans);
     bool shown = false;
     for (const kit::PlotMarker& marker : view.plot()->model().markers)
@@ -237,7 +238,7 @@ END_PROGRAM
     out.wantsStatistics = true;
     runScans(session, 2);
     const auto text = renderTrace(recording, out);
-    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text) << text.error().message.english();
     for (const char* exact : {"9007199254740995", "9007199254740999", "18446744073709551615", "17280000000.000002",
                               "2000000002", "2026-01-02-03:04:05"})
         EXPECT_NE(text->find(exact), std::string::npos) << exact << "\n" << *text;
@@ -260,7 +261,7 @@ TEST(SessionTrace, TheTriggerSeesEveryScanHoweverFewAreDrawn) {
     out.setup.every = 50;
     out.setup.trigger = {"Main.n = 33", TriggerEdge::Rising, TriggerMode::Single, 10'000'000, 10'000'000, {}};
     const auto text = renderTrace(recording, out);
-    ASSERT_TRUE(text) << text.error().message;
+    ASSERT_TRUE(text) << text.error().message.english();
     EXPECT_NE(text->find("Triggered at 0.066 s"), std::string::npos) << *text;
 }
 
@@ -316,7 +317,7 @@ TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
     runScans(session, 500);
     ASSERT_TRUE(session.history().save(file));
     const auto opened = FileRecording::open(file);
-    ASSERT_TRUE(opened) << opened.error().text();
+    ASSERT_TRUE(opened) << opened.error().english();
     const SessionRecording live(session);
     TraceFeed a(live, std::make_shared<history::ColumnStore>()), b(**opened, std::make_shared<history::ColumnStore>());
     for (TraceFeed* feed : {&a, &b}) {
@@ -335,7 +336,7 @@ TEST(SessionTrace, ASavedRecordingDrawsTheSame) {
     out.beneath = opened->get();
     out.picture = folder.filePath("a.png");
     const auto text = renderTrace(live, out);
-    ASSERT_TRUE(text) << text.error().text();
+    ASSERT_TRUE(text) << text.error().english();
     EXPECT_FALSE(QImage(out.picture).isNull());
 }
 

@@ -40,7 +40,7 @@ TEST(TraceSetup, ReadsBackWhatItWrote) {
     const TraceSetup setup = full();
     const std::string text = writeSetup(setup);
     auto again = readSetup(text, "t");
-    ASSERT_TRUE(again) << again.error().text();
+    ASSERT_TRUE(again) << again.error().english();
     EXPECT_EQ(writeSetup(*again), text) << "loading and saving changes no byte";
     again->origin = {};
     again->trigger.origin = {};
@@ -79,7 +79,7 @@ TEST(TraceSetup, KeepsUnknownFieldsInTheirPlaces) {
 }
 )";
     auto setup = readSetup(text, "t");
-    ASSERT_TRUE(setup) << setup.error().text();
+    ASSERT_TRUE(setup) << setup.error().english();
     const std::string written = writeSetup(*setup);
     EXPECT_EQ(Json::parse(written), Json::parse(text));
     EXPECT_EQ(writeSetup(*readSetup(written, "t")), written);
@@ -106,14 +106,14 @@ TEST(TraceSetup, RefusesWhatDoesNotFitAndNamesThePlace) {
         const char* part;
     };
     for (const Row& row :
-         {Row{"{", "not JSON"}, Row{"[]", "object"},
+         {Row{"{", "not valid JSON"}, Row{"[]", "object"},
           Row{R"({"channels": [{"chart": 1}]})", "channels[0]: \"expression\""},
           Row{R"({"channels": [{"expression": "a", "style": "dotted"}]})", "one of automatic, line, hold, digital"},
           Row{R"({"span": "long"})", "\"span\""}, Row{R"({"version": 99})", "newer"},
           Row{R"({"charts": 5})", "\"charts\" must be a list"}, Row{R"({"every": 0})", "\"every\""}}) {
         const auto setup = readSetup(row.text, "file");
         ASSERT_FALSE(setup) << row.text;
-        EXPECT_NE(setup.error().message.find(row.part), std::string::npos) << setup.error().message;
+        EXPECT_NE(setup.error().message.english().find(row.part), std::string::npos) << setup.error().message.english();
         EXPECT_EQ(setup.error().place, "file");
     }
 }

@@ -96,9 +96,9 @@ TEST_F(TraceViewTest, AddingIsUndone) {
 TEST_F(TraceViewTest, ABadExpressionIsShownAsSuch) {
     auto* entry = view.channels()->entry();
     QTest::keyClicks(entry, "Main.nothing");
-    EXPECT_EQ(entry->complaint(), "There is no Main.nothing");
+    EXPECT_EQ(entry->complaint(), "there is no variable 'Main.nothing'");
     QTest::keyClick(entry, Qt::Key_Return);
-    EXPECT_EQ(view.plot()->model().curves[0].problem, "There is no Main.nothing");
+    EXPECT_EQ(view.plot()->model().curves[0].problem, "there is no variable 'Main.nothing'");
     recording.addReal("Main.nothing", [](double) { return 1; });
     view.programChanged();
     EXPECT_TRUE(view.plot()->model().curves[0].problem.isEmpty());
@@ -423,7 +423,7 @@ TEST(RenderTrace, WritesPictureCsvAndStatistics) {
     out.csv = folder.filePath("a.csv");
     out.wantsStatistics = true;
     auto text = renderTrace(recording, out);
-    ASSERT_TRUE(text) << text.error().text();
+    ASSERT_TRUE(text) << text.error().english();
     EXPECT_NE(text->find("Main.ramp"), std::string::npos) << *text;
     EXPECT_NE(text->find("10"), std::string::npos);
     EXPECT_EQ(QImage(out.picture).size(), QSize(1200, 700));

@@ -49,7 +49,7 @@ const char* const kFile = R"({
 
 Panel parsed(const std::string& text) {
     Result<Panel> panel = Panel::parse(text, QStringLiteral("p"));
-    EXPECT_TRUE(panel) << (panel ? "" : panel.error().text());
+    EXPECT_TRUE(panel) << (panel ? "" : panel.error().english());
     return panel ? *panel : Panel();
 }
 
@@ -71,7 +71,7 @@ TEST(PanelFile, RefusesWhatIsNoPanelWithAReason) {
           std::pair{R"({"elements": [{"id":"a"},{"id":"a"}]})", "\"a\""}}) {
         const Result<Panel> panel = Panel::parse(text, QStringLiteral("p.panel.json"));
         ASSERT_FALSE(panel) << text;
-        EXPECT_NE(panel.error().message.find(word), std::string::npos) << panel.error().message;
+        EXPECT_NE(panel.error().message.english().find(word), std::string::npos) << panel.error().message.english();
     }
     EXPECT_EQ(Panel::parse("{\n\n  broken", QStringLiteral("p")).error().place, "p:3");
 }

@@ -9,7 +9,7 @@ namespace {
 
 TextTable table(const std::string& bytes) {
     Result<TextTable> parsed = TextTable::parse(bytes, QStringLiteral("texts.csv"));
-    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().text());
+    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().english());
     return parsed ? *parsed : TextTable();
 }
 

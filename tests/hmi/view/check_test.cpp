@@ -1,5 +1,6 @@
 // The check of panels and texts: each rule with a project that breaks it, and one that does not.
 #include "hmi/view/panel_check.h"
+#include "runtime/base/messages.h"
 
 #include <QStringList>
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ CheckInput project(const std::string& elements, const std::string& csv) {
     EXPECT_TRUE(table);
     input.texts = TextCatalog(*table, settings);
     Result<Panel> panel = Panel::parse("{\"elements\": [" + elements + "]}", QStringLiteral("main"));
-    EXPECT_TRUE(panel) << panel.error().text();
+    EXPECT_TRUE(panel) << panel.error().english();
     input.panels.push_back({QStringLiteral("main"), *panel});
     return input;
 }
@@ -70,17 +71,18 @@ TEST(PanelCheck, AsksTheFrontEndForEveryBindingWithTheTypeItNeeds) {
                                   {"id":"t","kind":"table","rect":[0,0,300,200],"columns":[{"value":"Main.r[#].v"},{"value":"Main.times[#] + T#10s"}]})",
         "key,comment,en,de\n");
     QStringList asked;
-    input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) -> QString {
+    input.checkBinding = [&](const QString& expression, std::string_view wanted, bool isTarget) -> Message {
         asked += expression + u':' + QString::fromStdString(std::string(wanted)) +
                  (isTarget ? QStringLiteral("!") : QString());
-        return expression.startsWith(QStringLiteral("Mian")) ? QStringLiteral("There is no Mian; did you mean Main?")
-                                                             : QString();
+        return expression.startsWith(QStringLiteral("Mian"))
+                   ? errors::NoVariableSuggest(Verbatim("Mian"), Verbatim("Main"))
+                   : Message();
     };
     const std::vector<Finding> found = checkPanels(input);
     EXPECT_EQ(kinds(found), "H1012");
     EXPECT_EQ(found[0].property.toStdString(), "value");
     EXPECT_EQ(found[0].text().toStdString(),
-              "hmi/main.panel.json: a.value: error H1012: There is no Mian; did you mean Main?");
+              "hmi/main.panel.json: a.value: error H1012: there is no variable 'Mian'; did you mean 'Main'?");
     EXPECT_EQ(asked.join(u' ').toStdString(),
               "Main.s = Step#Fill:bool Main.fault:bool Mian.on:bool Main.r[1].v:any! Main.times[1] + T#10s:any!");
 }

@@ -25,7 +25,7 @@ struct Desk {
             settings);
         Result<Panel> panel =
             Panel::parse("{\"size\": [640, 400], \"elements\": [" + elements + "]}", QStringLiteral("p"));
-        EXPECT_TRUE(panel) << panel.error().text();
+        EXPECT_TRUE(panel) << panel.error().english();
         view.scene().setTexts(&texts);
         view.scene().setValues(&values);
         view.scene().setPanel(*panel);

@@ -180,7 +180,7 @@ TEST(Controller, AFaultStopsWithPlaceMessageAndCallPathAndMakesOutputsSafe) {
     ASSERT_TRUE(controller.fault());
     const Fault& fault = *controller.fault();
     EXPECT_EQ(fault.code, FaultCode::IndexOutOfRange);
-    EXPECT_EQ(fault.message, "index 7 lies outside 1..5");
+    EXPECT_EQ(fault.message.english(), "index 7 is outside 1..5");
     EXPECT_EQ(fault.task, "main");
     EXPECT_EQ(fault.scan, 1u);
     EXPECT_EQ(fault.time, 10ms);
@@ -221,9 +221,10 @@ TEST(Controller, AnEndlessLoopEndsInVirtualTimeByItsBudgetAndInRealTimeByTheCloc
         EXPECT_FALSE(isRealTime ? controller.scan(0ns) : controller.scan());
         ASSERT_TRUE(controller.fault());
         EXPECT_EQ(controller.fault()->code, FaultCode::Watchdog);
-        EXPECT_NE(controller.fault()->message.find(isRealTime ? "watchdog of T#2ms" : "more than 1000 loop passes"),
+        EXPECT_NE(controller.fault()->message.english().find(isRealTime ? "watchdog time of T#2ms"
+                                                                        : "more than 1000 loop passes"),
                   std::string::npos)
-            << controller.fault()->message;
+            << controller.fault()->message.english();
     }
 }
 
@@ -278,7 +279,7 @@ TEST(Controller, ForcesHoldBeforeAndAfterTasksSurviveResetAndRefuseWrites) {
     EXPECT_FALSE(controller.read("lamp")->isTrue());
     const Result<void> refused = controller.write("count", integer(TypeKind::Dint, 1));
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "count is forced; release it before writing");
+    EXPECT_EQ(refused.error().message.english(), "count is forced; release the force before writing");
     EXPECT_FALSE(controller.write("count.3", integer(TypeKind::Bool, 1)));
     controller.reset(ResetKind::Origin);
     EXPECT_EQ(controller.read("count")->integer(), 40);
@@ -308,24 +309,24 @@ TEST(Controller, WritesThatDoNotFitAreRefusedInWords) {
         const char* message; // "" = good
     };
     const Row rows[] = {
-        {"mode", integer(TypeKind::Dint, 70000), "70000 does not fit a variable of type INT"},
+        {"mode", integer(TypeKind::Dint, 70000), "70000 does not fit into a variable of type INT"},
         {"mode", integer(TypeKind::Dint, -32768), ""},
-        {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.5}, "2.5 does not fit a variable of type INT"},
+        {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.5}, "2.5 does not fit into a variable of type INT"},
         {"mode", Value{TypeTable::of(TypeKind::Lreal), 2.0}, ""},
         {"real", integer(TypeKind::Int, 3), ""},
-        {"small", integer(TypeKind::Int, 12), "12 lies outside 0..10"},
+        {"small", integer(TypeKind::Int, 12), "12 is outside 0..10"},
         {"text", Value{plain.made.types().string(80), std::string("abcdef")},
-         "the text has 6 characters, the variable holds 5"},
+         "the text has 6 characters, the maximum is 5"},
         {"text", Value{{}, std::string("abc")}, ""},
         {"delay", integer(TypeKind::Time, 5), ""},
-        {"delay", integer(TypeKind::Int, 5), "5 does not fit a variable of type TIME"},
-        {"lamp", integer(TypeKind::Int, 2), "2 does not fit a variable of type BOOL"},
-        {"fixed", integer(TypeKind::Int, 2), "a constant can not be written"},
+        {"delay", integer(TypeKind::Int, 5), "5 does not fit into a variable of type TIME"},
+        {"lamp", integer(TypeKind::Int, 2), "2 does not fit into a variable of type BOOL"},
+        {"fixed", integer(TypeKind::Int, 2), "a constant cannot be written"},
         {"moude", integer(TypeKind::Int, 2), "there is no variable 'moude'; did you mean 'mode'?"},
     };
     for (const Row& row : rows) {
         const Result<void> done = controller.write(row.path, row.value);
-        EXPECT_EQ(done ? "" : done.error().message, row.message) << row.path;
+        EXPECT_EQ(done ? "" : done.error().message.english(), row.message) << row.path;
     }
     EXPECT_EQ(controller.read("text")->data, Value({}, std::string("abc")).data);
     EXPECT_EQ(controller.read("real")->real(), 3.0);

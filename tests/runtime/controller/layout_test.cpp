@@ -32,7 +32,7 @@ protected:
     }
     std::string failure(std::string_view path) {
         const Result<Place> place = program->layout.find(path);
-        return place ? std::string() : place.error().message;
+        return place ? std::string() : place.error().message.english();
     }
     HandMade made;
     std::shared_ptr<CompiledProgram> program;
@@ -71,7 +71,7 @@ TEST_F(LayoutTest, FindsVariablesByPathWithoutCase) {
     };
     for (const Row& row : rows) {
         const Result<Place> place = layout.find(row.path);
-        ASSERT_TRUE(place) << row.path << ": " << place.error().message;
+        ASSERT_TRUE(place) << row.path << ": " << place.error().message.english();
         EXPECT_EQ(place->offset, row.offset) << row.path;
         EXPECT_EQ(layout.types->kind(place->type), row.kind) << row.path;
         EXPECT_EQ(place->bit, row.bit) << row.path;
@@ -79,13 +79,13 @@ TEST_F(LayoutTest, FindsVariablesByPathWithoutCase) {
 }
 
 TEST_F(LayoutTest, SaysWhatIsWrongWithAPath) {
-    EXPECT_EQ(failure("Main.sped"), "Motor has no variable 'sped'; did you mean 'speed'?");
+    EXPECT_EQ(failure("Main.sped"), "'Motor' has no variable 'sped'; did you mean 'speed'?");
     EXPECT_EQ(failure("Maiin.speed"), "there is no variable 'Maiin'; did you mean 'Main'?");
     EXPECT_EQ(failure("GVL.Sped"), "'GVL' has no variable 'Sped'; did you mean 'Speed'?");
-    EXPECT_EQ(failure("Speed"), "'Speed' may be one of GVL.Speed, Other.Speed: write the whole name");
-    EXPECT_EQ(failure("Main.points[4,0].x"), "index 4 lies outside 1..3");
-    EXPECT_EQ(failure("GVL.Speed.16"), "bit 16 lies outside 0..15");
-    EXPECT_EQ(failure("%QX20.0"), "the program uses no address '%QX20.0'");
+    EXPECT_EQ(failure("Speed"), "'Speed' is ambiguous; write one of GVL.Speed, Other.Speed");
+    EXPECT_EQ(failure("Main.points[4,0].x"), "index 4 is outside 1..3");
+    EXPECT_EQ(failure("GVL.Speed.16"), "bit 16 is outside 0..15");
+    EXPECT_EQ(failure("%QX20.0"), "the program does not use the address '%QX20.0'");
     EXPECT_NE(failure("Main."), "");
     EXPECT_NE(failure("Main.points[1"), "");
     EXPECT_NE(failure(""), "");

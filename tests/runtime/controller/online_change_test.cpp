@@ -53,7 +53,7 @@ protected:
     void begin(const std::function<void(HandMade&)>& declare) { plc = std::make_unique<Controller>(version(declare)); }
     void set(const std::string& path, int64_t value) {
         const Result<void> done = plc->write(path, Value{{}, value});
-        ASSERT_TRUE(done) << done.error().text();
+        ASSERT_TRUE(done) << done.error().english();
     }
     /// A reference can not be written from outside; programs do it.
     void refer(const std::string& path, const std::string& target) {
@@ -277,7 +277,8 @@ TEST_F(OnlineChange, AddressesForcesConstantsAndHiddenVariablesComeAlong) {
     EXPECT_EQ(value("limit"), 20);
     EXPECT_EQ(value("forced"), 5);
     EXPECT_EQ(plc->forces().size(), 1u);
-    EXPECT_EQ(report.lost, (Paths{"forcedToo", "force of forcedToo"}));
+    EXPECT_EQ(report.lost, (Paths{"forcedToo"}));
+    EXPECT_EQ(report.lostForces, (Paths{"forcedToo"}));
     for (const std::string& path : report.kept) EXPECT_NE(path, "hidden");
 }
 
@@ -294,7 +295,7 @@ TEST_F(OnlineChange, AProgramWhoseInitialValuesFaultIsRefusedAndTheOldOneGoesOn)
         m.program().initializer = m.function("init", &faulty);
     };
     change(bad);
-    EXPECT_NE(report.refusal.find("division by zero"), std::string::npos);
+    EXPECT_NE(report.refusal.english().find("division by zero"), std::string::npos);
     EXPECT_EQ(value("x"), 3);
     EXPECT_TRUE(plc->scan());
     EXPECT_EQ(plc->state(), State::Running);

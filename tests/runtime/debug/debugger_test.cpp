@@ -193,7 +193,7 @@ TEST_F(DebuggerTest, AConditionThatCanNotBeMadeHaltsAndSaysWhy) {
     wrong.condition = "kk = 5";
     debugger->setBreakpoints({wrong});
     EXPECT_EQ(scans(1).size(), 2u);
-    EXPECT_NE(last.problem.find("has no variable 'kk'"), std::string::npos) << last.problem;
+    EXPECT_NE(last.problem.english().find("has no variable 'kk'"), std::string::npos) << last.problem;
 }
 
 TEST_F(DebuggerTest, StepsInOverAndOutAcrossTheEndOfTheScan) {

@@ -30,7 +30,7 @@ struct Fixture : testing::Test {
     Expression finish(TypeId type) { return Expression("test", table, code.finish(), type); }
     std::string shown(TypeId type) {
         const Outcome outcome = finish(type).evaluate(image);
-        return outcome.hasValue() ? types::toText(*table, outcome.value) : outcome.reason;
+        return outcome.hasValue() ? types::toText(*table, outcome.value) : outcome.reason.english();
     }
 };
 
@@ -119,8 +119,8 @@ TEST_F(Fixture, AnIndexIsGuarded) {
     };
     EXPECT_EQ(element(1, 0), "10");
     EXPECT_EQ(element(2, 2), "15");
-    EXPECT_EQ(element(3, 0), "index 3 outside 1..2");
-    EXPECT_EQ(element(1, -1), "index -1 outside 0..2");
+    EXPECT_EQ(element(3, 0), "index 3 is outside 1..2");
+    EXPECT_EQ(element(1, -1), "index -1 is outside 0..2");
 }
 
 TEST_F(Fixture, AReferenceIsChecked) {
@@ -136,11 +136,11 @@ TEST_F(Fixture, AReferenceIsChecked) {
         return shown(integer);
     };
     EXPECT_EQ(follow(200), "42");
-    EXPECT_EQ(follow(0), "null reference");
-    EXPECT_EQ(follow(8), "reference to no variable") << "the header is no variable";
-    EXPECT_EQ(follow(511), "reference to no variable");
-    EXPECT_EQ(follow(-1), "reference to no variable");
-    EXPECT_EQ(follow(INT64_MAX), "reference to no variable");
+    EXPECT_EQ(follow(0), "the reference is NULL");
+    EXPECT_EQ(follow(8), "the reference does not point to a variable of its type") << "the header is no variable";
+    EXPECT_EQ(follow(511), "the reference does not point to a variable of its type");
+    EXPECT_EQ(follow(-1), "the reference does not point to a variable of its type");
+    EXPECT_EQ(follow(INT64_MAX), "the reference does not point to a variable of its type");
 }
 
 TEST_F(Fixture, AnInOutIsFollowed) {
@@ -154,7 +154,7 @@ TEST_F(Fixture, AnInOutIsFollowed) {
         return shown(integer);
     };
     EXPECT_EQ(follow(200), "42");
-    EXPECT_EQ(follow(0), "IN_OUT without a variable");
+    EXPECT_EQ(follow(0), "a VAR_IN_OUT is not connected to a variable");
 }
 
 TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
@@ -172,13 +172,13 @@ TEST_F(Fixture, AnArrayOfOpenLengthBringsItsBounds) {
     };
     EXPECT_EQ(element(1, 0), "10");
     EXPECT_EQ(element(2, 1), "14");
-    EXPECT_EQ(element(2, 3), "index 3 outside 0..2");
-    EXPECT_EQ(element(0, 0), "index 0 outside 1..2");
+    EXPECT_EQ(element(2, 3), "index 3 is outside 0..2");
+    EXPECT_EQ(element(0, 0), "index 0 is outside 1..2");
     put<int64_t>(64, 0);
-    EXPECT_EQ(element(1, 0), "IN_OUT without a variable");
+    EXPECT_EQ(element(1, 0), "a VAR_IN_OUT is not connected to a variable");
     put<int64_t>(64, 200);
     put<int64_t>(80, int64_t{1} << 40);
-    EXPECT_EQ(element(int64_t{1} << 40, 0), "reference to no variable")
+    EXPECT_EQ(element(int64_t{1} << 40, 0), "the reference does not point to a variable of its type")
         << "broken bounds must not lead out of the image";
 }
 
@@ -210,8 +210,8 @@ TEST_F(Fixture, ACharacterOfATextIsGuarded) {
     EXPECT_EQ(at(0), "97");
     EXPECT_EQ(at(2), "99");
     EXPECT_EQ(at(3), "0") << "the end mark";
-    EXPECT_EQ(at(4), "character 4 of a text with 3");
-    EXPECT_EQ(at(-1), "character -1 of a text with 3");
+    EXPECT_EQ(at(4), "character 4 is outside 0..3 of the string");
+    EXPECT_EQ(at(-1), "character -1 is outside 0..3 of the string");
 }
 
 TEST_F(Fixture, TheSecondOperandWaitsForTheFirst) {
@@ -293,7 +293,7 @@ TEST_F(Fixture, AnImageThatIsTooSmallGivesAReason) {
     load(dint, 400);
     const Expression expression = finish(dint);
     const std::span<const std::byte> small(image.data(), 402);
-    EXPECT_EQ(expression.evaluate(small).reason, "not in this image");
+    EXPECT_EQ(expression.evaluate(small).reason.english(), "not in this image");
     EXPECT_EQ(expression.number(small), std::nullopt);
     EXPECT_EQ(expression.number(image), 0.0);
 }

@@ -1,3 +1,4 @@
+#include "runtime/base/messages.h"
 #include "runtime/expression/code.h"
 #include "runtime/history/history.h"
 #include "tests/runtime/hand_made_program.h"
@@ -368,7 +369,7 @@ protected:
                    .string()) {
         history.describeProgram(a, {{"main.st", "a"}}, {"toolbox"});
         history.describeProgram(b, {{"main.st", "b"}}, {});
-        history.mark(3, "here", 5ms);
+        history.mark(3, errors::Plainly(Verbatim("here")), 5ms);
     }
     ~RecordingFile() override { std::filesystem::remove(path); }
     std::shared_ptr<const image::CompiledProgram>
@@ -387,13 +388,13 @@ protected:
 TEST_F(RecordingFile, AnswersAsTheRecordingItWasSavedFrom) {
     ASSERT_TRUE(history.save(path));
     Result<std::unique_ptr<History>> loaded = load();
-    ASSERT_TRUE(loaded) << loaded.error().text();
+    ASSERT_TRUE(loaded) << loaded.error().english();
     const History& copy = **loaded;
     EXPECT_EQ(copy.statistics().first, history.statistics().first);
     EXPECT_EQ(copy.statistics().end, history.statistics().end);
     EXPECT_EQ(copy.branches().size(), 1u);
     ASSERT_EQ(copy.marks().size(), 1u);
-    EXPECT_EQ(copy.marks()[0].text, "here");
+    EXPECT_EQ(copy.marks()[0].text, errors::Plainly(Verbatim("here")));
     for (Position p = copy.statistics().first; p < copy.statistics().end; p += 3) expectSame(copy, source.all, p);
     // and can be continued
     source.useProgram(a);
@@ -444,7 +445,7 @@ TEST(History, ReadersSeeWholeScansWhileTheScanThreadAppendsAndEvicts) {
             for (uint32_t word = 0; word < 500; word += 50)
                 std::memcpy(image.data() + 112 + word * 4, &scan, 4); // all alike in one scan
             history.append(image, scan, Nanoseconds(header.timeNs));
-            if (scan % 5000 == 4999) history.mark(1, "mark", Nanoseconds(header.timeNs));
+            if (scan % 5000 == 4999) history.mark(1, errors::Plainly(Verbatim("mark")), Nanoseconds(header.timeNs));
         }
         isDone = true;
     });

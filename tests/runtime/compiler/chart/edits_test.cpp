@@ -22,7 +22,7 @@ struct Opened {
         diagnostics::Sink sink;
         file = parse::parseFile(FileId(0), text, sink);
         for (const auto& d : sink.all())
-            if (d.severity == diagnostics::Severity::Error) messages += d.message() + "\n";
+            if (d.severity == diagnostics::Severity::Error) messages += d.message.english() + "\n";
         pou = file->declarations.at(0)->pou;
         if (pou->body.chart) chart = build(*pou->body.chart);
     }
@@ -51,7 +51,7 @@ const char* kText = "(* a filler *)\n"
                     "END_PROGRAM\n";
 
 std::string after(const Opened& opened, const Result<Edits>& edits) {
-    if (!edits) return edits.error().message;
+    if (!edits) return edits.error().message.english();
     const std::string text = applyEdits(opened.text, *edits);
     EXPECT_EQ(applyEdits(text, inverseOf(opened.text, *edits)), opened.text);
     const Opened again(text);

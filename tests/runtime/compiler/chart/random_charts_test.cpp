@@ -122,7 +122,7 @@ struct Opened {
         diagnostics::Sink sink;
         file = parse::parseFile(FileId(0), text, sink);
         for (const auto& d : sink.all())
-            if (d.severity == diagnostics::Severity::Error) errors += d.message() + "\n";
+            if (d.severity == diagnostics::Severity::Error) errors += d.message.english() + "\n";
         pou = file->declarations.at(0)->pou;
         if (pou->body.chart) chart = build(*pou->body.chart);
     }
@@ -189,7 +189,7 @@ Spec randomSpec(Random& random) {
 }
 
 /// Every line of a comment that stands in a text.
-std::vector<std::string> notes(const std::string& text) {
+std::vector<std::string> notesIn(const std::string& text) {
     std::vector<std::string> out;
     for (size_t at = 0; (at = text.find("note ", at)) != std::string::npos; ++at)
         out.push_back(text.substr(at, text.find_first_of(" *\r\n", at + 5) - at));
@@ -208,7 +208,7 @@ TEST(RandomCharts, AreReadAsTheyWereWrittenAndKeepEveryByteOfAnEditThatChangesNo
         ASSERT_EQ(o.errors, "") << o.text;
         ASSERT_EQ(o.spec().text(), spec.text()) << o.text;
         const auto same = [&](const Result<Edits>& edits) {
-            ASSERT_TRUE(edits) << edits.error().text();
+            ASSERT_TRUE(edits) << edits.error().english();
             EXPECT_EQ(applyEdits(o.text, *edits), o.text);
         };
         for (size_t i = 0; i < spec.transitions.size(); ++i) {
@@ -260,7 +260,7 @@ TEST(RandomCharts, DifferByTheEditOnly) {
             const TransitionId transition(t), anchor(u);
             const size_t kind = random(perKind.size());
             const ChartEditor editor = o.editor();
-            Result<Edits> edits = Error{"", {}};
+            Result<Edits> edits = Error{};
             bool keepsNotes = true;
             switch (kind) {
             case 0:
@@ -350,7 +350,7 @@ TEST(RandomCharts, DifferByTheEditOnly) {
             ASSERT_EQ(after.errors, "") << "edit " << kind << "\n" << text << "\n----\n" << next;
             ASSERT_EQ(after.spec().text(), wanted.text()) << "edit " << kind << "\n" << text << "\n----\n" << next;
             if (keepsNotes) {
-                ASSERT_EQ(notes(next), notes(text)) << "edit " << kind << "\n" << text << "\n----\n" << next;
+                ASSERT_EQ(notesIn(next), notesIn(text)) << "edit " << kind << "\n" << text << "\n----\n" << next;
             }
             (void)computeLayout(after.chart);
             text = next;

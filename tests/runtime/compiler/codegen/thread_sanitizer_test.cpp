@@ -37,7 +37,7 @@ int reportsOf(bool share) {
     options.tier = codegen::Tier::Optimised;
     options.threadSanitizer = true;
     const auto code = jit::compile(t.program, options);
-    EXPECT_TRUE(code) << (code ? "" : code.error().text());
+    EXPECT_TRUE(code) << (code ? "" : code.error().english());
     if (!code) return -1;
     const int before = g_reports;
     const auto run = [&](uint32_t main) {
@@ -70,7 +70,7 @@ TEST(ThreadSanitizer, CanNotBeAskedForOutsideItsProcess) {
     options.threadSanitizer = true;
     const auto code = jit::compile(t.program, options);
     ASSERT_FALSE(code);
-    EXPECT_NE(std::string::npos, code.error().message.find("sanitizer"));
+    EXPECT_NE(std::string::npos, code.error().message.english().find("sanitizer"));
 }
 
 #endif

@@ -267,7 +267,7 @@ std::shared_ptr<const image::Code> Bench::code(codegen::Tier tier) {
     auto& code = m_code[static_cast<int>(tier)];
     if (!code) {
         auto made = jit::compile(program, {tier});
-        EXPECT_TRUE(made) << (made ? "" : made.error().text());
+        EXPECT_TRUE(made) << (made ? "" : made.error().english());
         if (made) code = made.value();
     }
     return code;

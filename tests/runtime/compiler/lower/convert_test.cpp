@@ -18,12 +18,12 @@ std::string asSt(const std::string& list) {
     Parsed parsed(unit(list));
     const syntax::Pou& pou = *parsed.file->declarations[0]->pou;
     const auto out = lower::instructionListAsSt(*parsed.file, pou, pou.body);
-    return out ? out->declarations + out->body : out.error().message;
+    return out ? out->declarations + out->body : out.error().message.english();
 }
 std::string asList(const std::string& statements) {
     Parsed parsed(unit(statements));
     const auto out = lower::stAsInstructionList(*parsed.file, parsed.file->declarations[0]->pou->body);
-    return out ? out->body : out.error().message;
+    return out ? out->body : out.error().message.english();
 }
 
 } // namespace
@@ -33,7 +33,7 @@ TEST(Conversion, ShowsAListAsSt) {
               "result1 : INT;\nresult2 : INT;\n"
               "d := a AND (b OR NOT c);\nresult1 := i + 1;\ni := result1;\nIF result1 > 3 THEN\n    JMP "
               "out;\nEND_IF\nresult2 := LIMIT(i, 0, 9);\nj := result2;\nout:\nRETURN;\n");
-    EXPECT_EQ(asSt("LD w\nWeird\nST i"), "The type of Weird(w) is not known here.");
+    EXPECT_EQ(asSt("LD w\nWeird\nST i"), "The type of Weird(w) is not known here");
 }
 
 TEST(Conversion, ShowsStAsAList) {
@@ -42,7 +42,8 @@ TEST(Conversion, ShowsStAsAList) {
     EXPECT_EQ(asList("IF a THEN i := 1; ELSE i := -2; END_IF\nt(IN := b);"),
               "          LD      a\n          JMPCN   l2\n          LD      1\n          ST      i\n          JMP     "
               "l1\nl2:       LD      -2\n          ST      i\nl1:       CAL     t(IN := b)\n");
-    EXPECT_EQ(asList("FOR i := 1 TO j DO ; END_FOR"), "FOR with this end or step has no like in an instruction list.");
+    EXPECT_EQ(asList("FOR i := 1 TO j DO ; END_FOR"),
+              "FOR with this end or step has no equivalent in an instruction list");
     EXPECT_EQ(asList("FOR i := 1 TO 3 DO j := i; END_FOR"),
               "          LD      1\n          ST      i\nl1:       LD      i\n          GT      3\n          JMPC    "
               "l3\n          LD      i\n          ST      j\n"

@@ -79,8 +79,9 @@ TEST(Expressions, AreSeenFromTheirInstance) {
         else if (!checked.diagnostics.empty())
             seen = std::string(diagnostics::codeOf(checked.diagnostics.front().kind));
         EXPECT_EQ(seen, row.expected) << row.text << " in '" << row.scope << "'"
-                                      << (checked.diagnostics.empty() ? ""
-                                                                      : ": " + checked.diagnostics.front().message());
+                                      << (checked.diagnostics.empty()
+                                              ? ""
+                                              : ": " + checked.diagnostics.front().message.english());
     }
 }
 
