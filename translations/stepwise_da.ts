@@ -8,20 +8,20 @@
         <translation>Tegnet {0} har ingen betydning her</translation>
     </message>
     <message>
-        <source>This comment is not closed</source>
-        <translation>Denne kommentar er ikke lukket</translation>
+        <source>Unterminated comment; close it with *)</source>
+        <translation>Kommentaren er ikke afsluttet; luk den med *)</translation>
     </message>
     <message>
-        <source>This string is not closed on its line</source>
-        <translation>Denne streng er ikke lukket på sin linje</translation>
+        <source>Unterminated string; add the closing quote</source>
+        <translation>Teksten er ikke afsluttet; tilføj det afsluttende anførselstegn</translation>
     </message>
     <message>
-        <source>The file is not UTF-8 here; save it as UTF-8</source>
-        <translation>Filen er ikke UTF-8 her; gem den som UTF-8</translation>
+        <source>This is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Dette er ikke gyldig UTF-8; gem filen som UTF-8</translation>
     </message>
     <message>
         <source>{0} is not a valid {1} literal</source>
-        <translation>{0} er ikke en gyldig {1}-konstant</translation>
+        <translation>{0} er ikke en gyldig konstant ({1})</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -36,12 +36,12 @@
         <translation>{0} mangler til denne {1}</translation>
     </message>
     <message>
-        <source>{0} is not expected here</source>
-        <translation>{0} forventes ikke her</translation>
+        <source>Unexpected {0}</source>
+        <translation>Uventet {0}</translation>
     </message>
     <message>
-        <source>This compares and drops the result; use := to assign</source>
-        <translation>Dette sammenligner og dropper resultatet; brug := til tildeling</translation>
+        <source>This comparison has no effect; use := to assign</source>
+        <translation>Denne sammenligning har ingen virkning; brug := til tildeling</translation>
     </message>
     <message>
         <source>An assignment is not a condition; use = to compare</source>
@@ -52,12 +52,12 @@
         <translation>Der mangler et kolon mellem navnet og dets type</translation>
     </message>
     <message>
-        <source>Decimal numbers are written with a point: {0}</source>
+        <source>Decimal numbers use a point: {0}</source>
         <translation>Decimaltal skrives med punktum: {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is allowed for VAR_IN_OUT</source>
-        <translation>En åben grænse skrives ARRAY[*] og er tilladt for VAR_IN_OUT</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
+        <translation>En åben grænse skrives ARRAY[*] og er kun tilladt for VAR_IN_OUT</translation>
     </message>
     <message>
         <source>This is nested too deeply to be compiled</source>
@@ -72,8 +72,8 @@
         <translation>{0} mangler; programenheden slutter her</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; it is read as if it stood there</source>
-        <translation>Her mangler et semikolon; det læses, som om det stod der</translation>
+        <source>A semicolon is missing here; the statement ends here</source>
+        <translation>Her mangler et semikolon; sætningen slutter her</translation>
     </message>
     <message>
         <source>{0} is not declared</source>
@@ -84,27 +84,27 @@
         <translation>{0} har intet medlem {1}</translation>
     </message>
     <message>
-        <source>{0} can not be converted to {1}</source>
+        <source>{0} cannot be converted to {1}</source>
         <translation>{0} kan ikke konverteres til {1}</translation>
     </message>
     <message>
-        <source>{0} may not fit into {1}</source>
-        <translation>{0} kan måske ikke være i {1}</translation>
+        <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
+        <translation>Implicit konvertering fra {0} til {1} kan miste data; konverter eksplicit</translation>
     </message>
     <message>
-        <source>{0} can not be assigned to</source>
+        <source>{0} cannot be assigned to</source>
         <translation>{0} kan ikke tildeles en værdi</translation>
     </message>
     <message>
-        <source>{0} can not be used with {1}</source>
+        <source>{0} cannot be used with {1}</source>
         <translation>{0} kan ikke bruges med {1}</translation>
     </message>
     <message>
-        <source>{0} can not combine {1} and {2}</source>
+        <source>{0} cannot combine {1} and {2}</source>
         <translation>{0} kan ikke kombinere {1} og {2}</translation>
     </message>
     <message>
-        <source>{0} can not be called</source>
+        <source>{0} cannot be called</source>
         <translation>{0} kan ikke kaldes</translation>
     </message>
     <message>
@@ -116,11 +116,11 @@
         <translation>Argumentet for {1} i {0} mangler</translation>
     </message>
     <message>
-        <source>{0} takes {1} argument(s)</source>
-        <translation>{0} tager {1} argument(er)</translation>
+        <source>{0} takes {1} {1:argument|arguments}</source>
+        <translation>{0} tager {1} {1:argument|argumenter}</translation>
     </message>
     <message>
-        <source>{0} is given twice</source>
+        <source>{0} is specified twice</source>
         <translation>{0} er angivet to gange</translation>
     </message>
     <message>
@@ -132,16 +132,16 @@
         <translation>{0} er hverken array eller streng</translation>
     </message>
     <message>
-        <source>This array has {0} dimension(s), not {1}</source>
-        <translation>Dette array har {0} dimension(er), ikke {1}</translation>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
+        <translation>Dette array har {0} {0:dimension|dimensioner}, ikke {1}</translation>
     </message>
     <message>
-        <source>The index {0} lies outside {1}..{2}</source>
+        <source>The index {0} is outside {1}..{2}</source>
         <translation>Indekset {0} ligger uden for {1}..{2}</translation>
     </message>
     <message>
-        <source>This divides by zero</source>
-        <translation>Her divideres med nul</translation>
+        <source>Division by zero</source>
+        <translation>Division med nul</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}</source>
@@ -156,27 +156,27 @@
         <translation>{0} er hverken pointer eller reference</translation>
     </message>
     <message>
-        <source>{0} has the bits 0 to {1}</source>
-        <translation>{0} har bittene 0 til {1}</translation>
+        <source>{0} has only the bits 0 to {1}</source>
+        <translation>{0} har kun bittene 0 til {1}</translation>
     </message>
     <message>
-        <source>A condition is BOOL, not {0}</source>
-        <translation>En betingelse er BOOL, ikke {0}</translation>
+        <source>The condition must be BOOL, not {0}</source>
+        <translation>Betingelsen skal være BOOL, ikke {0}</translation>
     </message>
     <message>
-        <source>{0} gives no value</source>
-        <translation>{0} giver ingen værdi</translation>
+        <source>{0} does not return a value</source>
+        <translation>{0} returnerer ingen værdi</translation>
     </message>
     <message>
-        <source>{0} exists in {1}; write the namespace before it</source>
-        <translation>{0} findes i {1}; skriv navnerummet foran</translation>
+        <source>{0} is ambiguous: {1}; write the namespace before it</source>
+        <translation>{0} er flertydig: {1}; skriv navnerummet foran</translation>
     </message>
     <message>
-        <source>{0} is abstract and can have no instance</source>
-        <translation>{0} er abstrakt og kan ikke have en instans</translation>
+        <source>{0} is abstract and cannot be instantiated</source>
+        <translation>{0} er abstrakt og kan ikke instantieres</translation>
     </message>
     <message>
-        <source>{0} is {1} and can not be used here</source>
+        <source>{0} is {1} and cannot be used here</source>
         <translation>{0} er {1} og kan ikke bruges her</translation>
     </message>
     <message>
@@ -184,40 +184,40 @@
         <translation>Tegnet {0} findes ikke i STRING (Latin-1); brug WSTRING</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be cut to {1}</source>
+        <source>The text has {0} characters and will be truncated to {1}</source>
         <translation>Teksten har {0} tegn og afkortes til {1}</translation>
     </message>
     <message>
-        <source>This integer division drops the fraction before it becomes {0}</source>
-        <translation>Denne heltalsdivision mister brøkdelen, før den bliver {0}</translation>
+        <source>This integer division discards the fraction before the conversion to {0}</source>
+        <translation>Denne heltalsdivision fjerner brøkdelen før konverteringen til {0}</translation>
     </message>
     <message>
-        <source>{0} is computed in {1} and wraps before it becomes {2}</source>
-        <translation>{0} beregnes i {1} og løber over, før det bliver {2}</translation>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
+        <translation>{0} beregnes som {1} og kan løbe over før konverteringen til {2}</translation>
     </message>
     <message>
-        <source>{0} and {1} are compared as {2}</source>
-        <translation>{0} og {1} sammenlignes som {2}</translation>
+        <source>{0} and {1} are compared as {2}; convert one of them</source>
+        <translation>{0} og {1} sammenlignes som {2}; konverter den ene</translation>
     </message>
     <message>
-        <source>{0} is stored in the enumeration {1} unchecked</source>
-        <translation>{0} gemmes ukontrolleret i enumerationen {1}</translation>
+        <source>{0} is not checked against the enumeration {1}; use one of its names</source>
+        <translation>{0} kontrolleres ikke mod enumerationen {1}; brug et af dens navne</translation>
     </message>
     <message>
         <source>The result of {0} is not used</source>
         <translation>Resultatet af {0} bruges ikke</translation>
     </message>
     <message>
-        <source>The address {0} lies outside the {1} area</source>
-        <translation>Adressen {0} ligger uden for området {1}</translation>
+        <source>The address {0} is outside {1}</source>
+        <translation>Adressen {0} ligger uden for {1}</translation>
     </message>
     <message>
-        <source>{0} is not allowed in a watch or binding, which must have no side effects</source>
-        <translation>{0} er ikke tilladt i en overvågning eller binding, som ikke må have bivirkninger</translation>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
+        <translation>{0} er ikke tilladt i en overvågning eller binding, som ikke må have sideeffekter</translation>
     </message>
     <message>
-        <source>{0} is an {1}; write {2}</source>
-        <translation>{0} er en {1}; skriv {2}</translation>
+        <source>{0} is {1}; write {2}</source>
+        <translation>{0} er {1}; skriv {2}</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address</source>
@@ -232,12 +232,12 @@
         <translation>Der er ingen type {0}</translation>
     </message>
     <message>
-        <source>{0} contains itself</source>
-        <translation>{0} indeholder sig selv</translation>
+        <source>{0} contains itself; use a REFERENCE TO</source>
+        <translation>{0} indeholder sig selv; brug REFERENCE TO</translation>
     </message>
     <message>
-        <source>{0} calls itself: {1}</source>
-        <translation>{0} kalder sig selv: {1}</translation>
+        <source>{0} calls itself, which is not allowed: {1}</source>
+        <translation>{0} kalder sig selv, hvilket ikke er tilladt: {1}</translation>
     </message>
     <message>
         <source>{0} is never used</source>
@@ -260,7 +260,7 @@
         <translation>CASE har ingen gren for {0} og ingen ELSE</translation>
     </message>
     <message>
-        <source>{0} has a branch already</source>
+        <source>{0} already has a branch</source>
         <translation>{0} har allerede en gren</translation>
     </message>
     <message>
@@ -276,28 +276,28 @@
         <translation>{0} implementerer ikke {1} fra {2}</translation>
     </message>
     <message>
-        <source>{0} has other parameters than the method it overrides</source>
-        <translation>{0} har andre parametre end den metode, den tilsidesætter</translation>
+        <source>The parameters of {0} must match those of the overridden method</source>
+        <translation>Parametrene i {0} skal svare til den tilsidesatte metodes</translation>
     </message>
     <message>
-        <source>{0} is final</source>
-        <translation>{0} er final</translation>
+        <source>{0} is FINAL and cannot be extended or overridden</source>
+        <translation>{0} er FINAL og kan hverken udvides eller tilsidesættes</translation>
     </message>
     <message>
-        <source>{0} can not be extended by {1}</source>
-        <translation>{0} kan ikke udvides af {1}</translation>
+        <source>{1} cannot extend {0}</source>
+        <translation>{1} kan ikke udvide {0}</translation>
     </message>
     <message>
-        <source>{0} is not allowed in {1}</source>
-        <translation>{0} er ikke tilladt i {1}</translation>
+        <source>{0} is not allowed {1}</source>
+        <translation>{0} er ikke tilladt {1}</translation>
     </message>
     <message>
         <source>There is no label {0}</source>
-        <translation>Der er ingen label {0}</translation>
+        <translation>Der er ingen etiket {0}</translation>
     </message>
     <message>
-        <source>{0} stands outside a loop</source>
-        <translation>{0} står uden for en løkke</translation>
+        <source>{0} is only allowed inside a loop</source>
+        <translation>{0} er kun tilladt i en løkke</translation>
     </message>
     <message>
         <source>The loop variable {0} is changed inside its loop</source>
@@ -308,15 +308,15 @@
         <translation>Der er ingen global variabel {0} af typen {1}</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; {1} are possible</source>
-        <translation>Variablerne kræver {0} byte; {1} er mulige</translation>
+        <source>The variables need {0} bytes; the maximum is {1}</source>
+        <translation>Variablerne kræver {0} byte; maksimum er {1}</translation>
     </message>
     <message>
         <source>There is no PROGRAM to run</source>
         <translation>Der er intet PROGRAM at køre</translation>
     </message>
     <message>
-        <source>There are several programs and no CONFIGURATION; name one Main or write a CONFIGURATION</source>
+        <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>Der er flere programmer og ingen CONFIGURATION; kald ét Main, eller skriv en CONFIGURATION</translation>
     </message>
     <message>
@@ -324,76 +324,76 @@
         <translation>Der er intet navnerum {0}</translation>
     </message>
     <message>
-        <source>The bounds {0}..{1} are not valid</source>
-        <translation>Grænserne {0}..{1} er ugyldige</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
+        <translation>Området {0}..{1} er ugyldigt: den nedre grænse er over den øvre, eller der er for mange elementer</translation>
     </message>
     <message>
         <source>{0} is not a variable of this configuration</source>
         <translation>{0} er ikke en variabel i denne konfiguration</translation>
     </message>
     <message>
-        <source>{0} has an incomplete address and no VAR_CONFIG gives one</source>
-        <translation>{0} har en ufuldstændig adresse, og ingen VAR_CONFIG angiver en</translation>
+        <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
+        <translation>{0} har en ufuldstændig adresse; gør den færdig i en VAR_CONFIG</translation>
     </message>
     <message>
-        <source>{0} starts anew in every call, because a function keeps nothing</source>
-        <translation>{0} begynder forfra ved hvert kald, fordi en funktion intet husker</translation>
+        <source>{0} restarts on every call because functions keep no state</source>
+        <translation>{0} starter forfra ved hvert kald, fordi funktioner ikke gemmer nogen tilstand</translation>
     </message>
     <message>
-        <source>{0} initial values for {1} elements</source>
-        <translation>{0} startværdier til {1} elementer</translation>
+        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
+        <translation>For mange startværdier: {0} til {1} {1:element|elementer}</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth is limited while it runs</source>
-        <translation>{0} kalder måske sig selv; dybden er begrænset under kørsel</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time</source>
+        <translation>{0} kan kalde sig selv; rekursionsdybden er begrænset under kørslen</translation>
     </message>
     <message>
         <source>The chart has no INITIAL_STEP</source>
-        <translation>Diagrammet har ingen INITIAL_STEP</translation>
+        <translation>SFC-diagrammet har ingen INITIAL_STEP</translation>
     </message>
     <message>
         <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>Diagrammet har to starttrin: {0} og {1}</translation>
+        <translation>SFC-diagrammet har to starttrin: {0} og {1}</translation>
     </message>
     <message>
         <source>There is no step {0}</source>
         <translation>Der er intet trin {0}</translation>
     </message>
     <message>
-        <source>No transition leads to step {0}</source>
-        <translation>Ingen transition fører til trin {0}</translation>
+        <source>No transition leads to step {0}; it can never become active</source>
+        <translation>Ingen transition fører til trin {0}; det kan aldrig blive aktivt</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at a time: the branches from here do not join</source>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
         <translation>Trin {0} kan blive aktivt to gange samtidig: grenene herfra samles ikke</translation>
     </message>
     <message>
-        <source>The steps before this transition can not be active together</source>
-        <translation>Trinene før denne transition kan ikke være aktive samtidig</translation>
+        <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
+        <translation>Trinnene før denne transition kan ikke være aktive samtidig; start dem fra én parallelgren</translation>
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Denne transition er altid sand; trinet før den varer ét scan</translation>
+        <translation>Denne transition er altid sand; trinnet før den varer ét scan</translation>
     </message>
     <message>
-        <source>The qualifier {0} needs a time</source>
-        <translation>Kvalifikatoren {0} kræver en tid</translation>
+        <source>The qualifier {0} needs a time, for example T#2s</source>
+        <translation>Kvalifikatoren {0} kræver en tid, for eksempel T#2s</translation>
     </message>
     <message>
         <source>{0} is not an action qualifier</source>
-        <translation>{0} er ikke en handlingskvalifikator</translation>
+        <translation>{0} er ikke en aktionskvalifikator</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}</source>
-        <translation>Der er ingen handling eller BOOL-variabel {0}</translation>
+        <translation>Der er ingen aktion eller BOOL-variabel {0}</translation>
     </message>
     <message>
         <source>The step {0} is declared twice</source>
-        <translation>Trinet {0} er erklæret to gange</translation>
+        <translation>Trinnet {0} er erklæret to gange</translation>
     </message>
     <message>
-        <source>{0} is not an instruction</source>
-        <translation>{0} er ikke en instruktion</translation>
+        <source>{0} is not an IL operator</source>
+        <translation>{0} er ikke en IL-operator</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -404,36 +404,36 @@
         <translation>Parentesen i denne instruktion er ikke lukket</translation>
     </message>
     <message>
-        <source>The current result is {0} on one way to this label and {1} on another</source>
-        <translation>Det aktuelle resultat er {0} ad én vej til denne label og {1} ad en anden</translation>
+        <source>The current result is {0} on one path to this label and {1} on another</source>
+        <translation>Det aktuelle resultat er {0} ad én vej til denne etiket og {1} ad en anden</translation>
     </message>
     <message>
-        <source>{0} is allowed in a TEST only</source>
+        <source>{0} is only allowed in a TEST</source>
         <translation>{0} er kun tilladt i en TEST</translation>
     </message>
     <message>
-        <source>{0} is not a value of {1}, which is strict; use one of its names</source>
-        <translation>{0} er ikke en værdi af {1}, som er streng; brug et af dens navne</translation>
+        <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
+        <translation>{0} er ikke en værdi i den strikte enumeration {1}; brug et af dens navne</translation>
     </message>
     <message>
-        <source>{0} is strict and takes part in no calculation; convert the value with {1}</source>
-        <translation>{0} er streng og indgår ikke i beregninger; omsæt værdien med {1}</translation>
+        <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
+        <translation>{0} er en strikt enumeration og kan ikke bruges i beregninger; konverter værdien med {1}</translation>
     </message>
     <message>
-        <source>{0} can not compare {1} as a whole; compare its parts one by one</source>
-        <translation>{0} kan ikke sammenligne {1} som helhed; sammenlign delene enkeltvis</translation>
+        <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
+        <translation>{0} kan ikke sammenligne {1} som helhed; sammenlign medlemmerne enkeltvis</translation>
     </message>
     <message>
-        <source>CASE chooses by whole numbers, enumerations or characters, not by {0}; use IF and ELSIF</source>
-        <translation>CASE vælger efter heltal, opremsninger eller tegn, ikke efter {0}; brug IF og ELSIF</translation>
+        <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
+        <translation>En CASE-selektor skal være et heltal, en enumeration eller et tegn, ikke {0}; brug IF og ELSIF</translation>
     </message>
     <message>
         <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
         <translation>{0} og {1} deler lageret ved {2}; flyt det ene, eller skriv STRUCT OVERLAP</translation>
     </message>
     <message>
-        <source>The address of a member counts from the begin of its structure, as %B4 or %X4.1 do, not {0}</source>
-        <translation>Et elements adresse tæller fra strukturens begyndelse, som %B4 eller %X4.1, ikke {0}</translation>
+        <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
+        <translation>Et medlems adresse er relativ til strukturens start (%B4, %X4.1), ikke {0}</translation>
     </message>
     <message>
         <source>{0} and {1} share the address {2}; {3} is free</source>
@@ -441,42 +441,42 @@
     </message>
     <message>
         <source>{0} belongs to the chart and must be {1}</source>
-        <translation>{0} hører til forløbsdiagrammet og skal være {1}</translation>
+        <translation>{0} hører til SFC-diagrammet og skal være {1}</translation>
     </message>
     <message>
         <source>{0} has no effect without {1}; declare both</source>
         <translation>{0} har ingen virkning uden {1}; erklær begge</translation>
     </message>
     <message>
-        <source>A step names its actions here; write statements in an ACTION</source>
-        <translation>Et trin nævner her sine handlinger; skriv sætninger i en ACTION</translation>
+        <source>A step lists its actions here; write statements in an ACTION</source>
+        <translation>Et trin angiver her sine aktioner; skriv sætninger i en ACTION</translation>
     </message>
     <message>
         <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Ingen transition fører væk fra trin {0}; diagrammet slutter her</translation>
+        <translation>Ingen transition fører væk fra trin {0}; SFC-diagrammet slutter her</translation>
     </message>
     <message>
-        <source>{0} stands twice in this step with the qualifier {1}</source>
-        <translation>{0} står to gange i dette trin med kvalifikatoren {1}</translation>
+        <source>{0} appears twice in this step with qualifier {1}</source>
+        <translation>{0} forekommer to gange i dette trin med kvalifikatoren {1}</translation>
     </message>
     <message>
-        <source>{0} is a variable too; steps and calls mean the ACTION</source>
-        <translation>{0} er også en variabel; trin og kald betyder ACTION&apos;en</translation>
+        <source>{0} is also a variable; steps and calls mean the ACTION</source>
+        <translation>{0} er også en variabel; trin og kald betyder aktionen</translation>
     </message>
     <message>
-        <source>{0} is a word of the language and can not be a name</source>
-        <translation>{0} er et ord i sproget og kan ikke være et navn</translation>
+        <source>{0} is a keyword and cannot be used as a name</source>
+        <translation>{0} er et nøgleord og kan ikke bruges som navn</translation>
     </message>
     <message>
-        <source>{0} is written {1} in Structured Text</source>
-        <translation>{0} skrives {1} i struktureret tekst</translation>
+        <source>Use {1} instead of {0} in Structured Text</source>
+        <translation>Brug {1} i stedet for {0} i struktureret tekst</translation>
     </message>
     <message>
-        <source>This loop never ends; the controller would stop in it</source>
-        <translation>Denne løkke slutter aldrig; styringen ville standse i den</translation>
+        <source>This loop never ends and would stop the controller</source>
+        <translation>Denne løkke slutter aldrig og ville standse styringen</translation>
     </message>
     <message>
-        <source>{0} is marked OVERRIDE, but no base has a method of this name</source>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
         <translation>{0} er mærket OVERRIDE, men ingen basis har en metode med dette navn</translation>
     </message>
     <message>
@@ -484,12 +484,16 @@
         <translation>Tasken {0} har intet INTERVAL over nul og intet SINGLE; den kører i hvert scan</translation>
     </message>
     <message>
-        <source>{0} is read as {1}; a time is written with its unit</source>
-        <translation>{0} læses som {1}; en tid skrives med sin enhed</translation>
+        <source>{0} is read as {1}; write a time with its unit</source>
+        <translation>{0} læses som {1}; skriv en tid med enhed</translation>
     </message>
     <message>
-        <source>The address {0} holds {1} bit(s), {2} has {3}; write {4}</source>
-        <translation>Adressen {0} rummer {1} bit, {2} har {3}; skriv {4}</translation>
+        <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
+        <translation>Adressen {0} har {1} bit, {2} har {3}; skriv {4}</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}</source>
+        <translation>Et indeks skal være et heltal, ikke {0}</translation>
     </message>
 </context>
 <context>
@@ -510,11 +514,11 @@
         <translation>division med nul</translation>
     </message>
     <message>
-        <source>index {0} is asked of an array without elements</source>
-        <translation>indeks {0} ønsket fra et felt uden elementer</translation>
+        <source>index {0} is used on an empty array</source>
+        <translation>indeks {0} er brugt på et tomt array</translation>
     </message>
     <message>
-        <source>index {0} lies outside {1}..{2}</source>
+        <source>index {0} is outside {1}..{2}</source>
         <translation>indeks {0} ligger uden for {1}..{2}</translation>
     </message>
     <message>
@@ -530,28 +534,56 @@
         <translation>en VAR_IN_OUT er ikke forbundet med en variabel</translation>
     </message>
     <message>
-        <source>character {0} is asked of an empty text</source>
-        <translation>tegn {0} ønsket fra en tom tekst</translation>
+        <source>character {0} is read from an empty string</source>
+        <translation>tegn {0} er læst fra en tom tekst</translation>
     </message>
     <message>
-        <source>character {0} lies outside {1}..{2} of the text</source>
+        <source>character {0} is outside {1}..{2} of the string</source>
         <translation>tegn {0} ligger uden for {1}..{2} i teksten</translation>
     </message>
     <message>
-        <source>the watchdog stopped a task that would not end</source>
-        <translation>watchdog&apos;en stoppede en task, der ikke ville slutte</translation>
+        <source>the watchdog stopped a task that did not end</source>
+        <translation>watchdoggen stoppede en task, der ikke sluttede</translation>
     </message>
     <message>
-        <source>calls are nested too deeply; is there a recursion without an end?</source>
-        <translation>kald er indlejret for dybt; er der en rekursion uden ende?</translation>
+        <source>the task ran longer than its watchdog time of {0}</source>
+        <translation>tasken kørte længere end sin watchdogtid på {0}</translation>
     </message>
     <message>
-        <source>the method that was called has no body</source>
+        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
+        <translation>mere end {0} løkkegennemløb og kald i én kørsel af tasken; kontroller for en endeløs løkke</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; check for endless recursion</source>
+        <translation>kald er indlejret for dybt; kontroller for endeløs rekursion</translation>
+    </message>
+    <message>
+        <source>the called method has no body</source>
         <translation>den kaldte metode har ingen krop</translation>
     </message>
     <message>
-        <source>the scan was abandoned</source>
-        <translation>scanningen blev afbrudt</translation>
+        <source>the scan was aborted</source>
+        <translation>scannet blev afbrudt</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>intet udtryk</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>ikke i dette billede</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>har ingen værdi her</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>simulering: {0}</translation>
     </message>
     <message>
         <source>warm</source>
@@ -567,39 +599,63 @@
     </message>
     <message>
         <source>in the middle of a scan</source>
-        <translation>midt i en scanning</translation>
+        <translation>midt i et scan</translation>
     </message>
     <message>
-        <source>No such file or directory</source>
+        <source>{0}</source>
+        <translation>{0}</translation>
+    </message>
+    <message>
+        <source>{0} := {1}</source>
+        <translation>{0} := {1}</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
         <translation>filen eller mappen findes ikke</translation>
     </message>
     <message>
-        <source>Permission denied</source>
+        <source>permission denied</source>
         <translation>ingen tilladelse</translation>
     </message>
     <message>
-        <source>No space left on device</source>
+        <source>no space left on the device</source>
         <translation>der er ikke mere plads på drevet</translation>
     </message>
     <message>
-        <source>Is a directory</source>
+        <source>it is a folder</source>
         <translation>det er en mappe</translation>
     </message>
     <message>
-        <source>Not a directory</source>
+        <source>it is not a folder</source>
         <translation>det er ikke en mappe</translation>
     </message>
     <message>
-        <source>Read-only file system</source>
-        <translation>filsystemet kan kun læses</translation>
+        <source>the file system is read-only</source>
+        <translation>filsystemet er skrivebeskyttet</translation>
     </message>
     <message>
-        <source>Input/output error</source>
-        <translation>fejl ved læsning eller skrivning på drevet</translation>
+        <source>the device reports a read or write error</source>
+        <translation>drevet melder en læse- eller skrivefejl</translation>
     </message>
     <message>
-        <source>File name too long</source>
+        <source>the file name is too long</source>
         <translation>filnavnet er for langt</translation>
+    </message>
+    <message>
+        <source>it already exists</source>
+        <translation>det findes allerede</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>mappen er ikke tom</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>der er for mange åbne filer</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>filen er for stor</translation>
     </message>
     <message>
         <source>{0}; free some space and save again</source>
@@ -607,102 +663,94 @@
     </message>
     <message>
         <source>{0}; check the permissions of the folder</source>
-        <translation>{0}; kontrollér mappens rettigheder</translation>
+        <translation>{0}; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>cancelled</source>
         <translation>afbrudt</translation>
     </message>
     <message>
-        <source>This is not a file that can be replaced; name another one</source>
-        <translation>Det er ikke en fil, der kan erstattes; angiv en anden</translation>
+        <source>This is not a regular file and cannot be replaced; choose another name</source>
+        <translation>Det er ikke en almindelig fil og kan ikke erstattes; vælg et andet navn</translation>
     </message>
     <message>
-        <source>the recording can not be written: {0}</source>
-        <translation>optagelsen kan ikke skrives: {0}</translation>
+        <source>The recording cannot be written: {0}</source>
+        <translation>Optagelsen kan ikke skrives: {0}</translation>
     </message>
     <message>
-        <source>the recording can not be read: {0}</source>
-        <translation>optagelsen kan ikke læses: {0}</translation>
+        <source>The recording cannot be read: {0}</source>
+        <translation>Optagelsen kan ikke læses: {0}</translation>
     </message>
     <message>
-        <source>the recording is damaged or not one</source>
-        <translation>optagelsen er beskadiget eller ikke en optagelse</translation>
+        <source>The file is damaged or is not a recording</source>
+        <translation>Filen er beskadiget eller er ikke en optagelse</translation>
     </message>
     <message>
-        <source>the program of the recording can not be built any more</source>
-        <translation>optagelsens program kan ikke længere bygges</translation>
+        <source>The recorded program can no longer be built</source>
+        <translation>Det optagede program kan ikke længere oversættes</translation>
     </message>
     <message>
-        <source>this version of the studio lays the program&apos;s variables out differently; open the recording with the version that made it</source>
-        <translation>denne version af studiet lægger programmets variabler anderledes; åbn optagelsen med den version, der lavede den</translation>
+        <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
+        <translation>Denne version af Stepwise placerer programmets variabler anderledes; åbn optagelsen med den version, der lavede den</translation>
     </message>
     <message>
-        <source>The recording can not be opened: {0}</source>
+        <source>The recording cannot be opened: {0}</source>
         <translation>Optagelsen kan ikke åbnes: {0}</translation>
     </message>
     <message>
-        <source>the program in it has errors</source>
-        <translation>programmet i den har fejl</translation>
+        <source>its program has errors</source>
+        <translation>dens program har fejl</translation>
     </message>
     <message>
-        <source>The recording holds no program</source>
+        <source>The recording contains no program</source>
         <translation>Optagelsen indeholder intet program</translation>
     </message>
     <message>
-        <source>Nothing was recorded yet</source>
+        <source>Nothing has been recorded yet</source>
         <translation>Der er endnu ikke optaget noget</translation>
     </message>
     <message>
-        <source>that scan is not in the recording any more</source>
-        <translation>den scanning er ikke længere i optagelsen</translation>
+        <source>This scan is no longer in the recording</source>
+        <translation>Dette scan er ikke længere i optagelsen</translation>
     </message>
     <message>
-        <source>the program that recorded that scan is not at hand any more</source>
-        <translation>programmet, der optog den scanning, er der ikke længere</translation>
+        <source>The program that recorded this scan is no longer available</source>
+        <translation>Programmet, der optog dette scan, er ikke længere til rådighed</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; may be one of {1}: write the whole name</source>
-        <translation>&apos;{0}&apos; kan være en af {1}: skriv hele navnet</translation>
+        <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
+        <translation>”{0}” er flertydig; skriv en af {1}</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
-        <translation>&apos;{0}&apos; har ingen variabel &apos;{1}&apos;; mente du &apos;{2}&apos;?</translation>
+        <translation>”{0}” har ingen variabel ”{1}”; mente du ”{2}”?</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>&apos;{0}&apos; har ingen variabel &apos;{1}&apos;</translation>
+        <translation>”{0}” har ingen variabel ”{1}”</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
-        <translation>der er ingen variabel &apos;{0}&apos;; mente du &apos;{1}&apos;?</translation>
+        <translation>der er ingen variabel ”{0}”; mente du ”{1}”?</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;</source>
-        <translation>der er ingen variabel &apos;{0}&apos;</translation>
+        <translation>der er ingen variabel ”{0}”</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; lies behind a reference, which a path does not follow</source>
-        <translation>&apos;{0}&apos; ligger bag en reference, som en sti ikke følger</translation>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
+        <translation>”{0}” nås kun gennem en reference, som en sti ikke kan følge</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no part of a variable of type {1}</source>
-        <translation>&apos;{0}&apos; er ikke en del af en variabel af typen {1}</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
+        <translation>en variabel af typen {1} har intet medlem ”{0}”</translation>
     </message>
     <message>
-        <source>{0} has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
-        <translation>{0} har ingen variabel &apos;{1}&apos;; mente du &apos;{2}&apos;?</translation>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
+        <translation>”{0}” er en VAR_IN_OUT; skriv den variabel, der er forbundet med den</translation>
     </message>
     <message>
-        <source>{0} has no variable &apos;{1}&apos;</source>
-        <translation>{0} har ingen variabel &apos;{1}&apos;</translation>
-    </message>
-    <message>
-        <source>&apos;{0}&apos; is a VAR_IN_OUT: name the variable that is connected to it</source>
-        <translation>&apos;{0}&apos; er en VAR_IN_OUT: angiv den variabel, der er forbundet med den</translation>
-    </message>
-    <message>
-        <source>a text has one index</source>
+        <source>a string has one index</source>
         <translation>en tekst har ét indeks</translation>
     </message>
     <message>
@@ -710,47 +758,51 @@
         <translation>en variabel af typen {0} har ingen elementer</translation>
     </message>
     <message>
-        <source>{0} needs {1} indices, not {2}</source>
-        <translation>{0} kræver {1} indekser, ikke {2}</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}</source>
+        <translation>{0} kræver {1} {1:indeks|indekser}, ikke {2}</translation>
     </message>
     <message>
-        <source>a variable of type {0} has no bits to name</source>
-        <translation>en variabel af typen {0} har ingen enkelte bit</translation>
+        <source>a variable of type {0} has no bits</source>
+        <translation>en variabel af typen {0} har ingen bit</translation>
     </message>
     <message>
-        <source>bit {0} lies outside 0..{1}</source>
+        <source>bit {0} is outside 0..{1}</source>
         <translation>bit {0} ligger uden for 0..{1}</translation>
     </message>
     <message>
-        <source>part {0} lies outside 0..{1}</source>
+        <source>part {0} is outside 0..{1}</source>
         <translation>del {0} ligger uden for 0..{1}</translation>
     </message>
     <message>
-        <source>the program uses no address &apos;{0}&apos;</source>
-        <translation>programmet bruger ingen adresse &apos;{0}&apos;</translation>
+        <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
+        <translation>”{0}” er ikke en adresse; skriv for eksempel %IX0.0, %QB4 eller %MW2</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;</source>
+        <translation>programmet bruger ikke adressen ”{0}”</translation>
     </message>
     <message>
         <source>the path is empty</source>
         <translation>stien er tom</translation>
     </message>
     <message>
-        <source>the path ends too early</source>
-        <translation>stien slutter for tidligt</translation>
+        <source>the path is incomplete</source>
+        <translation>stien er ufuldstændig</translation>
     </message>
     <message>
-        <source>the path can not be read from &apos;{0}&apos; on</source>
-        <translation>stien kan ikke læses fra &apos;{0}&apos;</translation>
+        <source>the path cannot be read from &apos;{0}&apos; on</source>
+        <translation>stien kan ikke læses fra ”{0}”</translation>
     </message>
     <message>
-        <source>{0} is forced; release it before writing</source>
+        <source>{0} is forced; release the force before writing</source>
         <translation>{0} er forceret; ophæv forceringen før skrivning</translation>
     </message>
     <message>
-        <source>a constant can not be written</source>
+        <source>a constant cannot be written</source>
         <translation>en konstant kan ikke skrives</translation>
     </message>
     <message>
-        <source>a constant can not be forced</source>
+        <source>a constant cannot be forced</source>
         <translation>en konstant kan ikke forceres</translation>
     </message>
     <message>
@@ -758,48 +810,120 @@
         <translation>variablen er ikke forceret</translation>
     </message>
     <message>
-        <source>the new program&apos;s initial values fault: {0}</source>
+        <source>the initial values of the new program cause a fault: {0}</source>
         <translation>det nye programs startværdier giver en fejl: {0}</translation>
     </message>
     <message>
-        <source>the retain file can not be written: {0}</source>
-        <translation>retain-filen kan ikke skrives: {0}</translation>
+        <source>The retain file cannot be written: {0}</source>
+        <translation>Retain-filen kan ikke skrives: {0}</translation>
     </message>
     <message>
-        <source>the retain file can not be read: {0}</source>
-        <translation>retain-filen kan ikke læses: {0}</translation>
+        <source>The retain file cannot be read: {0}</source>
+        <translation>Retain-filen kan ikke læses: {0}</translation>
     </message>
     <message>
-        <source>the retain file is not a file</source>
-        <translation>retain-filen er ikke en fil</translation>
+        <source>The retain file is not a regular file</source>
+        <translation>Retain-filen er ikke en almindelig fil</translation>
     </message>
     <message>
-        <source>{0} does not fit a variable of type {1}</source>
+        <source>The retain file is damaged; the program starts with its initial values</source>
+        <translation>Retain-filen er beskadiget; programmet starter med sine startværdier</translation>
+    </message>
+    <message>
+        <source>{0}; it is kept as {1}</source>
+        <translation>{0}; den er gemt som {1}</translation>
+    </message>
+    <message>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
+        <translation>{0} {0:gemt værdi|gemte værdier} passer ikke til programmet: {1}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into a variable of type {1}</source>
         <translation>{0} passer ikke i en variabel af typen {1}</translation>
     </message>
     <message>
-        <source>{0} lies outside {1}..{2}</source>
+        <source>the value does not fit into a variable of type {0}</source>
+        <translation>værdien passer ikke i en variabel af typen {0}</translation>
+    </message>
+    <message>
+        <source>{0} is outside {1}..{2}</source>
         <translation>{0} ligger uden for {1}..{2}</translation>
     </message>
     <message>
-        <source>a character of the text does not fit a STRING; a WSTRING holds it</source>
-        <translation>et tegn i teksten passer ikke i en STRING; en WSTRING kan rumme det</translation>
+        <source>a character of the text does not fit into a STRING; use a WSTRING</source>
+        <translation>et tegn i teksten kan ikke være i en STRING; brug en WSTRING</translation>
     </message>
     <message>
-        <source>the text has {0} characters, the variable holds {1}</source>
-        <translation>teksten har {0} tegn, variablen rummer {1}</translation>
+        <source>the text has {0} characters, the maximum is {1}</source>
+        <translation>teksten har {0} tegn, maksimum er {1}</translation>
     </message>
     <message>
-        <source>{0} has {1} parts, the value has {2}</source>
-        <translation>{0} har {1} dele, værdien har {2}</translation>
+        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
+        <translation>{0} har {1} {1:del|dele}, værdien har {2}</translation>
     </message>
     <message>
         <source>there is no value to write</source>
         <translation>der er ingen værdi at skrive</translation>
     </message>
     <message>
-        <source>a reference can only be written NULL from outside</source>
-        <translation>en reference kan udefra kun skrives med NULL</translation>
+        <source>a reference can only be set to NULL from outside</source>
+        <translation>en reference kan udefra kun sættes til NULL</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}, which is {2}</source>
+        <translation>{0} er ikke en værdi for {1}, som er {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} passer ikke i {1}, som er {2}</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}; {1}</translation>
+    </message>
+    <message>
+        <source>did you mean {0}?</source>
+        <translation>mente du {0}?</translation>
+    </message>
+    <message>
+        <source>its values are {0}</source>
+        <translation>værdierne er {0}</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
+        <translation>skriv den i anførselstegn, for eksempel {0}, kun med Latin-1-tegn</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}</source>
+        <translation>skriv den i anførselstegn, for eksempel {0}</translation>
+    </message>
+    <message>
+        <source>write one character in quotes, for example {0}</source>
+        <translation>skriv ét tegn i anførselstegn, for eksempel {0}</translation>
+    </message>
+    <message>
+        <source>write all elements, for example {0}, or a single one by its index</source>
+        <translation>skriv alle elementer, for eksempel {0}, eller et enkelt via dets indeks</translation>
+    </message>
+    <message>
+        <source>write its members, for example {0}, or a single one by its path</source>
+        <translation>skriv dens medlemmer, for eksempel {0}, eller et enkelt via dets sti</translation>
+    </message>
+    <message>
+        <source>write {0} or {1}</source>
+        <translation>skriv {0} eller {1}</translation>
+    </message>
+    <message>
+        <source>write for example {0}</source>
+        <translation>skriv for eksempel {0}</translation>
+    </message>
+    <message>
+        <source>write a number, for example {0}</source>
+        <translation>skriv et tal, for eksempel {0}</translation>
+    </message>
+    <message>
+        <source>write an integer, for example {0}</source>
+        <translation>skriv et heltal, for eksempel {0}</translation>
     </message>
     <message>
         <source>There is no program to optimise</source>
@@ -814,24 +938,60 @@
         <translation>det er ikke et udtryk</translation>
     </message>
     <message>
-        <source>This body is no instruction list.</source>
-        <translation>Denne krop er ikke en instruktionsliste.</translation>
+        <source>this is local to a running call and has no address of its own</source>
+        <translation>dette er lokalt i et kørende kald og har ingen egen adresse</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here.</source>
-        <translation>Typen af {0} er ikke kendt her.</translation>
+        <source>this part of a computed value cannot be shown</source>
+        <translation>denne del af en beregnet værdi kan ikke vises</translation>
     </message>
     <message>
-        <source>This body is not ST.</source>
-        <translation>Denne krop er ikke ST.</translation>
+        <source>a character of a string has no address of its own</source>
+        <translation>et tegn i en tekst har ingen egen adresse</translation>
+    </message>
+    <message>
+        <source>this variable cannot be shown</source>
+        <translation>denne variabel kan ikke vises</translation>
+    </message>
+    <message>
+        <source>this array of variable length has no address here</source>
+        <translation>dette array med variabel længde har ingen adresse her</translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation>dette er ikke et array</translation>
+    </message>
+    <message>
+        <source>the array has no such dimension</source>
+        <translation>arrayet har ingen sådan dimension</translation>
+    </message>
+    <message>
+        <source>this has no value</source>
+        <translation>dette har ingen værdi</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects</source>
+        <translation>et udtryk må ikke have sideeffekter</translation>
+    </message>
+    <message>
+        <source>only standard functions can be called here</source>
+        <translation>her kan kun standardfunktioner kaldes</translation>
+    </message>
+    <message>
+        <source>a cast to an interface cannot be watched</source>
+        <translation>en omdannelse til en grænseflade kan ikke overvåges</translation>
+    </message>
+    <message>
+        <source>this cannot be evaluated</source>
+        <translation>dette kan ikke beregnes</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
         <translation>Kodegeneratoren fejlede: {0}</translation>
     </message>
     <message>
-        <source>The code generator made a broken module: {0}</source>
-        <translation>Kodegeneratoren lavede et defekt modul: {0}</translation>
+        <source>The code generator produced an invalid module: {0}</source>
+        <translation>Kodegeneratoren lavede et ugyldigt modul: {0}</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -850,27 +1010,63 @@
         <translation>programmet har fejl</translation>
     </message>
     <message>
-        <source>the online change waits for the end of the scan that stands at a breakpoint</source>
-        <translation>onlineændringen venter på, at scanningen ved stoppunktet slutter</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
+        <translation>onlineændringen venter, til scannet ved stoppunktet er slut</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}, which is {2}</source>
-        <translation>{0} passer ikke i {1}, som er {2}</translation>
+        <source>This body is not an instruction list</source>
+        <translation>Denne krop er ikke en instruktionsliste</translation>
     </message>
     <message>
-        <source>This is a folder, a file is needed</source>
-        <translation>Det er en mappe, der kræves en fil</translation>
+        <source>The type of {0} is not known here</source>
+        <translation>Typen af {0} er ikke kendt her</translation>
     </message>
     <message>
-        <source>This is a device, a file is needed</source>
-        <translation>Det er en enhed, der kræves en fil</translation>
+        <source>This body is not ST</source>
+        <translation>Denne krop er ikke ST</translation>
     </message>
     <message>
-        <source>The file can not be read: {0}</source>
+        <source>{0} has no equivalent in an instruction list</source>
+        <translation>{0} har intet modstykke i en instruktionsliste</translation>
+    </message>
+    <message>
+        <source>There is no body in ST or IL here</source>
+        <translation>Her er ingen krop i ST eller IL</translation>
+    </message>
+    <message>
+        <source>{0} is already written in ST</source>
+        <translation>{0} er allerede skrevet i ST</translation>
+    </message>
+    <message>
+        <source>{0} is already written in IL</source>
+        <translation>{0} er allerede skrevet i IL</translation>
+    </message>
+    <message>
+        <source>Fix the text first: {0}</source>
+        <translation>Ret først teksten: {0}</translation>
+    </message>
+    <message>
+        <source>There is no equivalent in the other language: {0}</source>
+        <translation>Der er intet modstykke i det andet sprog: {0}</translation>
+    </message>
+    <message>
+        <source>This is a folder; a file is needed</source>
+        <translation>Det er en mappe; der kræves en fil</translation>
+    </message>
+    <message>
+        <source>This is a device; a file is needed</source>
+        <translation>Det er en enhed; der kræves en fil</translation>
+    </message>
+    <message>
+        <source>The file cannot be read: {0}</source>
         <translation>Filen kan ikke læses: {0}</translation>
     </message>
     <message>
-        <source>The file can not be written: {0}</source>
+        <source>The file cannot be replaced: {0}</source>
+        <translation>Filen kan ikke erstattes: {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {0}</source>
         <translation>Filen kan ikke skrives: {0}</translation>
     </message>
     <message>
@@ -878,131 +1074,107 @@
         <translation>project.json er ikke gyldig JSON; led efter et manglende komma, anførselstegn eller en parentes</translation>
     </message>
     <message>
-        <source>project.json must hold one JSON object</source>
+        <source>project.json must contain one JSON object</source>
         <translation>project.json skal indeholde ét JSON-objekt</translation>
     </message>
     <message>
-        <source>This folder holds neither a project.json nor ST files</source>
+        <source>This folder contains neither a project.json nor ST files</source>
         <translation>Denne mappe indeholder hverken en project.json eller ST-filer</translation>
     </message>
     <message>
-        <source>There is no library &quot;{0}&quot;; known are {1}</source>
-        <translation>Der er intet bibliotek &quot;{0}&quot;; kendte er {1}</translation>
+        <source>There is no library &quot;{0}&quot;; available are {1}</source>
+        <translation>Der er intet bibliotek ”{0}”; der findes {1}</translation>
     </message>
     <message>
-        <source>Name a project folder or ST files</source>
+        <source>There is no library {0}; did you mean {1}?</source>
+        <translation>Der er intet bibliotek {0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>There is no library {0}</source>
+        <translation>Der er intet bibliotek {0}</translation>
+    </message>
+    <message>
+        <source>Specify a project folder or ST files</source>
         <translation>Angiv en projektmappe eller ST-filer</translation>
     </message>
     <message>
         <source>There is no such file or folder</source>
-        <translation>Der er ingen sådan fil eller mappe</translation>
+        <translation>Filen eller mappen findes ikke</translation>
     </message>
     <message>
-        <source>Name one project folder, or ST files, not both</source>
+        <source>Specify one project folder or ST files, not both</source>
         <translation>Angiv en projektmappe eller ST-filer, ikke begge dele</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>Der er intet program at teste</translation>
     </message>
     <message>
         <source>There is no name here that can be renamed</source>
         <translation>Her er intet navn, der kan omdøbes</translation>
     </message>
     <message>
-        <source>{0} belongs to a library and keeps its name</source>
-        <translation>{0} hører til et bibliotek og beholder sit navn</translation>
+        <source>{0} belongs to a library and cannot be renamed</source>
+        <translation>{0} hører til et bibliotek og kan ikke omdøbes</translation>
     </message>
     <message>
-        <source>{0} is not a name: letters, digits and _, beginning with a letter, and no keyword</source>
-        <translation>{0} er ikke et navn: bogstaver, cifre og _, med et bogstav først, og ikke et nøgleord</translation>
+        <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og _, begynd med et bogstav og undgå nøgleord</translation>
     </message>
     <message>
-        <source>{0} exists already in the project</source>
+        <source>{0} already exists in the project</source>
         <translation>{0} findes allerede i projektet</translation>
     </message>
     <message>
-        <source>{0} exists already in {1}</source>
+        <source>{0} already exists in {1}</source>
         <translation>{0} findes allerede i {1}</translation>
     </message>
     <message>
-        <source>The folder cannot be made: {0}.</source>
-        <translation>Mappen kan ikke oprettes: {0}.</translation>
+        <source>The folder cannot be created: {0}</source>
+        <translation>Mappen kan ikke oprettes: {0}</translation>
     </message>
     <message>
-        <source>The page cannot be written.</source>
-        <translation>Siden kan ikke skrives.</translation>
+        <source>The folder cannot be read: {0}</source>
+        <translation>Mappen kan ikke læses: {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be copied: {0}</source>
+        <translation>Filen kan ikke kopieres: {0}</translation>
+    </message>
+    <message>
+        <source>The folder already exists and is not empty; choose another name</source>
+        <translation>Mappen findes allerede og er ikke tom; vælg et andet navn</translation>
+    </message>
+    <message>
+        <source>The page cannot be written</source>
+        <translation>Siden kan ikke skrives</translation>
     </message>
     <message>
         <source>There is no such file in the project</source>
-        <translation>Der er ingen sådan fil i projektet</translation>
+        <translation>Filen findes ikke i projektet</translation>
     </message>
     <message>
-        <source>There is no body in ST or IL here</source>
-        <translation>Her er ingen krop i ST eller IL</translation>
+        <source>A file with this name already exists</source>
+        <translation>Der er allerede en fil med det navn</translation>
     </message>
     <message>
-        <source>{0} is written in ST already</source>
-        <translation>{0} er allerede skrevet i ST</translation>
+        <source>The file is read-only and was not overwritten</source>
+        <translation>Filen er skrivebeskyttet og blev ikke overskrevet</translation>
     </message>
     <message>
-        <source>{0} is written in IL already</source>
-        <translation>{0} er allerede skrevet i IL</translation>
+        <source>The file&apos;s permissions cannot be changed</source>
+        <translation>Filens rettigheder kan ikke ændres</translation>
     </message>
     <message>
-        <source>Mend the text first: {0}</source>
-        <translation>Ret først teksten: {0}</translation>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
     </message>
     <message>
-        <source>It has no like in the other language: {0}</source>
-        <translation>Det har intet modstykke i det andet sprog: {0}</translation>
-    </message>
-    <message>
-        <source>The trace set-up is not JSON (see line {0})</source>
-        <translation>Trace-opsætningen er ikke JSON (se linje {0})</translation>
-    </message>
-    <message>
-        <source>A trace set-up must be a JSON object</source>
-        <translation>En trace-opsætning skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>This trace set-up was written by a newer Stepwise (version {0})</source>
-        <translation>Denne trace-opsætning er skrevet af en nyere Stepwise (version {0})</translation>
-    </message>
-    <message>
-        <source>The trace set-up is not good: {0}</source>
-        <translation>Trace-opsætningen er ikke i orden: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history could not be opened: {0}</source>
-        <translation>Alarmhistorikken kunne ikke åbnes: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history is not usable: {0}</source>
-        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history could not be written: {0}</source>
-        <translation>Alarmhistorikken kunne ikke skrives: {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} kan ikke være i {1}</translation>
-    </message>
-    <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
-    </message>
-    <message>
-        <source>A {0} can not be written from a panel</source>
-        <translation>En {0} kan ikke skrives fra et panel</translation>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>Open a project first</source>
         <translation>Åbn først et projekt</translation>
     </message>
     <message>
-        <source>There is a panel of that name already</source>
+        <source>A panel with this name already exists</source>
         <translation>Der er allerede et panel med det navn</translation>
     </message>
     <message>
@@ -1010,128 +1182,36 @@
         <translation>Styringen kører ikke</translation>
     </message>
     <message>
-        <source>There is no action {0}.</source>
-        <translation>Der er ingen handling {0}.</translation>
+        <source>There is no program to run</source>
+        <translation>Der er intet program at køre</translation>
     </message>
     <message>
-        <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} er ikke et navn: brug bogstaver, cifre og understreg.</translation>
+        <source>There is no program to test</source>
+        <translation>Der er intet program at teste</translation>
     </message>
     <message>
-        <source>There is a step {0} already.</source>
-        <translation>Der er allerede et trin {0}.</translation>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
+        <translation>Denne sætning er ikke mulig i en TEST med RUN eller ASSERT omkring</translation>
     </message>
     <message>
-        <source>This edit would change the same text twice.</source>
-        <translation>Denne ændring ville ændre den samme tekst to gange.</translation>
+        <source>The code of this statement is missing</source>
+        <translation>Koden til denne sætning mangler</translation>
     </message>
     <message>
-        <source>This transition leads nowhere yet.</source>
-        <translation>Denne transition fører endnu ingen steder hen.</translation>
+        <source>Fault in the test: {0}</source>
+        <translation>Fejl i testen: {0}</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join behind this step.</source>
-        <translation>Intet ville føre til sammenføringen bag dette trin.</translation>
+        <source>{0} is not a value for {1}</source>
+        <translation>{0} er ikke en værdi for {1}</translation>
     </message>
     <message>
-        <source>The initial step stays at the top.</source>
-        <translation>Starttrinnet bliver øverst.</translation>
+        <source>This loop of the test does not end</source>
+        <translation>Denne løkke i testen slutter ikke</translation>
     </message>
     <message>
-        <source>Only a step with one transition of its own can be moved.</source>
-        <translation>Kun et trin med sin egen transition kan flyttes.</translation>
-    </message>
-    <message>
-        <source>The step stands there already.</source>
-        <translation>Trinnet står der allerede.</translation>
-    </message>
-    <message>
-        <source>A step can be put behind a transition that leads to one step.</source>
-        <translation>Et trin kan sættes bag en transition, der fører til ét trin.</translation>
-    </message>
-    <message>
-        <source>This step leads to itself only.</source>
-        <translation>Dette trin fører kun til sig selv.</translation>
-    </message>
-    <message>
-        <source>There is no branch at this place.</source>
-        <translation>Der er ingen forgrening på dette sted.</translation>
-    </message>
-    <message>
-        <source>A transition needs a condition.</source>
-        <translation>En transition kræver en betingelse.</translation>
-    </message>
-    <message>
-        <source>A priority is a positive number.</source>
-        <translation>En prioritet er et positivt tal.</translation>
-    </message>
-    <message>
-        <source>Nothing follows this step yet: insert a step behind it.</source>
-        <translation>Intet følger efter dette trin endnu: indsæt et trin bag det.</translation>
-    </message>
-    <message>
-        <source>The last branch leads nowhere.</source>
-        <translation>Den sidste gren fører ingen steder hen.</translation>
-    </message>
-    <message>
-        <source>There is no such action.</source>
-        <translation>Der er ingen sådan handling.</translation>
-    </message>
-    <message>
-        <source>There is no chart yet.</source>
-        <translation>Der er endnu intet diagram.</translation>
-    </message>
-    <message>
-        <source>The initial step can not be deleted; make another step the initial one first.</source>
-        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin.</translation>
-    </message>
-    <message>
-        <source>Several transitions leave this step; delete its branches first.</source>
-        <translation>Flere transitioner forlader dette trin; slet først dets grene.</translation>
-    </message>
-    <message>
-        <source>The condition of this transition can not be read; edit it in the text.</source>
-        <translation>Betingelsen for denne transition kan ikke læses; redigér den i teksten.</translation>
-    </message>
-    <message>
-        <source>The branches behind this transition do not join; connect them in the text first.</source>
-        <translation>Grenene bag denne transition løber ikke sammen; forbind dem først i teksten.</translation>
-    </message>
-    <message>
-        <source>no expression</source>
-        <translation>intet udtryk</translation>
-    </message>
-    <message>
-        <source>index {0} outside {1}..{2}</source>
-        <translation>indeks {0} uden for {1}..{2}</translation>
-    </message>
-    <message>
-        <source>null reference</source>
-        <translation>reference til ingenting</translation>
-    </message>
-    <message>
-        <source>reference to no variable</source>
-        <translation>reference til ingen variabel</translation>
-    </message>
-    <message>
-        <source>IN_OUT without a variable</source>
-        <translation>IN_OUT uden variabel</translation>
-    </message>
-    <message>
-        <source>character {0} of a text with {1}</source>
-        <translation>tegn {0} i en tekst med {1}</translation>
-    </message>
-    <message>
-        <source>not in this image</source>
-        <translation>ikke i dette billede</translation>
-    </message>
-    <message>
-        <source>has no value here</source>
-        <translation>har ingen værdi her</translation>
-    </message>
-    <message>
-        <source>simulation: {0}</source>
-        <translation>simulering: {0}</translation>
+        <source>The step of this loop is 0</source>
+        <translation>Skridtet i denne løkke er 0</translation>
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
@@ -1142,40 +1222,416 @@
         <translation>Styringen stoppede: {0}</translation>
     </message>
     <message>
-        <source>The step of this loop is 0</source>
-        <translation>Skridtet i denne løkke er 0</translation>
-    </message>
-    <message>
-        <source>the condition can not be evaluated</source>
-        <translation>betingelsen kan ikke beregnes</translation>
-    </message>
-    <message>
-        <source>ASSERT failed: {0}</source>
-        <translation>ASSERT ikke opfyldt: {0}</translation>
-    </message>
-    <message>
-        <source>Fault in the test: {0}</source>
-        <translation>fejl i testen: {0}</translation>
-    </message>
-    <message>
-        <source>This loop of the test does not end</source>
-        <translation>denne løkke i testen slutter ikke</translation>
+        <source>at {0}:{1}</source>
+        <translation>ved {0}:{1}</translation>
     </message>
     <message>
         <source>{0} has no value: {1}</source>
         <translation>{0} har ingen værdi: {1}</translation>
     </message>
     <message>
+        <source>{0} did not become true within {1}</source>
+        <translation>{0} blev ikke sand inden for {1}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>ASSERT ikke opfyldt: {0}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0} ({1})</source>
+        <translation>ASSERT ikke opfyldt: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} er {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} er {1}, forventet {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} er {1}, optaget {2} i scan {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>Optagelsen {0} har {1} scan, denne kørsel {2}</translation>
+    </message>
+    <message>
         <source>The run differs from the recording {0}</source>
         <translation>Kørslen afviger fra optagelsen {0}</translation>
     </message>
     <message>
-        <source>The file is read-only and was not replaced</source>
-        <translation>Filen er skrivebeskyttet og blev ikke erstattet</translation>
+        <source>the condition cannot be evaluated</source>
+        <translation>betingelsen kan ikke beregnes</translation>
     </message>
     <message>
-        <source>The file&apos;s permissions can not be changed</source>
-        <translation>Filens rettigheder kan ikke ændres</translation>
+        <source>There is no action {0}</source>
+        <translation>Der er ingen aktion {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Der er allerede et trin {0}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Denne ændring ville ændre den samme tekst to gange</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Denne transition fører endnu ikke til et trin</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Intet ville føre til sammenføringen efter dette trin</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>Starttrinnet bliver øverst</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Kun et trin med sin egen enkelte transition kan flyttes</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>Trinnet er der allerede</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Et trin kan sættes efter en transition, der fører til ét trin</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Dette trin fører kun til sig selv</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Her er ingen gren</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>En transition kræver en betingelse</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>En prioritet skal være et positivt tal</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>Den sidste gren fører ikke til et trin</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Aktionen findes ikke</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Der er endnu intet SFC-diagram</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Flere transitioner forlader dette trin; slet først dets grene</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>Betingelsen for denne transition kan ikke læses; rediger den i teksten</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>Panelet er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Et panel skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>Panelet er skrevet af en nyere version af Stepwise</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>”{0}” skal være en liste</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>Element {0} er ikke et objekt</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Arten af element {0} er ikke en tekst</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Alarmerne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>En alarm har intet id</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>To alarmer har id&apos;et ”{0}”</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Denne linje er ikke gyldig UTF-8; gem filen som UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Der er tekst efter et afsluttende anførselstegn; fordobl et anførselstegn, der hører til teksten</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>Kolonne {0} har intet sprogmærke</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>Sproget {0} har to kolonner</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Denne linje har ingen nøgle</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>Nøglen {0} er allerede på linje {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>Alarmhistorikken kan ikke åbnes: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>Alarmhistorikken kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} kan ikke være i {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>En {0} kan ikke skrives fra et panel</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Mappen til billederne kan ikke oprettes</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>Billedet kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>Projektet har ikke det panel</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>Nøglen {0} er ikke i teksttabellen</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Denne version kender ikke elementarten ”{0}”; den bevares uændret</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>Projektet har ikke sproget {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>Elementet ligger uden for panelet</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>Filen {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>Der er intet panel {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>Alarmen har ingen betingelse</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>Der er ingen alarmklasse {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Intet panel og ingen alarm bruger nøglen {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>Nøglen {0} har ingen tekst på {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Ingen skrifttype har tegnet {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} er ikke en variabel og kan derfor ikke skrives</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} er {1}; her kræves en BOOL</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} er {1}; her kræves et tal</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} er {1}; her kræves en STRING</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} er {1}; her kræves et array</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} er {1}; her kræves en enkelt værdi</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>En pladsholder er ikke lukket med {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>Formatet {0} er ukendt</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>En traceopsætning skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>Traceopsætningen er ugyldig: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>”{0}” skal være {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>”{0}” mangler</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Et billedes navn skal ende på en af {0}</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>ikke længere optaget</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>En optagelse fra en fil kan ikke skrives; gå først tilbage til den kørende styring</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Optagede værdier kan ikke skrives; fortsæt først herfra</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>En prioritet er et tal; 0 fjerner den</translation>
     </message>
 </context>
 <context>
@@ -2050,121 +2506,6 @@
     </message>
 </context>
 <context>
-    <name>HmiCheck</name>
-    <message>
-        <source>did you mean %1?</source>
-        <translation>mente du %1?</translation>
-    </message>
-    <message>
-        <source>%1 is not a variable, so it can not be written.</source>
-        <translation>%1 er ikke en variabel, så den kan ikke skrives.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a BOOL is needed here.</source>
-        <translation>%1 er %2; her kræves en BOOL.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a number is needed here.</source>
-        <translation>%1 er %2; her kræves et tal.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a STRING is needed here.</source>
-        <translation>%1 er %2; her kræves en STRING.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; an array is needed here.</source>
-        <translation>%1 er %2; her kræves et array.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a single value is needed here.</source>
-        <translation>%1 er %2; her kræves en enkelt værdi.</translation>
-    </message>
-    <message>
-        <source>The text &quot;%1&quot; has no key, so it can not be translated.</source>
-        <translation>Teksten &quot;%1&quot; har ingen nøgle, så den kan ikke oversættes.</translation>
-    </message>
-    <message>
-        <source>The key %1 is not in the text table.</source>
-        <translation>Nøglen %1 er ikke i teksttabellen.</translation>
-    </message>
-    <message>
-        <source>The text needs a value for {%1}; give it in &quot;Values in texts&quot;.</source>
-        <translation>Teksten kræver en værdi for {%1}; angiv den i &quot;Værdier i tekster&quot;.</translation>
-    </message>
-    <message>
-        <source>The text list %1 is empty: there is no key %1.0.</source>
-        <translation>Tekstlisten %1 er tom: der er ingen nøgle %1.0.</translation>
-    </message>
-    <message>
-        <source>This version does not know the element kind &quot;%1&quot;; it is kept as it is.</source>
-        <translation>Denne version kender ikke elementarten &quot;%1&quot;; den bevares, som den er.</translation>
-    </message>
-    <message>
-        <source>The project has no language %1.</source>
-        <translation>Projektet har intet sprog %1.</translation>
-    </message>
-    <message>
-        <source>The element lies outside the panel.</source>
-        <translation>Elementet ligger uden for panelet.</translation>
-    </message>
-    <message>
-        <source>The file %1 is not there.</source>
-        <translation>Filen %1 er der ikke.</translation>
-    </message>
-    <message>
-        <source>There is no panel %1.</source>
-        <translation>Der er intet panel %1.</translation>
-    </message>
-    <message>
-        <source>The format %1 is not known; %.1f and %d are.</source>
-        <translation>Formatet %1 er ukendt; %.1f og %d er kendte.</translation>
-    </message>
-    <message>
-        <source>The alarm has no condition.</source>
-        <translation>Alarmen har ingen betingelse.</translation>
-    </message>
-    <message>
-        <source>There is no alarm class %1.</source>
-        <translation>Der er ingen alarmklasse %1.</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key %1.</source>
-        <translation>Intet panel og ingen alarm bruger nøglen %1.</translation>
-    </message>
-    <message>
-        <source>%1 has the placeholders {%2}, but %3 has {%4}.</source>
-        <translation>%1 har pladsholderne {%2}, men %3 har {%4}.</translation>
-    </message>
-    <message>
-        <source>The key %1 has no text in %2.</source>
-        <translation>Nøglen %1 har ingen tekst på %2.</translation>
-    </message>
-    <message>
-        <source>The font %1 is not installed here, so texts can not be measured.</source>
-        <translation>Skrifttypen %1 er ikke installeret her, så tekster kan ikke måles.</translation>
-    </message>
-    <message>
-        <source>No font has the character U+%1.</source>
-        <translation>Ingen skrifttype har tegnet U+%1.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not fit: it needs %2 px, there are %3.</source>
-        <translation>&quot;%1&quot; kan ikke være der: den kræver %2 px, der er %3.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not fit: it needs a height of %2 px, there are %3.</source>
-        <translation>&quot;%1&quot; kan ikke være der: den kræver en højde på %2 px, der er %3.</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>fejl</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>advarsel</translation>
-    </message>
-</context>
-<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2254,14 +2595,6 @@
     <message>
         <source>not recorded</source>
         <translation>ikke optaget</translation>
-    </message>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>Filen kan ikke skrives: %1</translation>
-    </message>
-    <message>
-        <source>A picture&apos;s name must end in .png, .svg or .pdf.</source>
-        <translation>Et billedes navn skal ende på .png, .svg eller .pdf.</translation>
     </message>
     <message>
         <source>Time [%1]</source>
@@ -4097,10 +4430,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>aktion</translation>
     </message>
     <message>
-        <source>A priority is a number; 0 takes it away</source>
-        <translation>En prioritet er et tal; 0 fjerner den</translation>
-    </message>
-    <message>
         <source>To the chart around (Backspace)</source>
         <translation>Til diagrammet uden om (Tilbage)</translation>
     </message>
@@ -4377,18 +4706,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>fandtes ikke i dette scan</translation>
     </message>
     <message>
-        <source>A recording from a file can not be written; go back to the running controller first</source>
-        <translation>En gemt optagelse kan ikke skrives; gå først tilbage til den kørende styring</translation>
-    </message>
-    <message>
-        <source>The past can not be written; resume from here first</source>
-        <translation>Fortiden kan ikke skrives; fortsæt først herfra</translation>
-    </message>
-    <message>
-        <source>A recording from a file can not be resumed; only what the controller itself recorded</source>
-        <translation>En gemt optagelse kan ikke fortsættes; kun det, styringen selv har optaget</translation>
-    </message>
-    <message>
         <source>Building</source>
         <translation>Oversætter</translation>
     </message>
@@ -4407,10 +4724,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>The condition of the breakpoint: %1</source>
         <translation>Stoppunktets betingelse: %1</translation>
-    </message>
-    <message>
-        <source>The past can not be forced; resume from here or go back to live first</source>
-        <translation>Fortiden kan ikke tvinges; fortsæt herfra eller gå tilbage til nutiden først</translation>
     </message>
 </context>
 <context>
@@ -5811,6 +6124,443 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen …</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>et navn</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>en etiket</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>en operand</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>et udtryk</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>en værdi</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>en type</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>et indeks</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>et argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>en adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>en aktion</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>en CASE-etiket</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>navnet på en funktionsblok</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>navnet på en processor</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>navnet på en task</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>navnet på en programinstans</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>en ind- eller udgang</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>navnet på en variabel</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>stien til en variabel</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>navnet på et trin</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>navnet på en type</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>navnet på et medlem</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>et adgangsnavn</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>en enumerationsværdi</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>linjens slutning</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>filens slutning</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} eller {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR og en tid</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= eller instruktioner</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>et delområde</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>en enumeration</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>i parentes</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>et SFC-diagram</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>en krop</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>i en CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>i en FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>i en METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>i et PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>i en FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>her</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>i {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>i et udtryk</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>i en startværdi</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>i dette afsnit</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>en startværdi</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN med en værdi</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>i en erklæring, der kalder FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>i {0}, som ikke selv er abstrakt</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>tidsrum</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>dato</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>klokkeslæt</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>dato og klokkeslæt</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>heltal</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>tekst</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (en konstant)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (en udgang)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (en lokal variabel i {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (en indgang)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (en indgang; næste scan overskriver den)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (en egenskab uden SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (ingen instans eller flere)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (en type; erklær en instans af den)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (en variabel, som skjuler funktionen af dette navn)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>en udgang</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>en indgang</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>en IN_OUT-parameter</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>en potens af et beregnet tal</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>et kald af {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>et kald uden argumenter</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>et beregnet andet argument til {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} uden for en løkke</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>denne sætning</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR med denne slutning eller dette skridt</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>en tildeling af flere variabler</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE af en beregnet værdi</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tal</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>et heltal</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>et antal sekunder</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>en liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>et objekt</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>en af {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Erstat med {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Indsæt {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Mente du {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Konverter med {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Flyt {0} til {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Tilføj egenskaben {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Tilføj metoden {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Tilføj de manglende grene</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Tilføj ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Tilføj () for at kalde den</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Sammenlign med 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Fjern den ubrugte erklæring</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Erstat med IF og ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Skift til en WSTRING-konstant</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Erstat med lige anførselstegn</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Gør {0} til starttrin</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Følg pegeren med ^</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>først erklæret her</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>erklæret her</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>variablen</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>det første program</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>tilsidesat her</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>den første</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>ved denne transition, mens det er aktivt</translation>
     </message>
 </context>
 </TS>

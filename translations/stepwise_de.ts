@@ -8,20 +8,20 @@
         <translation>Das Zeichen {0} hat hier keine Bedeutung</translation>
     </message>
     <message>
-        <source>This comment is not closed</source>
-        <translation>Dieser Kommentar ist nicht geschlossen</translation>
+        <source>Unterminated comment; close it with *)</source>
+        <translation>Kommentar nicht abgeschlossen; mit *) schließen</translation>
     </message>
     <message>
-        <source>This string is not closed on its line</source>
-        <translation>Diese Zeichenkette ist auf ihrer Zeile nicht geschlossen</translation>
+        <source>Unterminated string; add the closing quote</source>
+        <translation>Zeichenkette nicht abgeschlossen; schließendes Anführungszeichen ergänzen</translation>
     </message>
     <message>
-        <source>The file is not UTF-8 here; save it as UTF-8</source>
-        <translation>Die Datei ist hier kein UTF-8; als UTF-8 speichern</translation>
+        <source>This is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Das ist kein gültiges UTF-8; die Datei als UTF-8 speichern</translation>
     </message>
     <message>
         <source>{0} is not a valid {1} literal</source>
-        <translation>{0} ist kein gültiges {1}-Literal</translation>
+        <translation>{0} ist kein gültiges Literal ({1})</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -36,12 +36,12 @@
         <translation>{0} fehlt zu diesem {1}</translation>
     </message>
     <message>
-        <source>{0} is not expected here</source>
-        <translation>{0} wird hier nicht erwartet</translation>
+        <source>Unexpected {0}</source>
+        <translation>Unerwartet: {0}</translation>
     </message>
     <message>
-        <source>This compares and drops the result; use := to assign</source>
-        <translation>Das vergleicht und verwirft das Ergebnis; zum Zuweisen := benutzen</translation>
+        <source>This comparison has no effect; use := to assign</source>
+        <translation>Dieser Vergleich hat keine Wirkung; zum Zuweisen := verwenden</translation>
     </message>
     <message>
         <source>An assignment is not a condition; use = to compare</source>
@@ -52,12 +52,12 @@
         <translation>Zwischen Name und Typ fehlt ein Doppelpunkt</translation>
     </message>
     <message>
-        <source>Decimal numbers are written with a point: {0}</source>
-        <translation>Dezimalzahlen schreibt man mit Punkt: {0}</translation>
+        <source>Decimal numbers use a point: {0}</source>
+        <translation>Dezimalzahlen werden mit Punkt geschrieben: {0}</translation>
     </message>
     <message>
-        <source>An open bound is written ARRAY[*] and is allowed for VAR_IN_OUT</source>
-        <translation>Eine offene Grenze schreibt man ARRAY[*]; sie ist bei VAR_IN_OUT erlaubt</translation>
+        <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
+        <translation>Eine offene Grenze wird ARRAY[*] geschrieben und ist nur bei VAR_IN_OUT erlaubt</translation>
     </message>
     <message>
         <source>This is nested too deeply to be compiled</source>
@@ -69,11 +69,11 @@
     </message>
     <message>
         <source>{0} is missing; the program unit ends here</source>
-        <translation>{0} fehlt; die Programmeinheit endet hier</translation>
+        <translation>{0} fehlt; der Baustein endet hier</translation>
     </message>
     <message>
-        <source>A semicolon is missing here; it is read as if it stood there</source>
-        <translation>Hier fehlt ein Semikolon; es wird gelesen, als stünde es da</translation>
+        <source>A semicolon is missing here; the statement ends here</source>
+        <translation>Hier fehlt ein Semikolon; die Anweisung endet hier</translation>
     </message>
     <message>
         <source>{0} is not declared</source>
@@ -84,27 +84,27 @@
         <translation>{0} hat kein Element {1}</translation>
     </message>
     <message>
-        <source>{0} can not be converted to {1}</source>
+        <source>{0} cannot be converted to {1}</source>
         <translation>{0} kann nicht in {1} umgewandelt werden</translation>
     </message>
     <message>
-        <source>{0} may not fit into {1}</source>
-        <translation>{0} passt vielleicht nicht in {1}</translation>
+        <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
+        <translation>Implizite Umwandlung von {0} in {1} kann Daten verlieren; explizit umwandeln</translation>
     </message>
     <message>
-        <source>{0} can not be assigned to</source>
+        <source>{0} cannot be assigned to</source>
         <translation>{0} kann nichts zugewiesen werden</translation>
     </message>
     <message>
-        <source>{0} can not be used with {1}</source>
-        <translation>{0} kann nicht mit {1} benutzt werden</translation>
+        <source>{0} cannot be used with {1}</source>
+        <translation>{0} kann nicht mit {1} verwendet werden</translation>
     </message>
     <message>
-        <source>{0} can not combine {1} and {2}</source>
+        <source>{0} cannot combine {1} and {2}</source>
         <translation>{0} kann {1} und {2} nicht verknüpfen</translation>
     </message>
     <message>
-        <source>{0} can not be called</source>
+        <source>{0} cannot be called</source>
         <translation>{0} kann nicht aufgerufen werden</translation>
     </message>
     <message>
@@ -116,11 +116,11 @@
         <translation>Das Argument für {1} von {0} fehlt</translation>
     </message>
     <message>
-        <source>{0} takes {1} argument(s)</source>
-        <translation>{0} hat {1} Argument(e)</translation>
+        <source>{0} takes {1} {1:argument|arguments}</source>
+        <translation>{0} hat {1} {1:Argument|Argumente}</translation>
     </message>
     <message>
-        <source>{0} is given twice</source>
+        <source>{0} is specified twice</source>
         <translation>{0} ist doppelt angegeben</translation>
     </message>
     <message>
@@ -132,16 +132,16 @@
         <translation>{0} ist weder Array noch Zeichenkette</translation>
     </message>
     <message>
-        <source>This array has {0} dimension(s), not {1}</source>
-        <translation>Dieses Array hat {0} Dimension(en), nicht {1}</translation>
+        <source>This array has {0} {0:dimension|dimensions}, not {1}</source>
+        <translation>Dieses Array hat {0} {0:Dimension|Dimensionen}, nicht {1}</translation>
     </message>
     <message>
-        <source>The index {0} lies outside {1}..{2}</source>
+        <source>The index {0} is outside {1}..{2}</source>
         <translation>Der Index {0} liegt außerhalb von {1}..{2}</translation>
     </message>
     <message>
-        <source>This divides by zero</source>
-        <translation>Hier wird durch null geteilt</translation>
+        <source>Division by zero</source>
+        <translation>Division durch null</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}</source>
@@ -156,68 +156,68 @@
         <translation>{0} ist weder Zeiger noch Referenz</translation>
     </message>
     <message>
-        <source>{0} has the bits 0 to {1}</source>
-        <translation>{0} hat die Bits 0 bis {1}</translation>
+        <source>{0} has only the bits 0 to {1}</source>
+        <translation>{0} hat nur die Bits 0 bis {1}</translation>
     </message>
     <message>
-        <source>A condition is BOOL, not {0}</source>
-        <translation>Eine Bedingung ist BOOL, nicht {0}</translation>
+        <source>The condition must be BOOL, not {0}</source>
+        <translation>Die Bedingung muss BOOL sein, nicht {0}</translation>
     </message>
     <message>
-        <source>{0} gives no value</source>
+        <source>{0} does not return a value</source>
         <translation>{0} liefert keinen Wert</translation>
     </message>
     <message>
-        <source>{0} exists in {1}; write the namespace before it</source>
-        <translation>{0} gibt es in {1}; den Namensraum davor schreiben</translation>
+        <source>{0} is ambiguous: {1}; write the namespace before it</source>
+        <translation>{0} ist mehrdeutig: {1}; den Namensraum davor schreiben</translation>
     </message>
     <message>
-        <source>{0} is abstract and can have no instance</source>
-        <translation>{0} ist abstrakt und kann keine Instanz haben</translation>
+        <source>{0} is abstract and cannot be instantiated</source>
+        <translation>{0} ist abstrakt und kann nicht instanziiert werden</translation>
     </message>
     <message>
-        <source>{0} is {1} and can not be used here</source>
-        <translation>{0} ist {1} und kann hier nicht benutzt werden</translation>
+        <source>{0} is {1} and cannot be used here</source>
+        <translation>{0} ist {1} und kann hier nicht verwendet werden</translation>
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Das Zeichen {0} ist nicht in STRING (Latin-1); WSTRING benutzen</translation>
+        <translation>Das Zeichen {0} ist nicht in STRING (Latin-1); WSTRING verwenden</translation>
     </message>
     <message>
-        <source>The text has {0} characters and will be cut to {1}</source>
+        <source>The text has {0} characters and will be truncated to {1}</source>
         <translation>Der Text hat {0} Zeichen und wird auf {1} gekürzt</translation>
     </message>
     <message>
-        <source>This integer division drops the fraction before it becomes {0}</source>
-        <translation>Diese Ganzzahldivision verliert den Bruchteil, bevor sie {0} wird</translation>
+        <source>This integer division discards the fraction before the conversion to {0}</source>
+        <translation>Diese Ganzzahldivision verwirft den Bruchteil vor der Umwandlung in {0}</translation>
     </message>
     <message>
-        <source>{0} is computed in {1} and wraps before it becomes {2}</source>
-        <translation>{0} wird in {1} gerechnet und läuft über, bevor es {2} wird</translation>
+        <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
+        <translation>{0} wird als {1} berechnet und kann vor der Umwandlung in {2} überlaufen</translation>
     </message>
     <message>
-        <source>{0} and {1} are compared as {2}</source>
-        <translation>{0} und {1} werden als {2} verglichen</translation>
+        <source>{0} and {1} are compared as {2}; convert one of them</source>
+        <translation>{0} und {1} werden als {2} verglichen; eines davon umwandeln</translation>
     </message>
     <message>
-        <source>{0} is stored in the enumeration {1} unchecked</source>
-        <translation>{0} wird ungeprüft in der Aufzählung {1} gespeichert</translation>
+        <source>{0} is not checked against the enumeration {1}; use one of its names</source>
+        <translation>{0} wird nicht gegen die Enumeration {1} geprüft; einen ihrer Namen verwenden</translation>
     </message>
     <message>
         <source>The result of {0} is not used</source>
-        <translation>Das Ergebnis von {0} wird nicht benutzt</translation>
+        <translation>Das Ergebnis von {0} wird nicht verwendet</translation>
     </message>
     <message>
-        <source>The address {0} lies outside the {1} area</source>
-        <translation>Die Adresse {0} liegt außerhalb des Bereichs {1}</translation>
+        <source>The address {0} is outside {1}</source>
+        <translation>Die Adresse {0} liegt außerhalb von {1}</translation>
     </message>
     <message>
-        <source>{0} is not allowed in a watch or binding, which must have no side effects</source>
-        <translation>{0} ist in einer Überwachung oder Anbindung nicht erlaubt; sie darf keine Nebenwirkung haben</translation>
+        <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
+        <translation>{0} ist in einer Überwachung oder Bindung nicht erlaubt; sie darf keine Nebenwirkungen haben</translation>
     </message>
     <message>
-        <source>{0} is an {1}; write {2}</source>
-        <translation>{0} ist ein {1}; {2} schreiben</translation>
+        <source>{0} is {1}; write {2}</source>
+        <translation>{0} ist {1}; {2} schreiben</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address</source>
@@ -232,16 +232,16 @@
         <translation>Es gibt keinen Typ {0}</translation>
     </message>
     <message>
-        <source>{0} contains itself</source>
-        <translation>{0} enthält sich selbst</translation>
+        <source>{0} contains itself; use a REFERENCE TO</source>
+        <translation>{0} enthält sich selbst; REFERENCE TO verwenden</translation>
     </message>
     <message>
-        <source>{0} calls itself: {1}</source>
-        <translation>{0} ruft sich selbst auf: {1}</translation>
+        <source>{0} calls itself, which is not allowed: {1}</source>
+        <translation>{0} ruft sich selbst auf, was nicht erlaubt ist: {1}</translation>
     </message>
     <message>
         <source>{0} is never used</source>
-        <translation>{0} wird nie benutzt</translation>
+        <translation>{0} wird nie verwendet</translation>
     </message>
     <message>
         <source>{0} is read but never written</source>
@@ -260,7 +260,7 @@
         <translation>CASE hat keinen Zweig für {0} und kein ELSE</translation>
     </message>
     <message>
-        <source>{0} has a branch already</source>
+        <source>{0} already has a branch</source>
         <translation>{0} hat schon einen Zweig</translation>
     </message>
     <message>
@@ -276,28 +276,28 @@
         <translation>{0} implementiert {1} von {2} nicht</translation>
     </message>
     <message>
-        <source>{0} has other parameters than the method it overrides</source>
-        <translation>{0} hat andere Parameter als die Methode, die es überschreibt</translation>
+        <source>The parameters of {0} must match those of the overridden method</source>
+        <translation>Die Parameter von {0} müssen mit denen der überschriebenen Methode übereinstimmen</translation>
     </message>
     <message>
-        <source>{0} is final</source>
-        <translation>{0} ist final</translation>
+        <source>{0} is FINAL and cannot be extended or overridden</source>
+        <translation>{0} ist FINAL und kann weder erweitert noch überschrieben werden</translation>
     </message>
     <message>
-        <source>{0} can not be extended by {1}</source>
-        <translation>{0} kann nicht durch {1} erweitert werden</translation>
+        <source>{1} cannot extend {0}</source>
+        <translation>{1} kann {0} nicht erweitern</translation>
     </message>
     <message>
-        <source>{0} is not allowed in {1}</source>
-        <translation>{0} ist in {1} nicht erlaubt</translation>
+        <source>{0} is not allowed {1}</source>
+        <translation>{0} ist {1} nicht erlaubt</translation>
     </message>
     <message>
         <source>There is no label {0}</source>
-        <translation>Es gibt keine Marke {0}</translation>
+        <translation>Es gibt keine Sprungmarke {0}</translation>
     </message>
     <message>
-        <source>{0} stands outside a loop</source>
-        <translation>{0} steht außerhalb einer Schleife</translation>
+        <source>{0} is only allowed inside a loop</source>
+        <translation>{0} ist nur in einer Schleife erlaubt</translation>
     </message>
     <message>
         <source>The loop variable {0} is changed inside its loop</source>
@@ -308,15 +308,15 @@
         <translation>Es gibt keine globale Variable {0} vom Typ {1}</translation>
     </message>
     <message>
-        <source>The variables need {0} bytes; {1} are possible</source>
-        <translation>Die Variablen brauchen {0} Bytes; {1} sind möglich</translation>
+        <source>The variables need {0} bytes; the maximum is {1}</source>
+        <translation>Die Variablen brauchen {0} Bytes; das Maximum ist {1}</translation>
     </message>
     <message>
         <source>There is no PROGRAM to run</source>
         <translation>Es gibt kein PROGRAM zum Ausführen</translation>
     </message>
     <message>
-        <source>There are several programs and no CONFIGURATION; name one Main or write a CONFIGURATION</source>
+        <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
         <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines Main nennen oder eine CONFIGURATION schreiben</translation>
     </message>
     <message>
@@ -324,64 +324,64 @@
         <translation>Es gibt keinen Namensraum {0}</translation>
     </message>
     <message>
-        <source>The bounds {0}..{1} are not valid</source>
-        <translation>Die Grenzen {0}..{1} sind ungültig</translation>
+        <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
+        <translation>Der Bereich {0}..{1} ist ungültig: die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
     </message>
     <message>
         <source>{0} is not a variable of this configuration</source>
         <translation>{0} ist keine Variable dieser Konfiguration</translation>
     </message>
     <message>
-        <source>{0} has an incomplete address and no VAR_CONFIG gives one</source>
-        <translation>{0} hat eine unvollständige Adresse, und kein VAR_CONFIG gibt eine an</translation>
+        <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
+        <translation>{0} hat eine unvollständige Adresse; in einem VAR_CONFIG vervollständigen</translation>
     </message>
     <message>
-        <source>{0} starts anew in every call, because a function keeps nothing</source>
-        <translation>{0} beginnt bei jedem Aufruf neu, weil eine Funktion nichts behält</translation>
+        <source>{0} restarts on every call because functions keep no state</source>
+        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand behalten</translation>
     </message>
     <message>
-        <source>{0} initial values for {1} elements</source>
-        <translation>{0} Anfangswerte für {1} Elemente</translation>
+        <source>Too many initial values: {0} for {1} {1:element|elements}</source>
+        <translation>Zu viele Initialwerte: {0} für {1} {1:Element|Elemente}</translation>
     </message>
     <message>
-        <source>{0} may call itself; the depth is limited while it runs</source>
-        <translation>{0} ruft sich vielleicht selbst auf; die Tiefe ist im Lauf begrenzt</translation>
+        <source>{0} may call itself; the depth of recursion is limited at run time</source>
+        <translation>{0} kann sich selbst aufrufen; die Rekursionstiefe ist zur Laufzeit begrenzt</translation>
     </message>
     <message>
         <source>The chart has no INITIAL_STEP</source>
-        <translation>Der Ablauf hat keinen INITIAL_STEP</translation>
+        <translation>Die Schrittkette hat keinen INITIAL_STEP</translation>
     </message>
     <message>
         <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>Der Ablauf hat zwei Initialschritte: {0} und {1}</translation>
+        <translation>Die Schrittkette hat zwei Initialschritte: {0} und {1}</translation>
     </message>
     <message>
         <source>There is no step {0}</source>
         <translation>Es gibt keinen Schritt {0}</translation>
     </message>
     <message>
-        <source>No transition leads to step {0}</source>
-        <translation>Zu Schritt {0} führt keine Transition</translation>
+        <source>No transition leads to step {0}; it can never become active</source>
+        <translation>Zu Schritt {0} führt keine Transition; er kann nie aktiv werden</translation>
     </message>
     <message>
-        <source>Step {0} can become active twice at a time: the branches from here do not join</source>
-        <translation>Schritt {0} kann zugleich zweimal aktiv werden: Die Zweige von hier vereinigen sich nicht</translation>
+        <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
+        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: die Zweige von hier werden nicht zusammengeführt</translation>
     </message>
     <message>
-        <source>The steps before this transition can not be active together</source>
-        <translation>Die Schritte vor dieser Transition können nicht zusammen aktiv sein</translation>
+        <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
+        <translation>Die Schritte vor dieser Transition können nicht gemeinsam aktiv sein; aus einem Parallelzweig starten</translation>
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
         <translation>Diese Transition ist immer wahr; der Schritt davor dauert einen Zyklus</translation>
     </message>
     <message>
-        <source>The qualifier {0} needs a time</source>
-        <translation>Das Bestimmungszeichen {0} braucht eine Zeit</translation>
+        <source>The qualifier {0} needs a time, for example T#2s</source>
+        <translation>Das Bestimmungszeichen {0} braucht eine Zeit, zum Beispiel T#2s</translation>
     </message>
     <message>
         <source>{0} is not an action qualifier</source>
-        <translation>{0} ist kein Bestimmungszeichen einer Aktion</translation>
+        <translation>{0} ist kein Bestimmungszeichen</translation>
     </message>
     <message>
         <source>There is no action or BOOL variable {0}</source>
@@ -392,8 +392,8 @@
         <translation>Der Schritt {0} ist doppelt deklariert</translation>
     </message>
     <message>
-        <source>{0} is not an instruction</source>
-        <translation>{0} ist keine Anweisung</translation>
+        <source>{0} is not an IL operator</source>
+        <translation>{0} ist kein AWL-Operator</translation>
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
@@ -404,36 +404,36 @@
         <translation>Die Klammer dieser Anweisung ist nicht geschlossen</translation>
     </message>
     <message>
-        <source>The current result is {0} on one way to this label and {1} on another</source>
-        <translation>Das aktuelle Ergebnis ist auf einem Weg zu dieser Marke {0} und auf einem anderen {1}</translation>
+        <source>The current result is {0} on one path to this label and {1} on another</source>
+        <translation>Das aktuelle Ergebnis ist auf einem Weg zu dieser Sprungmarke {0} und auf einem anderen {1}</translation>
     </message>
     <message>
-        <source>{0} is allowed in a TEST only</source>
+        <source>{0} is only allowed in a TEST</source>
         <translation>{0} ist nur in einem TEST erlaubt</translation>
     </message>
     <message>
-        <source>{0} is not a value of {1}, which is strict; use one of its names</source>
-        <translation>{0} ist kein Wert von {1}, das strikt ist; einen seiner Namen verwenden</translation>
+        <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
+        <translation>{0} ist kein Wert der strikten Enumeration {1}; einen ihrer Namen verwenden</translation>
     </message>
     <message>
-        <source>{0} is strict and takes part in no calculation; convert the value with {1}</source>
-        <translation>{0} ist strikt und nimmt an keiner Rechnung teil; den Wert mit {1} umwandeln</translation>
+        <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
+        <translation>{0} ist eine strikte Enumeration, mit der nicht gerechnet werden kann; den Wert mit {1} umwandeln</translation>
     </message>
     <message>
-        <source>{0} can not compare {1} as a whole; compare its parts one by one</source>
-        <translation>{0} kann {1} nicht als Ganzes vergleichen; die Teile einzeln vergleichen</translation>
+        <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
+        <translation>{0} kann {1} nicht als Ganzes vergleichen; die Elemente einzeln vergleichen</translation>
     </message>
     <message>
-        <source>CASE chooses by whole numbers, enumerations or characters, not by {0}; use IF and ELSIF</source>
-        <translation>CASE wählt nach ganzen Zahlen, Aufzählungen oder Zeichen, nicht nach {0}; IF und ELSIF verwenden</translation>
+        <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
+        <translation>Ein CASE-Selektor muss eine Ganzzahl, eine Enumeration oder ein Zeichen sein, nicht {0}; IF und ELSIF verwenden</translation>
     </message>
     <message>
         <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
         <translation>{0} und {1} teilen sich den Speicher bei {2}; einen davon verschieben oder STRUCT OVERLAP schreiben</translation>
     </message>
     <message>
-        <source>The address of a member counts from the begin of its structure, as %B4 or %X4.1 do, not {0}</source>
-        <translation>Die Adresse eines Elements zählt vom Anfang seiner Struktur, wie %B4 oder %X4.1, nicht {0}</translation>
+        <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
+        <translation>Die Adresse eines Elements ist relativ zum Anfang seiner Struktur (%B4, %X4.1), nicht {0}</translation>
     </message>
     <message>
         <source>{0} and {1} share the address {2}; {3} is free</source>
@@ -448,48 +448,52 @@
         <translation>{0} wirkt nicht ohne {1}; beide deklarieren</translation>
     </message>
     <message>
-        <source>A step names its actions here; write statements in an ACTION</source>
-        <translation>Ein Schritt nennt hier seine Aktionen; Anweisungen gehören in eine ACTION</translation>
+        <source>A step lists its actions here; write statements in an ACTION</source>
+        <translation>Ein Schritt führt hier seine Aktionen auf; Anweisungen gehören in eine ACTION</translation>
     </message>
     <message>
         <source>No transition leads away from step {0}; the chart ends here</source>
         <translation>Von Schritt {0} führt keine Transition weg; die Schrittkette endet hier</translation>
     </message>
     <message>
-        <source>{0} stands twice in this step with the qualifier {1}</source>
-        <translation>{0} steht in diesem Schritt doppelt mit dem Bestimmungszeichen {1}</translation>
+        <source>{0} appears twice in this step with qualifier {1}</source>
+        <translation>{0} kommt in diesem Schritt doppelt mit dem Bestimmungszeichen {1} vor</translation>
     </message>
     <message>
-        <source>{0} is a variable too; steps and calls mean the ACTION</source>
+        <source>{0} is also a variable; steps and calls mean the ACTION</source>
         <translation>{0} ist auch eine Variable; Schritte und Aufrufe meinen die ACTION</translation>
     </message>
     <message>
-        <source>{0} is a word of the language and can not be a name</source>
-        <translation>{0} ist ein Wort der Sprache und kann kein Name sein</translation>
+        <source>{0} is a keyword and cannot be used as a name</source>
+        <translation>{0} ist ein Schlüsselwort und kann kein Name sein</translation>
     </message>
     <message>
-        <source>{0} is written {1} in Structured Text</source>
-        <translation>{0} wird in Strukturiertem Text {1} geschrieben</translation>
+        <source>Use {1} instead of {0} in Structured Text</source>
+        <translation>In Strukturiertem Text {1} statt {0} verwenden</translation>
     </message>
     <message>
-        <source>This loop never ends; the controller would stop in it</source>
-        <translation>Diese Schleife endet nie; die Steuerung bliebe darin stehen</translation>
+        <source>This loop never ends and would stop the controller</source>
+        <translation>Diese Schleife endet nie und würde die Steuerung anhalten</translation>
     </message>
     <message>
-        <source>{0} is marked OVERRIDE, but no base has a method of this name</source>
-        <translation>{0} ist mit OVERRIDE bezeichnet, aber keine Basis hat eine Methode dieses Namens</translation>
+        <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
+        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber keine Basis hat eine Methode dieses Namens</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
         <translation>Die Task {0} hat kein INTERVAL über null und kein SINGLE; sie läuft in jedem Zyklus</translation>
     </message>
     <message>
-        <source>{0} is read as {1}; a time is written with its unit</source>
-        <translation>{0} wird als {1} gelesen; eine Zeit wird mit ihrer Einheit geschrieben</translation>
+        <source>{0} is read as {1}; write a time with its unit</source>
+        <translation>{0} wird als {1} gelesen; eine Zeit mit Einheit schreiben</translation>
     </message>
     <message>
-        <source>The address {0} holds {1} bit(s), {2} has {3}; write {4}</source>
-        <translation>Die Adresse {0} fasst {1} Bit, {2} hat {3}; zu schreiben ist {4}</translation>
+        <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
+        <translation>Die Adresse {0} hat {1} Bit, {2} hat {3}; {4} schreiben</translation>
+    </message>
+    <message>
+        <source>An index must be an integer, not {0}</source>
+        <translation>Ein Index muss eine Ganzzahl sein, nicht {0}</translation>
     </message>
 </context>
 <context>
@@ -510,11 +514,11 @@
         <translation>Division durch Null</translation>
     </message>
     <message>
-        <source>index {0} is asked of an array without elements</source>
-        <translation>Index {0} eines Feldes ohne Elemente verlangt</translation>
+        <source>index {0} is used on an empty array</source>
+        <translation>Index {0} auf ein leeres Array angewendet</translation>
     </message>
     <message>
-        <source>index {0} lies outside {1}..{2}</source>
+        <source>index {0} is outside {1}..{2}</source>
         <translation>Index {0} liegt außerhalb von {1}..{2}</translation>
     </message>
     <message>
@@ -530,28 +534,56 @@
         <translation>ein VAR_IN_OUT ist mit keiner Variablen verbunden</translation>
     </message>
     <message>
-        <source>character {0} is asked of an empty text</source>
-        <translation>Zeichen {0} eines leeren Textes verlangt</translation>
+        <source>character {0} is read from an empty string</source>
+        <translation>Zeichen {0} einer leeren Zeichenkette gelesen</translation>
     </message>
     <message>
-        <source>character {0} lies outside {1}..{2} of the text</source>
-        <translation>Zeichen {0} liegt außerhalb von {1}..{2} des Textes</translation>
+        <source>character {0} is outside {1}..{2} of the string</source>
+        <translation>Zeichen {0} liegt außerhalb von {1}..{2} der Zeichenkette</translation>
     </message>
     <message>
-        <source>the watchdog stopped a task that would not end</source>
-        <translation>der Watchdog hat eine Task angehalten, die nicht enden wollte</translation>
+        <source>the watchdog stopped a task that did not end</source>
+        <translation>der Watchdog hat eine Task gestoppt, die nicht endete</translation>
     </message>
     <message>
-        <source>calls are nested too deeply; is there a recursion without an end?</source>
-        <translation>Aufrufe sind zu tief geschachtelt; gibt es eine Rekursion ohne Ende?</translation>
+        <source>the task ran longer than its watchdog time of {0}</source>
+        <translation>die Task lief länger als ihre Watchdog-Zeit von {0}</translation>
     </message>
     <message>
-        <source>the method that was called has no body</source>
+        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
+        <translation>mehr als {0} Schleifendurchläufe und Aufrufe in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
+    </message>
+    <message>
+        <source>calls are nested too deeply; check for endless recursion</source>
+        <translation>Aufrufe sind zu tief geschachtelt; auf endlose Rekursion prüfen</translation>
+    </message>
+    <message>
+        <source>the called method has no body</source>
         <translation>die aufgerufene Methode hat keinen Rumpf</translation>
     </message>
     <message>
-        <source>the scan was abandoned</source>
+        <source>the scan was aborted</source>
         <translation>der Zyklus wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>no expression</source>
+        <translation>kein Ausdruck</translation>
+    </message>
+    <message>
+        <source>not in this image</source>
+        <translation>nicht in diesem Abbild</translation>
+    </message>
+    <message>
+        <source>has no value here</source>
+        <translation>hat hier keinen Wert</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>simulation: {0}</source>
+        <translation>Simulation: {0}</translation>
     </message>
     <message>
         <source>warm</source>
@@ -570,40 +602,64 @@
         <translation>mitten in einem Zyklus</translation>
     </message>
     <message>
-        <source>No such file or directory</source>
-        <translation>Datei oder Ordner gibt es nicht</translation>
+        <source>{0}</source>
+        <translation>{0}</translation>
     </message>
     <message>
-        <source>Permission denied</source>
+        <source>{0} := {1}</source>
+        <translation>{0} := {1}</translation>
+    </message>
+    <message>
+        <source>no such file or folder</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>permission denied</source>
         <translation>keine Berechtigung</translation>
     </message>
     <message>
-        <source>No space left on device</source>
-        <translation>kein Platz mehr auf dem Datenträger</translation>
+        <source>no space left on the device</source>
+        <translation>kein Speicherplatz mehr auf dem Datenträger</translation>
     </message>
     <message>
-        <source>Is a directory</source>
-        <translation>das ist ein Ordner</translation>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
     </message>
     <message>
-        <source>Not a directory</source>
-        <translation>das ist kein Ordner</translation>
+        <source>it is not a folder</source>
+        <translation>es ist kein Ordner</translation>
     </message>
     <message>
-        <source>Read-only file system</source>
-        <translation>das Dateisystem kann nur gelesen werden</translation>
+        <source>the file system is read-only</source>
+        <translation>das Dateisystem ist schreibgeschützt</translation>
     </message>
     <message>
-        <source>Input/output error</source>
-        <translation>Fehler beim Lesen oder Schreiben des Datenträgers</translation>
+        <source>the device reports a read or write error</source>
+        <translation>der Datenträger meldet einen Lese- oder Schreibfehler</translation>
     </message>
     <message>
-        <source>File name too long</source>
+        <source>the file name is too long</source>
         <translation>der Dateiname ist zu lang</translation>
     </message>
     <message>
+        <source>it already exists</source>
+        <translation>es ist schon vorhanden</translation>
+    </message>
+    <message>
+        <source>the folder is not empty</source>
+        <translation>der Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation>zu viele Dateien sind geöffnet</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>die Datei ist zu groß</translation>
+    </message>
+    <message>
         <source>{0}; free some space and save again</source>
-        <translation>{0}; schaffen Sie Platz und speichern Sie noch einmal</translation>
+        <translation>{0}; geben Sie Speicherplatz frei und speichern Sie erneut</translation>
     </message>
     <message>
         <source>{0}; check the permissions of the folder</source>
@@ -614,56 +670,56 @@
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>This is not a file that can be replaced; name another one</source>
-        <translation>Das ist keine Datei, die ersetzt werden kann; nennen Sie eine andere</translation>
+        <source>This is not a regular file and cannot be replaced; choose another name</source>
+        <translation>Das ist keine gewöhnliche Datei und kann nicht ersetzt werden; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>the recording can not be written: {0}</source>
-        <translation>die Aufzeichnung kann nicht geschrieben werden: {0}</translation>
+        <source>The recording cannot be written: {0}</source>
+        <translation>Die Aufzeichnung kann nicht geschrieben werden: {0}</translation>
     </message>
     <message>
-        <source>the recording can not be read: {0}</source>
-        <translation>die Aufzeichnung kann nicht gelesen werden: {0}</translation>
+        <source>The recording cannot be read: {0}</source>
+        <translation>Die Aufzeichnung kann nicht gelesen werden: {0}</translation>
     </message>
     <message>
-        <source>the recording is damaged or not one</source>
-        <translation>die Aufzeichnung ist beschädigt oder keine</translation>
+        <source>The file is damaged or is not a recording</source>
+        <translation>Die Datei ist beschädigt oder keine Aufzeichnung</translation>
     </message>
     <message>
-        <source>the program of the recording can not be built any more</source>
-        <translation>das Programm der Aufzeichnung kann nicht mehr übersetzt werden</translation>
+        <source>The recorded program can no longer be built</source>
+        <translation>Das aufgezeichnete Programm lässt sich nicht mehr übersetzen</translation>
     </message>
     <message>
-        <source>this version of the studio lays the program&apos;s variables out differently; open the recording with the version that made it</source>
-        <translation>diese Version des Studios legt die Variablen des Programms anders ab; öffnen Sie die Aufzeichnung mit der Version, die sie gemacht hat</translation>
+        <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
+        <translation>Diese Version von Stepwise ordnet die Variablen des Programms anders an; öffnen Sie die Aufzeichnung mit der Version, die sie erstellt hat</translation>
     </message>
     <message>
-        <source>The recording can not be opened: {0}</source>
+        <source>The recording cannot be opened: {0}</source>
         <translation>Die Aufzeichnung kann nicht geöffnet werden: {0}</translation>
     </message>
     <message>
-        <source>the program in it has errors</source>
-        <translation>das Programm darin hat Fehler</translation>
+        <source>its program has errors</source>
+        <translation>ihr Programm enthält Fehler</translation>
     </message>
     <message>
-        <source>The recording holds no program</source>
+        <source>The recording contains no program</source>
         <translation>Die Aufzeichnung enthält kein Programm</translation>
     </message>
     <message>
-        <source>Nothing was recorded yet</source>
+        <source>Nothing has been recorded yet</source>
         <translation>Es wurde noch nichts aufgezeichnet</translation>
     </message>
     <message>
-        <source>that scan is not in the recording any more</source>
-        <translation>dieser Zyklus ist nicht mehr in der Aufzeichnung</translation>
+        <source>This scan is no longer in the recording</source>
+        <translation>Dieser Zyklus ist nicht mehr in der Aufzeichnung</translation>
     </message>
     <message>
-        <source>the program that recorded that scan is not at hand any more</source>
-        <translation>das Programm, das diesen Zyklus aufgezeichnet hat, ist nicht mehr vorhanden</translation>
+        <source>The program that recorded this scan is no longer available</source>
+        <translation>Das Programm, das diesen Zyklus aufgezeichnet hat, ist nicht mehr verfügbar</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; may be one of {1}: write the whole name</source>
-        <translation>„{0}“ kann eines von {1} sein: schreiben Sie den ganzen Namen</translation>
+        <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
+        <translation>„{0}“ ist mehrdeutig; schreiben Sie eines von {1}</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
@@ -682,75 +738,71 @@
         <translation>es gibt keine Variable „{0}“</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; lies behind a reference, which a path does not follow</source>
-        <translation>„{0}“ liegt hinter einer Referenz, der ein Pfad nicht folgt</translation>
+        <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
+        <translation>„{0}“ ist nur über eine Referenz erreichbar, der ein Pfad nicht folgt</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no part of a variable of type {1}</source>
-        <translation>„{0}“ ist kein Teil einer Variablen vom Typ {1}</translation>
+        <source>a variable of type {1} has no member &apos;{0}&apos;</source>
+        <translation>eine Variable vom Typ {1} hat kein Element „{0}“</translation>
     </message>
     <message>
-        <source>{0} has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
-        <translation>{0} hat keine Variable „{1}“; meinten Sie „{2}“?</translation>
+        <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
+        <translation>„{0}“ ist ein VAR_IN_OUT; schreiben Sie die damit verbundene Variable</translation>
     </message>
     <message>
-        <source>{0} has no variable &apos;{1}&apos;</source>
-        <translation>{0} hat keine Variable „{1}“</translation>
-    </message>
-    <message>
-        <source>&apos;{0}&apos; is a VAR_IN_OUT: name the variable that is connected to it</source>
-        <translation>„{0}“ ist ein VAR_IN_OUT: nennen Sie die Variable, die damit verbunden ist</translation>
-    </message>
-    <message>
-        <source>a text has one index</source>
-        <translation>ein Text hat einen Index</translation>
+        <source>a string has one index</source>
+        <translation>eine Zeichenkette hat einen Index</translation>
     </message>
     <message>
         <source>a variable of type {0} has no elements</source>
         <translation>eine Variable vom Typ {0} hat keine Elemente</translation>
     </message>
     <message>
-        <source>{0} needs {1} indices, not {2}</source>
-        <translation>{0} braucht {1} Indizes, nicht {2}</translation>
+        <source>{0} needs {1} {1:index|indices}, not {2}</source>
+        <translation>{0} braucht {1} {1:Index|Indizes}, nicht {2}</translation>
     </message>
     <message>
-        <source>a variable of type {0} has no bits to name</source>
-        <translation>eine Variable vom Typ {0} hat keine einzelnen Bits</translation>
+        <source>a variable of type {0} has no bits</source>
+        <translation>eine Variable vom Typ {0} hat keine Bits</translation>
     </message>
     <message>
-        <source>bit {0} lies outside 0..{1}</source>
+        <source>bit {0} is outside 0..{1}</source>
         <translation>Bit {0} liegt außerhalb von 0..{1}</translation>
     </message>
     <message>
-        <source>part {0} lies outside 0..{1}</source>
+        <source>part {0} is outside 0..{1}</source>
         <translation>Teil {0} liegt außerhalb von 0..{1}</translation>
     </message>
     <message>
-        <source>the program uses no address &apos;{0}&apos;</source>
-        <translation>das Programm benutzt keine Adresse „{0}“</translation>
+        <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
+        <translation>„{0}“ ist keine Adresse; schreiben Sie zum Beispiel %IX0.0, %QB4 oder %MW2</translation>
+    </message>
+    <message>
+        <source>the program does not use the address &apos;{0}&apos;</source>
+        <translation>das Programm verwendet die Adresse „{0}“ nicht</translation>
     </message>
     <message>
         <source>the path is empty</source>
         <translation>der Pfad ist leer</translation>
     </message>
     <message>
-        <source>the path ends too early</source>
-        <translation>der Pfad endet zu früh</translation>
+        <source>the path is incomplete</source>
+        <translation>der Pfad ist unvollständig</translation>
     </message>
     <message>
-        <source>the path can not be read from &apos;{0}&apos; on</source>
+        <source>the path cannot be read from &apos;{0}&apos; on</source>
         <translation>der Pfad ist ab „{0}“ nicht lesbar</translation>
     </message>
     <message>
-        <source>{0} is forced; release it before writing</source>
+        <source>{0} is forced; release the force before writing</source>
         <translation>{0} ist geforct; heben Sie das Forcen vor dem Schreiben auf</translation>
     </message>
     <message>
-        <source>a constant can not be written</source>
+        <source>a constant cannot be written</source>
         <translation>eine Konstante kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>a constant can not be forced</source>
+        <source>a constant cannot be forced</source>
         <translation>eine Konstante kann nicht geforct werden</translation>
     </message>
     <message>
@@ -758,52 +810,124 @@
         <translation>die Variable ist nicht geforct</translation>
     </message>
     <message>
-        <source>the new program&apos;s initial values fault: {0}</source>
-        <translation>die Anfangswerte des neuen Programms führen zu einem Fehler: {0}</translation>
+        <source>the initial values of the new program cause a fault: {0}</source>
+        <translation>die Initialwerte des neuen Programms führen zu einem Fehler: {0}</translation>
     </message>
     <message>
-        <source>the retain file can not be written: {0}</source>
-        <translation>die Retain-Datei kann nicht geschrieben werden: {0}</translation>
+        <source>The retain file cannot be written: {0}</source>
+        <translation>Die Retain-Datei kann nicht geschrieben werden: {0}</translation>
     </message>
     <message>
-        <source>the retain file can not be read: {0}</source>
-        <translation>die Retain-Datei kann nicht gelesen werden: {0}</translation>
+        <source>The retain file cannot be read: {0}</source>
+        <translation>Die Retain-Datei kann nicht gelesen werden: {0}</translation>
     </message>
     <message>
-        <source>the retain file is not a file</source>
-        <translation>die Retain-Datei ist keine Datei</translation>
+        <source>The retain file is not a regular file</source>
+        <translation>Die Retain-Datei ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>{0} does not fit a variable of type {1}</source>
+        <source>The retain file is damaged; the program starts with its initial values</source>
+        <translation>Die Retain-Datei ist beschädigt; das Programm startet mit seinen Initialwerten</translation>
+    </message>
+    <message>
+        <source>{0}; it is kept as {1}</source>
+        <translation>{0}; sie bleibt als {1} erhalten</translation>
+    </message>
+    <message>
+        <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
+        <translation>{0} {0:remanenter Wert passt|remanente Werte passen} nicht zum Programm: {1}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into a variable of type {1}</source>
         <translation>{0} passt nicht in eine Variable vom Typ {1}</translation>
     </message>
     <message>
-        <source>{0} lies outside {1}..{2}</source>
+        <source>the value does not fit into a variable of type {0}</source>
+        <translation>der Wert passt nicht in eine Variable vom Typ {0}</translation>
+    </message>
+    <message>
+        <source>{0} is outside {1}..{2}</source>
         <translation>{0} liegt außerhalb von {1}..{2}</translation>
     </message>
     <message>
-        <source>a character of the text does not fit a STRING; a WSTRING holds it</source>
-        <translation>ein Zeichen des Textes passt nicht in einen STRING; ein WSTRING nimmt es auf</translation>
+        <source>a character of the text does not fit into a STRING; use a WSTRING</source>
+        <translation>ein Zeichen des Textes passt nicht in einen STRING; verwenden Sie einen WSTRING</translation>
     </message>
     <message>
-        <source>the text has {0} characters, the variable holds {1}</source>
-        <translation>der Text hat {0} Zeichen, die Variable fasst {1}</translation>
+        <source>the text has {0} characters, the maximum is {1}</source>
+        <translation>der Text hat {0} Zeichen, das Maximum ist {1}</translation>
     </message>
     <message>
-        <source>{0} has {1} parts, the value has {2}</source>
-        <translation>{0} hat {1} Teile, der Wert hat {2}</translation>
+        <source>{0} has {1} {1:part|parts}, the value has {2}</source>
+        <translation>{0} hat {1} {1:Teil|Teile}, der Wert hat {2}</translation>
     </message>
     <message>
         <source>there is no value to write</source>
-        <translation>es gibt keinen Wert zu schreiben</translation>
+        <translation>es gibt keinen Wert zum Schreiben</translation>
     </message>
     <message>
-        <source>a reference can only be written NULL from outside</source>
-        <translation>eine Referenz kann von außen nur mit NULL beschrieben werden</translation>
+        <source>a reference can only be set to NULL from outside</source>
+        <translation>eine Referenz kann von außen nur auf NULL gesetzt werden</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}, which is {2}</source>
+        <translation>{0} ist kein Wert für {1} vom Typ {2}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}, which is {2}</source>
+        <translation>{0} passt nicht in {1} vom Typ {2}</translation>
+    </message>
+    <message>
+        <source>{0}; {1}</source>
+        <translation>{0}; {1}</translation>
+    </message>
+    <message>
+        <source>did you mean {0}?</source>
+        <translation>meinten Sie {0}?</translation>
+    </message>
+    <message>
+        <source>its values are {0}</source>
+        <translation>die Werte sind {0}</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}, with Latin-1 characters only</source>
+        <translation>schreiben Sie ihn in Anführungszeichen, zum Beispiel {0}, nur mit Latin-1-Zeichen</translation>
+    </message>
+    <message>
+        <source>write it in quotes, for example {0}</source>
+        <translation>schreiben Sie ihn in Anführungszeichen, zum Beispiel {0}</translation>
+    </message>
+    <message>
+        <source>write one character in quotes, for example {0}</source>
+        <translation>schreiben Sie ein Zeichen in Anführungszeichen, zum Beispiel {0}</translation>
+    </message>
+    <message>
+        <source>write all elements, for example {0}, or a single one by its index</source>
+        <translation>schreiben Sie alle Elemente, zum Beispiel {0}, oder ein einzelnes über seinen Index</translation>
+    </message>
+    <message>
+        <source>write its members, for example {0}, or a single one by its path</source>
+        <translation>schreiben Sie seine Elemente, zum Beispiel {0}, oder ein einzelnes über seinen Pfad</translation>
+    </message>
+    <message>
+        <source>write {0} or {1}</source>
+        <translation>schreiben Sie {0} oder {1}</translation>
+    </message>
+    <message>
+        <source>write for example {0}</source>
+        <translation>schreiben Sie zum Beispiel {0}</translation>
+    </message>
+    <message>
+        <source>write a number, for example {0}</source>
+        <translation>schreiben Sie eine Zahl, zum Beispiel {0}</translation>
+    </message>
+    <message>
+        <source>write an integer, for example {0}</source>
+        <translation>schreiben Sie eine ganze Zahl, zum Beispiel {0}</translation>
     </message>
     <message>
         <source>There is no program to optimise</source>
-        <translation>Es gibt kein Programm zu optimieren</translation>
+        <translation>Es gibt kein Programm zum Optimieren</translation>
     </message>
     <message>
         <source>The expression is nested too deeply</source>
@@ -814,24 +938,60 @@
         <translation>das ist kein Ausdruck</translation>
     </message>
     <message>
-        <source>This body is no instruction list.</source>
-        <translation>Dieser Rumpf ist keine Anweisungsliste.</translation>
+        <source>this is local to a running call and has no address of its own</source>
+        <translation>das ist lokal in einem laufenden Aufruf und hat keine eigene Adresse</translation>
     </message>
     <message>
-        <source>The type of {0} is not known here.</source>
-        <translation>Der Typ von {0} ist hier nicht bekannt.</translation>
+        <source>this part of a computed value cannot be shown</source>
+        <translation>dieser Teil eines berechneten Werts kann nicht angezeigt werden</translation>
     </message>
     <message>
-        <source>This body is not ST.</source>
-        <translation>Dieser Rumpf ist kein ST.</translation>
+        <source>a character of a string has no address of its own</source>
+        <translation>ein Zeichen einer Zeichenkette hat keine eigene Adresse</translation>
+    </message>
+    <message>
+        <source>this variable cannot be shown</source>
+        <translation>diese Variable kann nicht angezeigt werden</translation>
+    </message>
+    <message>
+        <source>this array of variable length has no address here</source>
+        <translation>dieses Array variabler Länge hat hier keine Adresse</translation>
+    </message>
+    <message>
+        <source>this is not an array</source>
+        <translation>das ist kein Array</translation>
+    </message>
+    <message>
+        <source>the array has no such dimension</source>
+        <translation>das Array hat keine solche Dimension</translation>
+    </message>
+    <message>
+        <source>this has no value</source>
+        <translation>das hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>an expression cannot have side effects</source>
+        <translation>ein Ausdruck darf keine Nebenwirkungen haben</translation>
+    </message>
+    <message>
+        <source>only standard functions can be called here</source>
+        <translation>hier können nur Standardfunktionen aufgerufen werden</translation>
+    </message>
+    <message>
+        <source>a cast to an interface cannot be watched</source>
+        <translation>eine Umwandlung in eine Schnittstelle kann nicht überwacht werden</translation>
+    </message>
+    <message>
+        <source>this cannot be evaluated</source>
+        <translation>das kann nicht ausgewertet werden</translation>
     </message>
     <message>
         <source>The code generator failed: {0}</source>
         <translation>Der Codegenerator ist gescheitert: {0}</translation>
     </message>
     <message>
-        <source>The code generator made a broken module: {0}</source>
-        <translation>Der Codegenerator hat ein fehlerhaftes Modul gemacht: {0}</translation>
+        <source>The code generator produced an invalid module: {0}</source>
+        <translation>Der Codegenerator hat ein ungültiges Modul erzeugt: {0}</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -847,143 +1007,443 @@
     </message>
     <message>
         <source>the program has errors</source>
-        <translation>das Programm hat Fehler</translation>
+        <translation>das Programm enthält Fehler</translation>
     </message>
     <message>
-        <source>the online change waits for the end of the scan that stands at a breakpoint</source>
-        <translation>die Online-Änderung wartet auf das Ende des Zyklus, der an einem Haltepunkt steht</translation>
+        <source>the online change waits until the scan that is halted at a breakpoint has ended</source>
+        <translation>der Online-Change wartet, bis der am Haltepunkt angehaltene Zyklus beendet ist</translation>
     </message>
     <message>
-        <source>{0} does not fit into {1}, which is {2}</source>
-        <translation>{0} passt nicht in {1} vom Typ {2}</translation>
+        <source>This body is not an instruction list</source>
+        <translation>Dieser Rumpf ist keine Anweisungsliste</translation>
     </message>
     <message>
-        <source>This is a folder, a file is needed</source>
-        <translation>Das ist ein Ordner, nötig ist eine Datei</translation>
+        <source>The type of {0} is not known here</source>
+        <translation>Der Typ von {0} ist hier nicht bekannt</translation>
     </message>
     <message>
-        <source>This is a device, a file is needed</source>
-        <translation>Das ist ein Gerät, nötig ist eine Datei</translation>
+        <source>This body is not ST</source>
+        <translation>Dieser Rumpf ist kein ST</translation>
     </message>
     <message>
-        <source>The file can not be read: {0}</source>
-        <translation>Die Datei kann nicht gelesen werden: {0}</translation>
-    </message>
-    <message>
-        <source>The file can not be written: {0}</source>
-        <translation>Die Datei kann nicht geschrieben werden: {0}</translation>
-    </message>
-    <message>
-        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
-        <translation>project.json ist kein gültiges JSON; suchen Sie ein fehlendes Komma, Anführungszeichen oder eine Klammer</translation>
-    </message>
-    <message>
-        <source>project.json must hold one JSON object</source>
-        <translation>project.json muss ein JSON-Objekt enthalten</translation>
-    </message>
-    <message>
-        <source>This folder holds neither a project.json nor ST files</source>
-        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien</translation>
-    </message>
-    <message>
-        <source>There is no library &quot;{0}&quot;; known are {1}</source>
-        <translation>Es gibt keine Bibliothek „{0}“; bekannt sind {1}</translation>
-    </message>
-    <message>
-        <source>Name a project folder or ST files</source>
-        <translation>Nennen Sie einen Projektordner oder ST-Dateien</translation>
-    </message>
-    <message>
-        <source>There is no such file or folder</source>
-        <translation>Eine solche Datei oder einen solchen Ordner gibt es nicht</translation>
-    </message>
-    <message>
-        <source>Name one project folder, or ST files, not both</source>
-        <translation>Nennen Sie einen Projektordner oder ST-Dateien, nicht beides</translation>
-    </message>
-    <message>
-        <source>There is no program to test</source>
-        <translation>Es gibt kein Programm zu testen</translation>
-    </message>
-    <message>
-        <source>There is no name here that can be renamed</source>
-        <translation>Hier steht kein Name, der umbenannt werden kann</translation>
-    </message>
-    <message>
-        <source>{0} belongs to a library and keeps its name</source>
-        <translation>{0} gehört zu einer Bibliothek und behält seinen Namen</translation>
-    </message>
-    <message>
-        <source>{0} is not a name: letters, digits and _, beginning with a letter, and no keyword</source>
-        <translation>{0} ist kein Name: Buchstaben, Ziffern und _, mit einem Buchstaben am Anfang, und kein Schlüsselwort</translation>
-    </message>
-    <message>
-        <source>{0} exists already in the project</source>
-        <translation>{0} gibt es schon im Projekt</translation>
-    </message>
-    <message>
-        <source>{0} exists already in {1}</source>
-        <translation>{0} gibt es schon in {1}</translation>
-    </message>
-    <message>
-        <source>The folder cannot be made: {0}.</source>
-        <translation>Der Ordner kann nicht angelegt werden: {0}.</translation>
-    </message>
-    <message>
-        <source>The page cannot be written.</source>
-        <translation>Die Seite kann nicht geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>There is no such file in the project</source>
-        <translation>Eine solche Datei gibt es im Projekt nicht</translation>
+        <source>{0} has no equivalent in an instruction list</source>
+        <translation>{0} hat in einer Anweisungsliste keine Entsprechung</translation>
     </message>
     <message>
         <source>There is no body in ST or IL here</source>
         <translation>Hier ist kein Rumpf in ST oder AWL</translation>
     </message>
     <message>
-        <source>{0} is written in ST already</source>
+        <source>{0} is already written in ST</source>
         <translation>{0} ist schon in ST geschrieben</translation>
     </message>
     <message>
-        <source>{0} is written in IL already</source>
+        <source>{0} is already written in IL</source>
         <translation>{0} ist schon in AWL geschrieben</translation>
     </message>
     <message>
-        <source>Mend the text first: {0}</source>
-        <translation>Berichtigen Sie zuerst den Text: {0}</translation>
+        <source>Fix the text first: {0}</source>
+        <translation>Beheben Sie zuerst den Fehler im Text: {0}</translation>
     </message>
     <message>
-        <source>It has no like in the other language: {0}</source>
-        <translation>Dafür gibt es in der anderen Sprache nichts Entsprechendes: {0}</translation>
+        <source>There is no equivalent in the other language: {0}</source>
+        <translation>In der anderen Sprache gibt es keine Entsprechung: {0}</translation>
     </message>
     <message>
-        <source>The trace set-up is not JSON (see line {0})</source>
-        <translation>Die Trace-Einstellung ist kein JSON (siehe Zeile {0})</translation>
+        <source>This is a folder; a file is needed</source>
+        <translation>Das ist ein Ordner; nötig ist eine Datei</translation>
     </message>
     <message>
-        <source>A trace set-up must be a JSON object</source>
-        <translation>Eine Trace-Einstellung muss ein JSON-Objekt sein</translation>
+        <source>This is a device; a file is needed</source>
+        <translation>Das ist ein Gerät; nötig ist eine Datei</translation>
     </message>
     <message>
-        <source>This trace set-up was written by a newer Stepwise (version {0})</source>
-        <translation>Diese Trace-Einstellung wurde von einem neueren Stepwise geschrieben (Version {0})</translation>
+        <source>The file cannot be read: {0}</source>
+        <translation>Die Datei kann nicht gelesen werden: {0}</translation>
     </message>
     <message>
-        <source>The trace set-up is not good: {0}</source>
-        <translation>Die Trace-Einstellung ist nicht in Ordnung: {0}</translation>
+        <source>The file cannot be replaced: {0}</source>
+        <translation>Die Datei kann nicht ersetzt werden: {0}</translation>
     </message>
     <message>
-        <source>The alarm history could not be opened: {0}</source>
-        <translation>Die Alarmhistorie konnte nicht geöffnet werden: {0}</translation>
+        <source>The file cannot be written: {0}</source>
+        <translation>Die Datei kann nicht geschrieben werden: {0}</translation>
     </message>
     <message>
-        <source>The alarm history is not usable: {0}</source>
-        <translation>Die Alarmhistorie ist nicht benutzbar: {0}</translation>
+        <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
+        <translation>project.json ist kein gültiges JSON; suchen Sie nach einem fehlenden Komma, Anführungszeichen oder einer Klammer</translation>
     </message>
     <message>
-        <source>The alarm history could not be written: {0}</source>
-        <translation>Die Alarmhistorie konnte nicht geschrieben werden: {0}</translation>
+        <source>project.json must contain one JSON object</source>
+        <translation>project.json muss ein JSON-Objekt enthalten</translation>
+    </message>
+    <message>
+        <source>This folder contains neither a project.json nor ST files</source>
+        <translation>Dieser Ordner enthält weder eine project.json noch ST-Dateien</translation>
+    </message>
+    <message>
+        <source>There is no library &quot;{0}&quot;; available are {1}</source>
+        <translation>Es gibt keine Bibliothek „{0}“; verfügbar sind {1}</translation>
+    </message>
+    <message>
+        <source>There is no library {0}; did you mean {1}?</source>
+        <translation>Es gibt keine Bibliothek {0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>There is no library {0}</source>
+        <translation>Es gibt keine Bibliothek {0}</translation>
+    </message>
+    <message>
+        <source>Specify a project folder or ST files</source>
+        <translation>Geben Sie einen Projektordner oder ST-Dateien an</translation>
+    </message>
+    <message>
+        <source>There is no such file or folder</source>
+        <translation>Diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Specify one project folder or ST files, not both</source>
+        <translation>Geben Sie einen Projektordner oder ST-Dateien an, nicht beides</translation>
+    </message>
+    <message>
+        <source>There is no name here that can be renamed</source>
+        <translation>Hier ist kein Name, der umbenannt werden kann</translation>
+    </message>
+    <message>
+        <source>{0} belongs to a library and cannot be renamed</source>
+        <translation>{0} gehört zu einer Bibliothek und kann nicht umbenannt werden</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und _, am Anfang einen Buchstaben, und keine Schlüsselwörter</translation>
+    </message>
+    <message>
+        <source>{0} already exists in the project</source>
+        <translation>{0} gibt es schon im Projekt</translation>
+    </message>
+    <message>
+        <source>{0} already exists in {1}</source>
+        <translation>{0} gibt es schon in {1}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be created: {0}</source>
+        <translation>Der Ordner kann nicht angelegt werden: {0}</translation>
+    </message>
+    <message>
+        <source>The folder cannot be read: {0}</source>
+        <translation>Der Ordner kann nicht gelesen werden: {0}</translation>
+    </message>
+    <message>
+        <source>The file cannot be copied: {0}</source>
+        <translation>Die Datei kann nicht kopiert werden: {0}</translation>
+    </message>
+    <message>
+        <source>The folder already exists and is not empty; choose another name</source>
+        <translation>Der Ordner ist schon vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>The page cannot be written</source>
+        <translation>Die Seite kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>There is no such file in the project</source>
+        <translation>Diese Datei gibt es im Projekt nicht</translation>
+    </message>
+    <message>
+        <source>A file with this name already exists</source>
+        <translation>Eine Datei dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>The file is read-only and was not overwritten</source>
+        <translation>Die Datei ist schreibgeschützt und wurde nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>The file&apos;s permissions cannot be changed</source>
+        <translation>Die Rechte der Datei können nicht geändert werden</translation>
+    </message>
+    <message>
+        <source>The file cannot be removed; check the permissions of the folder</source>
+        <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>The file cannot be renamed; check the permissions of the folder</source>
+        <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
+    </message>
+    <message>
+        <source>Open a project first</source>
+        <translation>Öffnen Sie zuerst ein Projekt</translation>
+    </message>
+    <message>
+        <source>A panel with this name already exists</source>
+        <translation>Ein Panel dieses Namens gibt es schon</translation>
+    </message>
+    <message>
+        <source>The controller is not running</source>
+        <translation>Die Steuerung läuft nicht</translation>
+    </message>
+    <message>
+        <source>There is no program to run</source>
+        <translation>Es gibt kein Programm zum Ausführen</translation>
+    </message>
+    <message>
+        <source>There is no program to test</source>
+        <translation>Es gibt kein Programm zum Testen</translation>
+    </message>
+    <message>
+        <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
+        <translation>Diese Anweisung ist in einem TEST mit RUN oder ASSERT darum nicht möglich</translation>
+    </message>
+    <message>
+        <source>The code of this statement is missing</source>
+        <translation>Der Code dieser Anweisung fehlt</translation>
+    </message>
+    <message>
+        <source>Fault in the test: {0}</source>
+        <translation>Fehler im Test: {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a value for {1}</source>
+        <translation>{0} ist kein Wert für {1}</translation>
+    </message>
+    <message>
+        <source>This loop of the test does not end</source>
+        <translation>Diese Schleife des Tests endet nicht</translation>
+    </message>
+    <message>
+        <source>The step of this loop is 0</source>
+        <translation>Die Schrittweite dieser Schleife ist 0</translation>
+    </message>
+    <message>
+        <source>The simulation stopped: {0}</source>
+        <translation>Die Simulation hat angehalten: {0}</translation>
+    </message>
+    <message>
+        <source>The controller stopped: {0}</source>
+        <translation>Die Steuerung hat angehalten: {0}</translation>
+    </message>
+    <message>
+        <source>at {0}:{1}</source>
+        <translation>bei {0}:{1}</translation>
+    </message>
+    <message>
+        <source>{0} has no value: {1}</source>
+        <translation>{0} hat keinen Wert: {1}</translation>
+    </message>
+    <message>
+        <source>{0} did not become true within {1}</source>
+        <translation>{0} wurde innerhalb von {1} nicht wahr</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0}</source>
+        <translation>ASSERT nicht erfüllt: {0}</translation>
+    </message>
+    <message>
+        <source>ASSERT failed: {0} ({1})</source>
+        <translation>ASSERT nicht erfüllt: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} ist {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} ist {1}, erwartet {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} ist {1}, aufgezeichnet {2} in Zyklus {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>Die Aufzeichnung {0} hat {1} {1:Zyklus|Zyklen}, dieser Lauf {2}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
+    </message>
+    <message>
+        <source>the condition cannot be evaluated</source>
+        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>There is no action {0}</source>
+        <translation>Es gibt keine Aktion {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Einen Schritt {0} gibt es schon</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Diese Änderung würde denselben Text zweimal ändern</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Diese Transition führt noch zu keinem Schritt</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>Der Initialschritt bleibt oben</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>Der Schritt ist schon dort</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Dieser Schritt führt nur zu sich selbst</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Hier gibt es keinen Zweig</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>Eine Transition braucht eine Bedingung</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>Eine Priorität muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>Der letzte Zweig führt zu keinem Schritt</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Diese Aktion gibt es nicht</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Es gibt noch keine Schrittkette</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>Der Initialschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen Schritt zum Initialschritt</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>Das Panel ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Ein Panel muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>„{0}“ muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>Element {0} ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Die Art von Element {0} ist kein Text</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Die Alarme sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>Ein Alarm hat keine Kennung</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>Zwei Alarme haben die Kennung „{0}“</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Diese Zeile ist kein gültiges UTF-8; speichern Sie die Datei als UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Nach einem schließenden Anführungszeichen steht Text; verdoppeln Sie ein Anführungszeichen, das zum Text gehört</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>Spalte {0} hat kein Sprachkürzel</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>Die Sprache {0} hat zwei Spalten</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Diese Zeile hat keinen Schlüssel</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>Die Alarmhistorie kann nicht geöffnet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>Die Alarmhistorie kann nicht verwendet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>Die Alarmhistorie kann nicht geschrieben werden: {0}</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}</source>
@@ -994,188 +1454,184 @@
         <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
     </message>
     <message>
-        <source>A {0} can not be written from a panel</source>
-        <translation>Ein {0} kann von einem Bedienbild nicht geschrieben werden</translation>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>Ein {0} kann von einem Panel nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>Open a project first</source>
-        <translation>Öffnen Sie zuerst ein Projekt</translation>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Der Ordner für die Bilder kann nicht angelegt werden</translation>
     </message>
     <message>
-        <source>There is a panel of that name already</source>
-        <translation>Ein Bedienbild dieses Namens gibt es schon</translation>
+        <source>The picture cannot be written</source>
+        <translation>Das Bild kann nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>The controller is not running</source>
-        <translation>Die Steuerung läuft nicht</translation>
+        <source>The project has no such panel</source>
+        <translation>Das Projekt hat kein solches Panel</translation>
     </message>
     <message>
-        <source>There is no action {0}.</source>
-        <translation>Es gibt keine Aktion {0}.</translation>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
     </message>
     <message>
-        <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} ist kein Name: Buchstaben, Ziffern und Unterstriche.</translation>
+        <source>The key {0} is not in the text table</source>
+        <translation>Der Schlüssel {0} ist nicht in der Texttabelle</translation>
     </message>
     <message>
-        <source>There is a step {0} already.</source>
-        <translation>Einen Schritt {0} gibt es schon.</translation>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
     </message>
     <message>
-        <source>This edit would change the same text twice.</source>
-        <translation>Diese Änderung würde denselben Text zweimal ändern.</translation>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
     </message>
     <message>
-        <source>This transition leads nowhere yet.</source>
-        <translation>Diese Transition führt noch nirgendwohin.</translation>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Diese Version kennt die Elementart „{0}“ nicht; sie bleibt unverändert</translation>
     </message>
     <message>
-        <source>Nothing would lead to the join behind this step.</source>
-        <translation>Nichts würde zur Zusammenführung hinter diesem Schritt führen.</translation>
+        <source>The project has no language {0}</source>
+        <translation>Das Projekt hat keine Sprache {0}</translation>
     </message>
     <message>
-        <source>The initial step stays at the top.</source>
-        <translation>Der Anfangsschritt bleibt oben.</translation>
+        <source>The element is outside the panel</source>
+        <translation>Das Element liegt außerhalb des Panels</translation>
     </message>
     <message>
-        <source>Only a step with one transition of its own can be moved.</source>
-        <translation>Nur ein Schritt mit einer eigenen Transition kann verschoben werden.</translation>
+        <source>The file {0} does not exist</source>
+        <translation>Die Datei {0} gibt es nicht</translation>
     </message>
     <message>
-        <source>The step stands there already.</source>
-        <translation>Der Schritt steht schon dort.</translation>
+        <source>There is no panel {0}</source>
+        <translation>Es gibt kein Panel {0}</translation>
     </message>
     <message>
-        <source>A step can be put behind a transition that leads to one step.</source>
-        <translation>Ein Schritt kann hinter eine Transition gesetzt werden, die zu einem Schritt führt.</translation>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
     </message>
     <message>
-        <source>This step leads to itself only.</source>
-        <translation>Dieser Schritt führt nur zu sich selbst.</translation>
+        <source>The alarm has no condition</source>
+        <translation>Der Alarm hat keine Bedingung</translation>
     </message>
     <message>
-        <source>There is no branch at this place.</source>
-        <translation>An dieser Stelle gibt es keine Verzweigung.</translation>
+        <source>There is no alarm class {0}</source>
+        <translation>Es gibt keine Alarmklasse {0}</translation>
     </message>
     <message>
-        <source>A transition needs a condition.</source>
-        <translation>Eine Transition braucht eine Bedingung.</translation>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}</translation>
     </message>
     <message>
-        <source>A priority is a positive number.</source>
-        <translation>Eine Priorität ist eine positive Zahl.</translation>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
     </message>
     <message>
-        <source>Nothing follows this step yet: insert a step behind it.</source>
-        <translation>Auf diesen Schritt folgt noch nichts: fügen Sie dahinter einen Schritt ein.</translation>
+        <source>The key {0} has no text in {1}</source>
+        <translation>Der Schlüssel {0} hat keinen Text in {1}</translation>
     </message>
     <message>
-        <source>The last branch leads nowhere.</source>
-        <translation>Der letzte Zweig führt nirgendwohin.</translation>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden</translation>
     </message>
     <message>
-        <source>There is no such action.</source>
-        <translation>Eine solche Aktion gibt es nicht.</translation>
+        <source>No font has the character {0}</source>
+        <translation>Keine Schrift hat das Zeichen {0}</translation>
     </message>
     <message>
-        <source>There is no chart yet.</source>
-        <translation>Es gibt noch keinen Plan.</translation>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
     </message>
     <message>
-        <source>The initial step can not be deleted; make another step the initial one first.</source>
-        <translation>Der Anfangsschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen zum Anfangsschritt.</translation>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
     </message>
     <message>
-        <source>Several transitions leave this step; delete its branches first.</source>
-        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige.</translation>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; meinten Sie {1}?</translation>
     </message>
     <message>
-        <source>The condition of this transition can not be read; edit it in the text.</source>
-        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text.</translation>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden</translation>
     </message>
     <message>
-        <source>The branches behind this transition do not join; connect them in the text first.</source>
-        <translation>Die Zweige hinter dieser Transition laufen nicht zusammen; verbinden Sie sie zuerst im Text.</translation>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} ist {1}; hier wird ein BOOL gebraucht</translation>
     </message>
     <message>
-        <source>no expression</source>
-        <translation>kein Ausdruck</translation>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} ist {1}; hier wird eine Zahl gebraucht</translation>
     </message>
     <message>
-        <source>index {0} outside {1}..{2}</source>
-        <translation>Index {0} außerhalb von {1}..{2}</translation>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} ist {1}; hier wird ein STRING gebraucht</translation>
     </message>
     <message>
-        <source>null reference</source>
-        <translation>Referenz auf nichts</translation>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} ist {1}; hier wird ein Array gebraucht</translation>
     </message>
     <message>
-        <source>reference to no variable</source>
-        <translation>Referenz auf keine Variable</translation>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
     </message>
     <message>
-        <source>IN_OUT without a variable</source>
-        <translation>IN_OUT ohne Variable</translation>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
     </message>
     <message>
-        <source>character {0} of a text with {1}</source>
-        <translation>Zeichen {0} eines Textes mit {1}</translation>
+        <source>The format {0} is not known</source>
+        <translation>Das Format {0} ist nicht bekannt</translation>
     </message>
     <message>
-        <source>not in this image</source>
-        <translation>nicht in diesem Abbild</translation>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0})</translation>
     </message>
     <message>
-        <source>has no value here</source>
-        <translation>hat hier keinen Wert</translation>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
     </message>
     <message>
-        <source>simulation: {0}</source>
-        <translation>Simulation: {0}</translation>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0})</translation>
     </message>
     <message>
-        <source>The simulation stopped: {0}</source>
-        <translation>Die Simulation ist stehen geblieben: {0}</translation>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>Die Trace-Konfiguration ist ungültig: {0}</translation>
     </message>
     <message>
-        <source>The controller stopped: {0}</source>
-        <translation>Die Steuerung ist stehen geblieben: {0}</translation>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>„{0}“ muss {1} sein</translation>
     </message>
     <message>
-        <source>The step of this loop is 0</source>
-        <translation>Die Schrittweite dieser Schleife ist 0</translation>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>„{0}“ fehlt</translation>
     </message>
     <message>
-        <source>the condition can not be evaluated</source>
-        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Der Name eines Bilds muss auf eines von {0} enden</translation>
     </message>
     <message>
-        <source>ASSERT failed: {0}</source>
-        <translation>ASSERT nicht erfüllt: {0}</translation>
+        <source>no longer recorded</source>
+        <translation>nicht mehr aufgezeichnet</translation>
     </message>
     <message>
-        <source>Fault in the test: {0}</source>
-        <translation>Fehler im Test: {0}</translation>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
     </message>
     <message>
-        <source>This loop of the test does not end</source>
-        <translation>Diese Schleife des Tests endet nicht</translation>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
     </message>
     <message>
-        <source>{0} has no value: {1}</source>
-        <translation>{0} hat keinen Wert: {1}</translation>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
     </message>
     <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat</translation>
     </message>
     <message>
-        <source>The file is read-only and was not replaced</source>
-        <translation>Die Datei ist schreibgeschützt und wurde nicht ersetzt</translation>
-    </message>
-    <message>
-        <source>The file&apos;s permissions can not be changed</source>
-        <translation>Die Rechte der Datei können nicht geändert werden</translation>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
     </message>
 </context>
 <context>
@@ -2050,121 +2506,6 @@
     </message>
 </context>
 <context>
-    <name>HmiCheck</name>
-    <message>
-        <source>did you mean %1?</source>
-        <translation>ist %1 gemeint?</translation>
-    </message>
-    <message>
-        <source>%1 is not a variable, so it can not be written.</source>
-        <translation>%1 ist keine Variable und kann nicht geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a BOOL is needed here.</source>
-        <translation>%1 ist %2; hier wird BOOL gebraucht.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a number is needed here.</source>
-        <translation>%1 ist %2; hier wird eine Zahl gebraucht.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a STRING is needed here.</source>
-        <translation>%1 ist %2; hier wird STRING gebraucht.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; an array is needed here.</source>
-        <translation>%1 ist %2; hier wird ein Array gebraucht.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; a single value is needed here.</source>
-        <translation>%1 ist %2; hier wird ein einzelner Wert gebraucht.</translation>
-    </message>
-    <message>
-        <source>The text &quot;%1&quot; has no key, so it can not be translated.</source>
-        <translation>Der Text &quot;%1&quot; hat keinen Schlüssel und kann nicht übersetzt werden.</translation>
-    </message>
-    <message>
-        <source>The key %1 is not in the text table.</source>
-        <translation>Der Schlüssel %1 steht nicht in der Texttabelle.</translation>
-    </message>
-    <message>
-        <source>The text needs a value for {%1}; give it in &quot;Values in texts&quot;.</source>
-        <translation>Der Text braucht einen Wert für {%1}; in „Werte in Texten“ angeben.</translation>
-    </message>
-    <message>
-        <source>The text list %1 is empty: there is no key %1.0.</source>
-        <translation>Die Textliste %1 ist leer: Es gibt keinen Schlüssel %1.0.</translation>
-    </message>
-    <message>
-        <source>This version does not know the element kind &quot;%1&quot;; it is kept as it is.</source>
-        <translation>Diese Version kennt die Elementart &quot;%1&quot; nicht; sie bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>The project has no language %1.</source>
-        <translation>Das Projekt hat keine Sprache %1.</translation>
-    </message>
-    <message>
-        <source>The element lies outside the panel.</source>
-        <translation>Das Element liegt außerhalb des Panels.</translation>
-    </message>
-    <message>
-        <source>The file %1 is not there.</source>
-        <translation>Die Datei %1 ist nicht da.</translation>
-    </message>
-    <message>
-        <source>There is no panel %1.</source>
-        <translation>Es gibt kein Panel %1.</translation>
-    </message>
-    <message>
-        <source>The format %1 is not known; %.1f and %d are.</source>
-        <translation>Das Format %1 ist unbekannt; %.1f und %d sind bekannt.</translation>
-    </message>
-    <message>
-        <source>The alarm has no condition.</source>
-        <translation>Der Alarm hat keine Bedingung.</translation>
-    </message>
-    <message>
-        <source>There is no alarm class %1.</source>
-        <translation>Es gibt keine Alarmklasse %1.</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key %1.</source>
-        <translation>Kein Panel und kein Alarm benutzt den Schlüssel %1.</translation>
-    </message>
-    <message>
-        <source>%1 has the placeholders {%2}, but %3 has {%4}.</source>
-        <translation>%1 hat die Platzhalter {%2}, aber %3 hat {%4}.</translation>
-    </message>
-    <message>
-        <source>The key %1 has no text in %2.</source>
-        <translation>Der Schlüssel %1 hat keinen Text in %2.</translation>
-    </message>
-    <message>
-        <source>The font %1 is not installed here, so texts can not be measured.</source>
-        <translation>Die Schrift %1 ist hier nicht installiert; Texte können nicht gemessen werden.</translation>
-    </message>
-    <message>
-        <source>No font has the character U+%1.</source>
-        <translation>Keine Schrift hat das Zeichen U+%1.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not fit: it needs %2 px, there are %3.</source>
-        <translation>&quot;%1&quot; passt nicht: Es braucht %2 px, da sind %3.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; does not fit: it needs a height of %2 px, there are %3.</source>
-        <translation>&quot;%1&quot; passt nicht: Es braucht eine Höhe von %2 px, da sind %3.</translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation>Warnung</translation>
-    </message>
-</context>
-<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2254,14 +2595,6 @@
     <message>
         <source>not recorded</source>
         <translation>nicht aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>The file cannot be written: %1</source>
-        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
-        <source>A picture&apos;s name must end in .png, .svg or .pdf.</source>
-        <translation>Der Name eines Bildes muss auf .png, .svg oder .pdf enden.</translation>
     </message>
     <message>
         <source>Time [%1]</source>
@@ -4097,10 +4430,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Aktion</translation>
     </message>
     <message>
-        <source>A priority is a number; 0 takes it away</source>
-        <translation>Eine Priorität ist eine Zahl; 0 nimmt sie weg</translation>
-    </message>
-    <message>
         <source>To the chart around (Backspace)</source>
         <translation>Zum Plan darum herum (Rücktaste)</translation>
     </message>
@@ -4377,18 +4706,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>gab es in diesem Zyklus nicht</translation>
     </message>
     <message>
-        <source>A recording from a file can not be written; go back to the running controller first</source>
-        <translation>Eine gespeicherte Aufzeichnung kann nicht beschrieben werden; erst zur laufenden Steuerung zurückkehren</translation>
-    </message>
-    <message>
-        <source>The past can not be written; resume from here first</source>
-        <translation>Die Vergangenheit kann nicht beschrieben werden; erst von hier fortsetzen</translation>
-    </message>
-    <message>
-        <source>A recording from a file can not be resumed; only what the controller itself recorded</source>
-        <translation>Eine gespeicherte Aufzeichnung kann nicht fortgesetzt werden; nur, was die Steuerung selbst aufgezeichnet hat</translation>
-    </message>
-    <message>
         <source>Building</source>
         <translation>Übersetzen</translation>
     </message>
@@ -4407,10 +4724,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>The condition of the breakpoint: %1</source>
         <translation>Die Bedingung des Haltepunkts: %1</translation>
-    </message>
-    <message>
-        <source>The past can not be forced; resume from here or go back to live first</source>
-        <translation>Vergangenes kann nicht geforct werden; erst von hier fortsetzen oder zur Gegenwart zurückkehren</translation>
     </message>
 </context>
 <context>
@@ -5811,6 +6124,443 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert …</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>eine Sprungmarke</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>ein Operand</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>ein Typ</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>ein Index</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>ein Argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>eine Adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>eine Aktion</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>eine CASE-Marke</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>der Name eines Funktionsbausteins</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>der Name eines Prozessors</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>der Name einer Task</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>der Name einer Programminstanz</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>ein Ein- oder Ausgang</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>der Name einer Variablen</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>der Pfad einer Variablen</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>der Name eines Schritts</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>der Name eines Typs</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>der Name eines Elements</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>ein Zugriffsname</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>ein Enumerationswert</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>Zeilenende</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>Dateiende</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR und eine Zeit</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= oder Anweisungen</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>ein Unterbereich</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>eine Enumeration</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>in Klammern</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>eine Schrittkette</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>ein Rumpf</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>in einer CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>in einer FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>in einer METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>in einem PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>in einem FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>in {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>in einem Ausdruck</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>in einem Initialwert</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>in diesem Abschnitt</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>ein Initialwert</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN mit einem Wert</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>in einer Deklaration, die FB_Init aufruft</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>in {0}, das selbst nicht abstrakt ist</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Zeitdauer</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>Tageszeit</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>Ganzzahl</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>Zeichenkette</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (eine Konstante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (ein Ausgang)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (eine lokale Variable von {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (ein Eingang)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (ein Eingang; der nächste Zyklus überschreibt ihn)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (eine Eigenschaft ohne SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (keine Instanz oder mehrere)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (ein Typ; eine Instanz davon deklarieren)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (eine Variable, die die Funktion dieses Namens verdeckt)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>ein Ausgang</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>ein Eingang</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>ein IN_OUT-Parameter</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>eine Potenz einer berechneten Zahl</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>ein Aufruf von {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>ein Aufruf ohne Argumente</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>ein berechnetes zweites Argument von {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} außerhalb einer Schleife</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>diese Anweisung</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR mit diesem Ende oder dieser Schrittweite</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>eine Zuweisung mehrerer Variablen</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE eines berechneten Werts</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>eine Zahl von Sekunden</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>eines von {0}</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Durch {0} ersetzen</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>{0} einfügen</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Meinten Sie {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Mit {0} umwandeln</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>{0} nach {1} verschieben</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Eigenschaft {0} hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Methode {0} hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Fehlende Zweige hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>ELSE hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Mit () aufrufen</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Mit 0 vergleichen</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Unbenutzte Deklaration entfernen</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Durch IF und ELSIF ersetzen</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>In ein WSTRING-Literal ändern</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Durch gerade Anführungszeichen ersetzen</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>{0} zum Initialschritt machen</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Zeiger mit ^ dereferenzieren</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>zuerst hier deklariert</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>hier deklariert</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>die Variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>das erste Programm</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>hier überschrieben</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>der erste</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>durch diese Transition, während er aktiv ist</translation>
     </message>
 </context>
 </TS>
