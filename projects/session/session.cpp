@@ -54,7 +54,9 @@ void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
 Session::Session(driver::Built built, Settings settings)
     : m(std::make_unique<State>(std::move(built), std::move(settings))) {}
 
-Session::~Session() {
+Session::~Session() { end(); }
+
+void Session::end() {
     m->isQuitting.store(true, std::memory_order_release);
     m->wakeUp.signal();
     if (m->thread.joinable()) m->thread.join();
@@ -62,6 +64,7 @@ Session::~Session() {
     if (const auto work = optimising()) work->cancel();
     m->worker.reset();
     if (m->lastRetainScan != m->controller.nextScan() && !m->settings.retainFile.empty()) (void)saveRetained();
+    m->settings.retainFile.clear(); // another session writes it from now on
 }
 
 const driver::Built& Session::built() const { return *m->current.load(std::memory_order_acquire); }

@@ -58,7 +58,9 @@ struct Settings {
 class Session {
 public:
     explicit Session(driver::Built built, Settings settings = {});
-    ~Session(); // stops the scan thread
+    ~Session(); // ends it
+    /// Stops the scan thread and writes what is retained; what was recorded can still be read. It cannot run again.
+    void end();
 
     [[nodiscard]] const driver::Built& built() const;
     [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const;
