@@ -340,6 +340,16 @@ void MainWindow::connectParts() {
     connect(m_search, &SearchView::placeRequested, this,
             [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
     connect(m_search, &SearchView::message, this, &MainWindow::say);
+    connect(m_search, &SearchView::panelPlaceRequested, this, &MainWindow::openDesignPlace);
+    m_search->setPanelTexts([this] {
+        std::map<QString, std::string> texts;
+        if (!m_live->design()) return texts;
+        const hmi::PanelProject& panels = m_live->panels();
+        for (const hmi::NamedPanel& panel : panels.panels)
+            texts[panels.placeOf(panels.panelPath(panel.name))] = panel.panel.write();
+        if (panels.hasAlarms) texts[panels.placeOf(panels.alarmsPath())] = panels.alarms.write();
+        return texts;
+    });
     connect(m_search, &SearchView::textsReplaced, m_tabs,
             [this](const std::map<QString, std::string>& texts) { m_tabs->applyTexts(texts); });
     connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
@@ -508,6 +518,7 @@ void MainWindow::say(const QString& text, bool isError) {
 void MainWindow::openPalette() { m_palette->open(); }
 
 void MainWindow::resetLayout() {
+    m_perspectives->leaveMaximised();
     restoreState(m_defaultLayout);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
     findChild<QToolBar*>("timeToolBar")->setVisible(m_workspace->isOpen());

@@ -1,6 +1,7 @@
 // The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and
 // holds no logic of its own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
 #pragma once
+#include "app/search_view.h"
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
@@ -45,7 +46,6 @@ class Perspectives;
 struct Living;
 class ProblemsView;
 class ProjectTree;
-class SearchView;
 class StartPage;
 class TestRunner;
 class TestView;
@@ -156,6 +156,7 @@ private:
     void makeDocks();
     void makeStatusLine();
     void connectParts();
+    [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void connectTests();
     void logTests(const testing::Report& report);
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);

@@ -3,6 +3,8 @@
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include <utility>
+
 namespace plc::app {
 
 Perspectives::Perspectives(QMainWindow& window) : QObject(&window), m_window(window) {}

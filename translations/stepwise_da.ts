@@ -2962,10 +2962,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Rename</source>
         <translation>Omdøb</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nyt navn til %1, i hele projektet:</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -6561,6 +6557,36 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>by this transition, while it is active</source>
         <translation>ved denne transition, mens det er aktivt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nyt navn til %1, i hele projektet:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Steder, der ændres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n sted ændres:</numerusform>
+            <numerusform>%n steder ændres:</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -2962,10 +2962,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -6561,6 +6557,36 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>by this transition, while it is active</source>
         <translation>durch diese Transition, während er aktiv ist</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Stellen, die sich ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n Stelle ändert sich:</numerusform>
+            <numerusform>%n Stellen ändern sich:</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -112,7 +112,7 @@ Result<void> DesignContext::save() {
     m_alarmsChanged = false;
     while (!m_changedPanels.isEmpty()) { // one that is refused stays changed
         if (const NamedPanel* panel = m_project.find(m_changedPanels.front()))
-            if (auto saved = savePanel(m_project, *panel); !saved) return saved;
+            if (auto saved = hmi::savePanel(m_project, *panel); !saved) return saved;
         m_changedPanels.removeFirst();
     }
     emit saved();
@@ -206,6 +206,30 @@ bool DesignContext::renameVariable(const QString& from, const QString& to) {
         any = true;
     }
     return any;
+}
+
+std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QString& path) const {
+    std::vector<VariableUse> out;
+    const auto names = [&](const QString& expression) {
+        return withRenamedPath(expression, path, QStringLiteral("_")) != expression;
+    };
+    const auto look = [&](const QString& file, const Properties& properties, const ElementId& id) {
+        forEachBinding(properties, [&](const Found& found) {
+            if (names(found.text))
+                out.push_back({file, id, found.place(), found.text, found.place().startsWith(QLatin1String("target"))});
+        });
+    };
+    for (const NamedPanel& panel : m_project.panels) {
+        const QString file = m_project.placeOf(m_project.panelPath(panel.name));
+        look(file, panel.panel, {});
+        for (const Element& element : panel.panel.elements()) look(file, element, element.id());
+    }
+    for (const Properties& row : m_project.alarms.rows())
+        for (const char* key : {"condition", "inhibit"})
+            if (names(row.text(key)))
+                out.push_back({m_project.placeOf(m_project.alarmsPath()), row.text("id"), QString::fromLatin1(key),
+                               row.text(key), false});
+    return out;
 }
 
 std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {

@@ -65,6 +65,14 @@ public:
     bool rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit);
     /// A variable was renamed in the code: bindings of panels and conditions of alarms follow.
     bool renameVariable(const QString& from, const QString& to);
+    /// Where panels and alarms name a variable.
+    struct VariableUse {
+        QString file; // "hmi/main.panel.json"
+        ElementId element;
+        QString property, expression;
+        bool isWrite = false;
+    };
+    std::vector<VariableUse> usesOfVariable(const QString& path) const;
     void openDocument(const QString& panel, PanelDocument* document);
     void closeDocument(const PanelDocument* document);
 

@@ -5,6 +5,9 @@
 
 #include <QDir>
 #include <QKeyEvent>
+#include <QLayout>
+
+#include <utility>
 
 namespace plc::hmi {
 
@@ -348,11 +351,21 @@ void PanelPlayer::frame() {
 
 Overlay* PanelPlayer::overlay() const { return findChild<Overlay*>(); }
 
+/// The panel alone: in the studio it leaves its dock for the time and comes back into it.
 void PanelPlayer::setFullScreen(bool full) {
-    if (full)
-        window()->showFullScreen();
-    else
-        window()->showNormal();
+    if (full == isFullScreen()) return;
+    if (full) {
+        m_isInDock = !isWindow();
+        if (m_isInDock) setWindowFlag(Qt::Window);
+        showFullScreen();
+        setFocus();
+        return;
+    }
+    showNormal();
+    if (!std::exchange(m_isInDock, false)) return;
+    setWindowFlag(Qt::Window, false);
+    show();
+    if (QWidget* place = parentWidget(); place && place->layout()) place->layout()->activate();
 }
 
 void PanelPlayer::placeView() {
@@ -367,8 +380,8 @@ void PanelPlayer::resizeEvent(QResizeEvent*) {
 }
 
 void PanelPlayer::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_F11) return setFullScreen(!window()->isFullScreen());
-    if (event->key() == Qt::Key_Escape && window()->isFullScreen()) return setFullScreen(false);
+    if (event->key() == Qt::Key_F11) return setFullScreen(!isFullScreen());
+    if (event->key() == Qt::Key_Escape && isFullScreen()) return setFullScreen(false);
     QWidget::keyPressEvent(event);
 }
 
