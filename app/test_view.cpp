@@ -153,7 +153,7 @@ void TestView::showResult(QTreeWidgetItem* item, const Known& result) {
     item->setForeground(State, result->passed() ? c.good : c.bad);
     item->setText(Time, tr("%1 ms").arg(QLocale().toString(result->wallMs, 'f', 1)));
     for (const testing::Failure& failure : result->failures) {
-        auto* row = new QTreeWidgetItem(item, {kit::messageText(failure.message), text(failure.detail)});
+        auto* row = new QTreeWidgetItem(item, {kit::messageText(failure.message), kit::messageText(failure.detail)});
         row->setData(0, kFile, text(failure.file));
         row->setData(0, kLine, static_cast<int>(failure.line));
         row->setData(0, kRecording, text(result->failures.back().recording)); // one for the whole test

@@ -1633,6 +1633,10 @@
         <source>A priority is a number; 0 removes it</source>
         <translation>En prioritet er et tal; 0 fjerner den</translation>
     </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -2724,14 +2728,6 @@
             <numerusform>%n filer er ændret: %1. Gem dem?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Ændret udefra</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 er ændret af et andet program, og også her. Indlæs filen fra disken og mist ændringerne herfra?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2761,6 +2757,18 @@
     <message>
         <source>%1 was not saved</source>
         <translation>%1 blev ikke gemt</translation>
+    </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 er ikke en variabel i det kørende program</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Tving</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Skriv</translation>
     </message>
 </context>
 <context>
@@ -3434,10 +3442,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>%1 – tilbage til styringen</translation>
     </message>
     <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Ikke-gemte ændringer</translation>
     </message>
@@ -3587,6 +3591,30 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
         <translation>Hastigheden er en faktor fra 0,001 til 10000</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Vælg også næste forekomst</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Arrangér til redigering</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Arrangér til fejlfinding</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Arrangér til tegning af paneler</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Maksimér editoren</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Optagelsen af den seneste kørsel gemmes…</translation>
     </message>
 </context>
 <context>
@@ -4115,6 +4143,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
     </message>
+    <message>
+        <source>none is kept</source>
+        <translation>ingen gemmes</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Diskplads til optagelser af tidligere kørsler, pr. projekt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::StPage</name>
@@ -4575,6 +4611,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Filter of the events</source>
         <translation>Filter for hændelserne</translation>
     </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Trin: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 ved %2</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::FindBar</name>
@@ -4777,6 +4822,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Declare %1 in %2</source>
         <translation>Erklær %1 i %2</translation>
     </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Skriv en værdi…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Tving…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Ophæv tvangen</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::TaskMonitor</name>
@@ -4932,6 +4989,46 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 … %2</source>
         <comment>stretch of an array</comment>
         <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Overvågning</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Tilføj, omdøb eller fjern en liste</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Listens navn:</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Ny liste…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Ny liste</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Omdøb listen…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Omdøb listen</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Fjern listen</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Talformat</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>Som listen</translation>
     </message>
 </context>
 <context>
@@ -6587,6 +6684,194 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
             <numerusform>%n sted ændres:</numerusform>
             <numerusform>%n steder ændres:</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Ændret udefra</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 blev ændret af et andet program, og her også.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Sammenlign…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Indlæs fra disken</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Behold mine</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instans, hvis værdier vises</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Værdier for instansen af %1:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Sammenlign %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Forrige</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Overtag</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Overtag alle</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Her (denne tekst beholdes)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>På disken</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Brug teksten til venstre</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Ingen forskelle</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Forskel %1 af %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Tidligere kørsler</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, afsluttet af en fejl, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Den seneste kørsel skrives…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Ingen kørsel er slut endnu</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Kør alle tests</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Kør de valgte tests</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Kør de fejlede tests</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestået, %2 fejlet</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>endnu ikke kørt</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestået</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fejlet</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Vis optagelsen af fejlen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Linje %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
     </message>
 </context>
 </TS>

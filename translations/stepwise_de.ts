@@ -1633,6 +1633,10 @@
         <source>A priority is a number; 0 removes it</source>
         <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
     </message>
+    <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -2724,14 +2728,6 @@
             <numerusform>%n Dateien wurden geändert: %1. Speichern?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 wurde von einem anderen Programm geändert, und hier auch. Die Datei neu laden und die Änderungen von hier verlieren?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2761,6 +2757,18 @@
     <message>
         <source>%1 was not saved</source>
         <translation>%1 wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 ist keine Variable des laufenden Programms</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Erzwingen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
     </message>
 </context>
 <context>
@@ -3434,10 +3442,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>%1 – zurück zur Steuerung</translation>
     </message>
     <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Ungespeicherte Änderungen</translation>
     </message>
@@ -3587,6 +3591,30 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
         <translation>Die Geschwindigkeit ist ein Faktor von 0,001 bis 10000</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Nächstes Vorkommen auch auswählen</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Zum Bearbeiten anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Zum Debuggen anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Zum Zeichnen von Panels anordnen</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Editor maximieren</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Die Aufzeichnung des letzten Laufs wird aufbewahrt…</translation>
     </message>
 </context>
 <context>
@@ -4115,6 +4143,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 gehört jetzt zu „%2“; „%3“ verliert es.</translation>
     </message>
+    <message>
+        <source>none is kept</source>
+        <translation>keine wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Plattenplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::StPage</name>
@@ -4575,6 +4611,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Filter of the events</source>
         <translation>Filter der Ereignisse</translation>
     </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Schritt: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 bei %2</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::FindBar</name>
@@ -4777,6 +4822,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Declare %1 in %2</source>
         <translation>%1 in %2 deklarieren</translation>
     </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Wert schreiben…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Erzwingen…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Erzwingen aufheben</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::TaskMonitor</name>
@@ -4932,6 +4989,46 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 … %2</source>
         <comment>stretch of an array</comment>
         <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Überwachung</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Liste hinzufügen, umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Name der Liste:</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Neue Liste…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Neue Liste</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Liste umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Liste umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Zahlenformat</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>Wie die Liste</translation>
     </message>
 </context>
 <context>
@@ -6587,6 +6684,194 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
             <numerusform>%n Stelle ändert sich:</numerusform>
             <numerusform>%n Stellen ändern sich:</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Außerhalb geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Beide nebeneinander vergleichen, die Datei von der Platte laden und die Änderungen hier verlieren, oder behalten, was hier steht, und die Datei beim nächsten Speichern ersetzen?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Von der Platte laden</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instanz, deren Werte gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Werte der Instanz von %1:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>%1 vergleichen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorheriger</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Alle übernehmen</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Hier (dieser Text wird behalten)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Auf der Platte</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Den linken Text verwenden</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Keine Unterschiede</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Unterschied %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Frühere Läufe</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, durch einen Fehler beendet, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Der letzte Lauf wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Noch kein Lauf ist zu Ende</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Alle Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Die ausgewählten Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Die fehlgeschlagenen Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>noch nicht gelaufen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Aufzeichnung des Fehlschlags zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
     </message>
 </context>
 </TS>

@@ -171,7 +171,8 @@ Result<Panel> Panel::parse(const std::string& utf8, const QString& place, std::v
         ++number;
         const bool isObject = item.is_object();
         if (!isObject || (item.contains("kind") && !item["kind"].is_string())) {
-            found.push_back(errorAt(place, isObject ? errors::ElementKindNotText(number) : errors::ElementNotObject(number)));
+            found.push_back(
+                errorAt(place, isObject ? errors::ElementKindNotText(number) : errors::ElementNotObject(number)));
             panel.m_unread.emplace_back(panel.m_elements.size(), item);
             continue;
         }
@@ -179,9 +180,7 @@ Result<Panel> Panel::parse(const std::string& utf8, const QString& place, std::v
         Element element{inCanonicalOrder(item, raw.descriptor())};
         const ElementId id = element.id();
         const bool isTaken = ids.contains(id);
-        if (isTaken)
-            found.push_back(
-                errorAt(place, errors::ElementIdTwice(toUtf8(id))));
+        if (isTaken) found.push_back(errorAt(place, errors::ElementIdTwice(toUtf8(id))));
         if (id.isEmpty() || isTaken)
             element.setField("id", freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key), 0);
         ids += element.id();

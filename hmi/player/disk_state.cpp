@@ -17,8 +17,7 @@ std::optional<std::string> DiskState::newer(const QString& path) const {
 }
 
 Result<void> DiskState::write(const QString& path, const std::string& bytes) {
-    if (newer(path))
-        return Error{errors::FileChangedOutside(), path.toStdString()};
+    if (newer(path)) return Error{errors::FileChangedOutside(), path.toStdString()};
     if (auto written = projects::writeFileAtomically(path.toStdString(), bytes); !written) return written;
     taken(path, bytes);
     return {};
