@@ -190,7 +190,7 @@ void PanelFiles::discard(const Key& key) { take(key); }
 Result<void> PanelFiles::write(const Key& key) {
     hmi::DesignContext* design = m_live.design();
     if (!design) return {};
-    if (const QString panel = panelOf(key); !panel.isEmpty()) {
+    if (const QString panel = panelOf(key); !panel.isEmpty() && isChanged(key)) {
         if (auto saved = design->savePanel(panel); !saved) return saved;
     }
     if (auto saved = design->save(); !saved) return saved;
@@ -201,8 +201,7 @@ Result<void> PanelFiles::write(const Key& key) {
 Result<void> PanelFiles::save(const Key& key) {
     m_postponed.clear(); // now it must be decided
     look();
-    if (!isChanged(key) && !key.isEmpty()) return {}; // what is on disk was taken
-    const Result<void> saved = write(key);
+    const Result<void> saved = write(key); // a panel's texts with it
     watch();
     report();
     return saved;
