@@ -30,7 +30,7 @@ std::vector<PanelProblem> DesignFindings::problems() const {
         bool hasLine = false;
         const int line = place.section(':', -1).toInt(&hasLine);
         out.push_back({m_live.panels().placeOf(hasLine ? place.section(':', 0, -2) : place),
-                       kit::messageText(Error{each.message, {}}), hasLine ? line : 0});
+                       kit::messageText(each.message), hasLine ? line : 0});
     }
     return out;
 }

@@ -1,6 +1,7 @@
 #include "editor/debug/debug_views.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/trace_plot.h"
@@ -496,7 +497,7 @@ void EventLog::refresh() {
         const QString place = &event == &events.back() || event.kind == EventKind::Fault ? placeOf(event) : QString();
         QString shown = trace::markText(static_cast<int>(event.kind), event.text);
         if (event.kind == EventKind::Breakpoint && !place.isEmpty() && !m_control.hasBreakpoint(place))
-            shown = tr("Step: %1").arg(text(event.text)); // nothing but a step can have ended there
+            shown = tr("Step: %1").arg(kit::messageText(event.text)); // nothing but a step can have ended there
         if (!place.isEmpty()) shown = tr("%1 at %2", "event at file:line").arg(shown, place);
         add({QTime::currentTime().toString("HH:mm:ss"), kit::momentText(event.time.count()),
              QString::number(event.scan), shown},
