@@ -1,7 +1,9 @@
 // The table of actions: shortcuts as CODESYS has them (F5 run, F8 step in, F10 over, F9 breakpoint, F11 build), all
 // editable.
 #include "app/editor_tabs.h"
+#include "app/focus_command.h"
 #include "app/main_window.h"
+#include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/search_view.h"
 #include "editor/debug/watch_view.h"
@@ -20,6 +22,12 @@ constexpr int drawn(Icon which) { return static_cast<int>(which); }
 
 template <void (editor::StEditor::*Command)()> void inEditor(MainWindow& window) {
     if (auto* editor = window.tabs().currentEditor()) (editor->*Command)();
+}
+
+constexpr char kUndo[] = "undo", kRedo[] = "redo", kCut[] = "cut", kCopy[] = "copy", kPaste[] = "paste",
+               kZoomIn[] = "zoom-in", kZoomOut[] = "zoom-out";
+template <const char* Command> void inFocus(MainWindow& window) {
+    runInFocus(window.tabs(), QString::fromLatin1(Command));
 }
 
 void say(MainWindow& window, const Result<void>& result) {
@@ -42,11 +50,11 @@ const std::vector<ActionSpec> kActions = {
     {"file.settings", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Settings…"), "Ctrl+,", drawn(Icon::Settings), [](MainWindow& w) { w.openSettings(); }},
     {"file.quit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Quit"), "Ctrl+Q", none, [](MainWindow& w) { w.close(); }},
 
-    {"edit.undo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Undo"), "Ctrl+Z", drawn(Icon::Undo), [](MainWindow& w) { w.tabs().undo(); }},
-    {"edit.redo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Redo"), "Ctrl+Y", drawn(Icon::Redo), [](MainWindow& w) { w.tabs().redo(); }},
-    {"edit.cut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Cut"), "Ctrl+X", drawn(Icon::Cut), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->cut(); }},
-    {"edit.copy", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Copy"), "Ctrl+C", drawn(Icon::Copy), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->copy(); }},
-    {"edit.paste", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Paste"), "Ctrl+V", drawn(Icon::Paste), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->paste(); }},
+    {"edit.undo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Undo"), "Ctrl+Z", drawn(Icon::Undo), inFocus<kUndo>},
+    {"edit.redo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Redo"), "Ctrl+Y", drawn(Icon::Redo), inFocus<kRedo>},
+    {"edit.cut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Cut"), "Ctrl+X", drawn(Icon::Cut), inFocus<kCut>},
+    {"edit.copy", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Copy"), "Ctrl+C", drawn(Icon::Copy), inFocus<kCopy>},
+    {"edit.paste", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Paste"), "Ctrl+V", drawn(Icon::Paste), inFocus<kPaste>},
     {"edit.find", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find…"), "Ctrl+F", drawn(Icon::Find), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->findBar().open(false); }},
     {"edit.replace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Replace…"), "Ctrl+H", drawn(Icon::Replace), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->findBar().open(true); }},
     {"edit.findNext", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find Next"), "F3", none, [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->findBar().findNext(); }},
@@ -60,7 +68,7 @@ const std::vector<ActionSpec> kActions = {
     {"edit.goToLine", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Line…"), "Ctrl+G", none, [](MainWindow& w) { w.goToLine(); }},
     {"edit.definition", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Definition"), "F12", drawn(Icon::Forward), [](MainWindow& w) { w.definitionAtCursor(); }},
     {"edit.uses", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find All Uses"), "Shift+F12", none, [](MainWindow& w) { w.usesAtCursor(); }},
-    {"edit.rename", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Rename…"), "F2", drawn(Icon::Rename), [](MainWindow& w) { w.renameAtCursor(); }},
+    {"edit.rename", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Rename…"), "F2", drawn(Icon::Rename), [](MainWindow& w) { if (!editFocusedCell()) w.renameAtCursor(); }},
     {"edit.complete", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Complete"), "", none, inEditor<&editor::StEditor::triggerCompletion>},
     {"edit.fix", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Apply a Fix (Alt+Enter)"), "", drawn(Icon::Lightbulb), inEditor<&editor::StEditor::applyFix>},
     {"edit.format", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Format"), "Ctrl+Shift+I", drawn(Icon::Format), inEditor<&editor::StEditor::formatText>},
@@ -136,11 +144,15 @@ const std::vector<ActionSpec> kActions = {
          w.settings().setEditor(s);
          w.tabs().applySettings();
      }},
-    {"view.zoomIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Larger"), "Ctrl++", drawn(Icon::ZoomIn), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->zoomIn(); }},
-    {"view.zoomOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Smaller"), "Ctrl+-", drawn(Icon::ZoomOut), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->zoomOut(); }},
+    {"view.zoomIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Larger"), "Ctrl++", drawn(Icon::ZoomIn), inFocus<kZoomIn>},
+    {"view.zoomOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Smaller"), "Ctrl+-", drawn(Icon::ZoomOut), inFocus<kZoomOut>},
     {"view.light", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Light Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Light); }},
     {"view.dark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Dark Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Dark); }},
     {"view.system", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Theme of the System"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::System); }},
+    {"view.editing", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Editing"), "Ctrl+Alt+1", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Editing); }},
+    {"view.debugging", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Debugging"), "Ctrl+Alt+2", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Debugging); }},
+    {"view.panelDesign", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Drawing Panels"), "Ctrl+Alt+3", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::PanelDesign); }},
+    {"view.maximise", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Maximise the Editor"), "Ctrl+Alt+M", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().toggleMaximised(); }},
     {"view.reset", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Reset the Layout"), "", none, [](MainWindow& w) { w.resetLayout(); }},
 
     {"help.tour", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Tour"), "", drawn(Icon::Help), [](MainWindow& w) { w.startTour(); }},

@@ -2,9 +2,12 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
+#include "editor/text/st_marks.h"
 #include "runtime/compiler/driver/driver.h"
 
+#include <QAction>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
@@ -256,6 +259,17 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
         if (!active) return m_control.unforce(path);
         if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(kit::messageText(forced.error()), true);
     });
+    const auto addKeys = [&](const char* name, const QList<QKeySequence>& keys, void (EditorTabs::*run)()) {
+        auto* action = new QAction(chart);
+        action->setObjectName(name);
+        action->setShortcuts(keys);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        connect(action, &QAction::triggered, this, run);
+        chart->addAction(action);
+    };
+    addKeys("undo", {QKeySequence::Undo}, &EditorTabs::undo); // what is drawn is an edit of the text
+    addKeys("redo", {Qt::CTRL | Qt::Key_Y, Qt::CTRL | Qt::SHIFT | Qt::Key_Z}, &EditorTabs::redo);
+    new kit::OwnKeys(chart);
     connect(chart, &editor::ChartView::failed, this, [this](const QString& text) { emit message(text, true); });
     connect(text, &StEditor::edited, chart, [text, chart] {
         if (chart->isVisible()) chart->setText(text->utf8());
@@ -559,22 +573,40 @@ void EditorTabs::showBreakpoints() {
     }
 }
 
+namespace {
+void markLine(StEditor& editor, int marker, int arrow, int line) {
+    editor.markerDeleteAll(marker);
+    editor.markerDeleteAll(arrow);
+    if (line <= 0) return;
+    editor.markerAdd(line - 1, marker);
+    editor.markerAdd(line - 1, arrow);
+}
+} // namespace
+
+/// Where the controller stands: at a breakpoint, after a step, or where a fault has stopped it.
 void EditorTabs::showExecutedLine() {
-    QString file;
-    int line = 0;
-    if (m_control.session() && m_control.status().state == controller::State::Halted) {
+    using controller::State;
+    const State state = m_control.status().state;
+    SourceRange range;
+    if (m_control.session() && state == State::Halted) {
         const auto frames = m_control.session()->haltFrames();
-        if (const auto place = frames.empty() ? std::nullopt : m_control.placeInText(frames.front().range)) {
-            file = place->file;
-            line = place->line;
-        }
+        if (!frames.empty()) range = frames.front().range;
+    } else if (m_control.session() && state == State::Fault && m_control.status().fault) {
+        range = m_control.status().fault->range;
     }
+    const auto place = m_control.placeInText(range);
+    const QString file = place ? place->file : QString();
+    const int line = place ? place->line : 0;
     static const char* const kShown = "executedPlace";
-    const QString place = file + ":" + QString::number(line);
-    const bool isNew = property(kShown).toString() != place;
-    setProperty(kShown, place);
-    if (line && isNew) openSource(file);
-    for (StEditor* editor : allEditors()) editor->setExecutedLine(editor->file() == file ? line : 0);
+    const QString shown = QString("%1:%2:%3").arg(file).arg(range.begin).arg(static_cast<int>(state));
+    const bool isNew = property(kShown).toString() != shown;
+    setProperty(kShown, shown);
+    if (line && isNew) goToLine(file, line);
+    for (StEditor* editor : allEditors()) {
+        const int here = editor->file() == file ? line : 0;
+        editor->setExecutedLine(state == State::Halted ? here : 0);
+        markLine(*editor, editor::kFault, editor::kFaultArrow, state == State::Fault ? here : 0);
+    }
     if (line && isNew && currentEditor()) currentEditor()->ensureLineVisible(line - 1);
 }
 

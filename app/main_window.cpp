@@ -4,8 +4,10 @@
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/living.h"
+#include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/project_tree.h"
+#include "app/runs_menu.h"
 #include "app/search_view.h"
 #include "app/start_page.h"
 #include "app/tour.h"
@@ -55,6 +57,8 @@ void MainWindow::build() {
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
     m_live = new LiveViews(*m_workspace, *m_control, this);
+    m_perspectives = new Perspectives(*this);
+    takeRecordingSettings();
     for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)})
         page->setMinimumSize(240, 120); // the page in the back does not keep docks small
     m_stack->addWidget(m_startPage);
@@ -181,6 +185,11 @@ void MainWindow::makeActions() {
         menu->addAction(made);
         addAction(made);
         m_actions << made;
+        if (id == "run.openRecording") {
+            auto* runs = new RunsMenu(m_control->archive(), menu);
+            menu->addMenu(runs);
+            connect(runs, &RunsMenu::runChosen, this, &MainWindow::showRecording);
+        }
         if (id == "file.open") m_recentMenu = menu->addMenu(tr("Recent Projects"));
         for (const char* last :
              {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename",
@@ -323,11 +332,12 @@ void MainWindow::connectParts() {
     connect(m_callPath, &editor::CallPathView::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
+    connect(m_tabs, &QTabWidget::tabBarDoubleClicked, m_perspectives, &Perspectives::toggleMaximised);
     connect(m_tabs, &EditorTabs::cursorMoved, this, [this](const QString&, int line, int column) {
         m_cursorLabel->setText(tr("%1 : %2").arg(line).arg(column));
     });
     connect(m_tabs, &EditorTabs::saved, this, [this] {
-        if (m_settings.changeOnSave() && m_control->isRunning()) m_control->onlineChange();
+        if (m_settings.changeOnSave() && m_control->isRunning() && !m_control->isUpToDate()) m_control->onlineChange();
     });
     connect(m_tabs, &EditorTabs::editorMade, this, [this](editor::StEditor* made) {
         connect(made, &editor::StEditor::definitionRequested, this, &MainWindow::findDefinition);
@@ -479,6 +489,7 @@ void MainWindow::say(const QString& text, bool isError) {
 void MainWindow::openPalette() { m_palette->open(); }
 
 void MainWindow::resetLayout() {
+    m_perspectives->leaveMaximised();
     restoreState(m_defaultLayout);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
     findChild<QToolBar*>("timeToolBar")->setVisible(m_workspace->isOpen());

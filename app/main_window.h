@@ -39,6 +39,7 @@ class DesignFindings;
 class EditorTabs;
 class LiveViews;
 struct Living;
+class Perspectives;
 class ProblemsView;
 class ProjectTree;
 class SearchView;
@@ -77,6 +78,7 @@ public:
     [[nodiscard]] SearchView& search() { return *m_search; }
     [[nodiscard]] editor::WatchView& watch() { return *m_watch; }
     [[nodiscard]] editor::EventLog& log() { return *m_log; }
+    [[nodiscard]] Perspectives& perspectives() { return *m_perspectives; }
     [[nodiscard]] LiveViews& live() { return *m_live; }
     [[nodiscard]] StartPage& startPage() { return *m_startPage; }
     [[nodiscard]] QAction* action(const QString& id) const;
@@ -121,6 +123,7 @@ public:
     /// A place in a panel, in the texts or in the alarms: where a finding lies.
     void openDesignPlace(const QString& file, const QString& element);
     void openRecording();
+    void showRecording(const QString& path);
     void backToLive();
     /// Asks for the window to be built anew in the language of the settings, once no test runs.
     void changeLanguage();
@@ -145,6 +148,7 @@ private:
     void makeStatusLine();
     void connectParts();
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
+    void takeRecordingSettings();
     void updateActions();
     void updateStatus();
     bool closeDesigns();               // designers, texts, alarms; false when one wants to stay
@@ -190,6 +194,7 @@ private:
     kit::WorkStrip* m_work = nullptr;
     QToolButton* m_recordingButton = nullptr; // says that a recording from a file is shown; a click goes back
     DesignFindings* m_findings = nullptr;
+    Perspectives* m_perspectives = nullptr;
     bool m_changesLanguage = false;      // when the tests have ended
     std::thread m_tester;                // runs the project's tests
     std::shared_ptr<Progress> m_testing; // null: none run

@@ -151,6 +151,7 @@ void MainWindow::newPanel() {
         return say(tr("A panel's name is a file name: no / and no \\"), true);
     if (auto added = m_live->addPanel(name); !added) return say(kit::messageText(added.error()), true);
     openDesigner(name);
+    if (QWidget* page = m_tabs->pageByKey("panel:" + name)) page->setFocus();
 }
 
 void MainWindow::addDesignPage(QWidget* page, const QString& title, int icon, const QString& key) {

@@ -37,7 +37,7 @@ Living MainWindow::release() {
     m_workspace->disconnect(); // no part of this window hears of it any more
     m_control->disconnect();
     living.views = m_live->release();
-    connect(m_workspace, &editor::Workspace::closed, m_control, &editor::RunControl::disconnectSession);
+    m_control->followWorkspace();
     m_workspace->setParent(nullptr);
     m_control->setParent(nullptr);
     living.workspace.reset(m_workspace);

@@ -4,6 +4,7 @@
 #include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/new_project.h"
+#include "app/perspectives.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "app/settings_dialog.h"
@@ -19,8 +20,10 @@
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLocale>
 #include <QMessageBox>
@@ -87,6 +90,7 @@ void MainWindow::saveProjectState() {
     m_settings.setProjectValue(folder, "pages", pages);
     m_settings.setProjectValue(folder, "currentPage", m_tabs->currentIndex());
     m_settings.setProjectValue(folder, "watches", m_watch->expressions());
+    m_perspectives->leaveMaximised();
     m_settings.setProjectValue(folder, "layout", saveState());
     QStringList breakpoints;
     for (const editor::EditorBreakpoint& b : m_control->breakpoints())
@@ -123,6 +127,7 @@ void MainWindow::restoreProjectState() {
     if (tabs.isEmpty() && !m_workspace->files().isEmpty()) tabs << m_workspace->files().first();
     if (m_tabs->count() == 0)
         for (const QString& file : tabs) m_tabs->openFile(file);
+    if (QWidget* page = m_tabs->currentWidget()) page->setFocus();
 }
 
 void MainWindow::restoreBreakpoints() {
@@ -155,7 +160,10 @@ void MainWindow::offerRecovery() {
 void MainWindow::fillRecentMenu() {
     m_recentMenu->clear();
     for (const QString& folder : m_settings.recentProjects())
-        connect(m_recentMenu->addAction(folder), &QAction::triggered, this, [this, folder] { openProject(folder); });
+        connect(m_recentMenu->addAction(
+                    QString("%1  –  %2")
+                        .arg(QFileInfo(folder).fileName(), QDir::toNativeSeparators(QFileInfo(folder).path()))),
+                &QAction::triggered, this, [this, folder] { openProject(folder); });
     m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
 }
 
@@ -278,8 +286,7 @@ void MainWindow::openSettings() {
     if (dialog.exec() != QDialog::Accepted) return;
     changeTheme(m_settings.theme());
     m_tabs->applySettings();
-    if (m_control->session())
-        m_control->session()->history().setBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
+    takeRecordingSettings();
     if (dialog.languageChanged()) changeLanguage();
 }
 
@@ -326,13 +333,21 @@ void MainWindow::setHistoryBudget() {
                              m_settings.historyMegabytes(), 16, 16384, 16, &ok);
     if (!ok) return;
     m_settings.setHistoryMegabytes(megabytes);
-    if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(megabytes) << 20);
+    takeRecordingSettings();
+}
+
+void MainWindow::takeRecordingSettings() {
+    m_control->setHistoryBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
+    m_control->archive().setBudget(static_cast<qint64>(m_settings.runsMegabytes()) << 20);
 }
 
 void MainWindow::openRecording() {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Open a Recording"), m_workspace->folder(), tr("Recordings (*.rec)"));
-    if (path.isEmpty()) return;
+    if (!path.isEmpty()) showRecording(path);
+}
+
+void MainWindow::showRecording(const QString& path) {
     if (auto opened = m_live->openRecording(path); !opened) return say(kit::messageText(opened.error()), true);
     showDock("trace");
 }

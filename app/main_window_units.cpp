@@ -46,7 +46,7 @@ void MainWindow::newUnitIn(const QString& kind, const QString& wantedFile) {
         return;
     }
     if (auto added = m_workspace->addFile(file, text); !added) return say(kit::messageText(added.error()), true);
-    m_tabs->openFile(file);
+    if (StPage* page = m_tabs->openFile(file)) page->first().setFocus(); // one goes on typing in it
 }
 
 // ------------------------------------------------------------------ names

@@ -273,7 +273,7 @@ void ProjectTree::reload() {
     m_variables.clear();
     for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
         if ((symbol.kind != SymbolKind::Variable && symbol.kind != SymbolKind::Constant) ||
-            !symbol.declaration.file.isValid())
+            !symbol.declaration.file.isValid() || symbol.name.starts_with("__")) // what the compiler adds
             continue;
         if (!m_workspace.files().contains(QString::fromStdString(model.sources()[symbol.declaration.file].path())))
             continue;

@@ -3259,6 +3259,22 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The speed is a factor from 0.001 to 10000</source>
         <translation>Hastigheden er en faktor fra 0,001 til 10000</translation>
     </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Arrangér til redigering</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Arrangér til fejlfinding</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Arrangér til tegning af paneler</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Maksimér editoren</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -3785,6 +3801,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>ingen gemmes</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Diskplads til optagelser af tidligere kørsler, pr. projekt</translation>
     </message>
 </context>
 <context>
@@ -5811,6 +5835,25 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen …</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Tidligere kørsler</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, afsluttet af en fejl, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Ingen kørsel er slut endnu</translation>
     </message>
 </context>
 </TS>

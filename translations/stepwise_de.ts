@@ -3259,6 +3259,22 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The speed is a factor from 0.001 to 10000</source>
         <translation>Die Geschwindigkeit ist ein Faktor von 0,001 bis 10000</translation>
     </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Zum Bearbeiten anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Zum Debuggen anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Zum Zeichnen von Panels anordnen</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Editor maximieren</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -3785,6 +3801,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 gehört jetzt zu „%2“; „%3“ verliert es.</translation>
+    </message>
+    <message>
+        <source>none is kept</source>
+        <translation>keine wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Plattenplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
     </message>
 </context>
 <context>
@@ -5811,6 +5835,25 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert …</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Frühere Läufe</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, durch einen Fehler beendet, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Noch kein Lauf ist zu Ende</translation>
     </message>
 </context>
 </TS>

@@ -21,7 +21,17 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent), m_workspace(workspace) {
     m_timer.setInterval(kFrameMs);
     connect(&m_timer, &QTimer::timeout, this, &RunControl::tick);
-    connect(&workspace, &Workspace::closed, this, &RunControl::disconnectSession);
+    followWorkspace();
+}
+
+void RunControl::followWorkspace() {
+    const auto keepThere = [this] {
+        const QString folder = m_workspace.folder();
+        m_archive.setFolder(folder.isEmpty() ? QString() : folder + "/.stepwise/runs");
+    };
+    connect(&m_workspace, &Workspace::opened, this, keepThere);
+    connect(&m_workspace, &Workspace::closed, this, &RunControl::disconnectSession);
+    keepThere();
 }
 
 RunControl::~RunControl() {
@@ -115,6 +125,7 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
     }
     m_viewed.reset();
     session::Settings settings;
+    settings.historyBudget = m_historyBudget;
     if (!retainFile().isEmpty()) {
         QDir().mkpath(m_workspace.folder() + "/.stepwise");
         settings.retainFile = retainFile().toStdString();
@@ -135,7 +146,13 @@ void RunControl::endSession() {
     m_isEnding = false;
     m_frames.clear(); // they are the session's
     if (m_optimising) emit workEnded(std::exchange(m_optimising, nullptr));
+    if (const auto kept = m_archive.keep(*m_session); !kept) emit messageAdded(kit::messageText(kept.error()), true);
     m_session.reset();
+}
+
+void RunControl::setHistoryBudget(size_t bytes) {
+    m_historyBudget = bytes;
+    if (m_session) m_session->history().setBudget(bytes);
 }
 
 void RunControl::disconnectSession() {
@@ -220,21 +237,25 @@ bool RunControl::isUpToDate() const {
 }
 
 void RunControl::pause() {
+    m_pausedToLook = false; // it is meant to stand
     if (m_session) m_session->pause();
 }
 void RunControl::stop() {
+    m_pausedToLook = false;
     if (m_session) m_session->stop();
 }
 void RunControl::resume() {
     if (m_session) m_session->resume();
 }
 void RunControl::reset(controller::ResetKind kind) {
+    m_pausedToLook = false;
     leaveRecorded();
     view(std::nullopt);
     if (m_session) m_session->reset(kind);
 }
 
 void RunControl::singleScan() {
+    m_pausedToLook = false;
     leaveRecorded();
     view(std::nullopt);
     if (m_session && isRunning()) return m_session->singleScan();
@@ -242,6 +263,7 @@ void RunControl::singleScan() {
 }
 
 void RunControl::step(session::Step kind) {
+    m_pausedToLook = false;
     leaveRecorded();
     view(std::nullopt);
     if (isRunning()) return m_session->step(kind);
@@ -610,6 +632,7 @@ void RunControl::view(std::optional<history::Position> position) {
     refreshImage();
     emit viewedChanged();
     emit refreshed();
+    if (!m_viewed && std::exchange(m_pausedToLook, false) && m_session) m_session->start(); // as before one looked back
 }
 
 void RunControl::stepView(int scans) {
@@ -620,7 +643,10 @@ void RunControl::stepView(int scans) {
     const auto from = static_cast<int64_t>(m_viewed.value_or(statistics.end - 1));
     const int64_t to = from + scans;
     if (to >= static_cast<int64_t>(statistics.end)) return view(std::nullopt);
-    if (!m_viewed && !m_recorded && isRunning() && m_status.state == controller::State::Running) pause();
+    if (!m_viewed && !m_recorded && isRunning() && m_status.state == controller::State::Running) {
+        pause();
+        m_pausedToLook = true;
+    }
     view(static_cast<history::Position>(std::max<int64_t>(to, static_cast<int64_t>(statistics.first))));
 }
 
@@ -632,6 +658,7 @@ Result<void> RunControl::resumeFromView() {
     if (!m_session || !m_viewed) return {};
     const history::Position from = *m_viewed;
     if (auto resumed = m_session->resumeFrom(from); !resumed) return resumed;
+    m_pausedToLook = false;
     view(std::nullopt);
     return {};
 }

@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
 #include "editor/text/st_marks.h"
@@ -67,7 +68,7 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     setMarginSensitivity(kMarks, true);
     setMarginSensitivity(kLineNumbers, true);
     setMarginMarkerMask(kMarks, (1 << kBreakpoint) | (1 << kBreakpointOff) | (1 << kErrorMark) | (1 << kWarningMark) |
-                                    (1 << kExecutedArrow));
+                                    (1 << kExecutedArrow) | (1 << kFaultArrow));
     setMarginType(kChanges, SymbolMargin);
     setMarginWidth(kChanges, 4);
     setMarginMarkerMask(kChanges, (1 << kChangedLine) | (1 << kAddedLine));
@@ -76,6 +77,7 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     markerDefine(Circle, kBreakpoint);
     markerDefine(Circle, kBreakpointOff);
     markerDefine(Background, kExecuted);
+    markerDefine(Background, kFault);
     markerDefine(FullRectangle, kChangedLine);
     markerDefine(FullRectangle, kAddedLine);
     indicatorDefine(SquiggleIndicator, kErrorSquiggle);
@@ -152,10 +154,14 @@ void StEditor::applyTheme() {
     setMarkerBackgroundColor(c.window, kBreakpointOff);
     setMarkerForegroundColor(c.breakpoint, kBreakpointOff);
     setMarkerBackgroundColor(c.current, kExecuted);
+    QColor fault = c.bad;
+    fault.setAlpha(c.dark ? 90 : 60);
+    setMarkerBackgroundColor(fault, kFault);
     const auto drawn = [](kit::Icon which) { return kit::icon(which).pixmap(QSize(14, 14), 1.0).toImage(); };
     markerDefine(drawn(kit::Icon::Error), kErrorMark);
     markerDefine(drawn(kit::Icon::Warning), kWarningMark);
     markerDefine(drawn(kit::Icon::CurrentLine), kExecutedArrow);
+    markerDefine(drawn(kit::Icon::Error), kFaultArrow);
     clearRegisteredImages();
     for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind)
         registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
@@ -421,6 +427,11 @@ bool StEditor::event(QEvent* event) {
         const auto* help = static_cast<QHelpEvent*>(event);
         showToolTip(help->pos());
         return true;
+    }
+    // Scintilla has a command of its own on many keys (Ctrl+T swaps two lines); the window's shortcut is meant.
+    if (event->type() == QEvent::ShortcutOverride && kit::actionOfKey(this, *static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return false;
     }
     return QsciScintilla::event(event);
 }

@@ -14,7 +14,9 @@ enum Marker {
     kWarningMark = 4,
     kChangedLine = 5,
     kAddedLine = 6,
-    kExecutedArrow = 7
+    kExecutedArrow = 7,
+    kFault = 8, // the line at which the controller has stopped
+    kFaultArrow = 9
 };
 /// What is drawn beneath and around characters.
 enum Indicator {

@@ -1,6 +1,7 @@
 // What StEditor does while the user types: completion, parameter help, indentation, closing of blocks.
 #include "editor/text/st_editor.h"
 
+#include "editor/kit/own_keys.h"
 #include "editor/text/st_marks.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
@@ -45,6 +46,7 @@ std::vector<QString> listed(const std::vector<analysis::CompletionItem>& items) 
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
+    if (kit::actionOfKey(this, *event)) return event->ignore(); // it is disabled now, or it would not have come here
     if (event->matches(QKeySequence::Undo) && m_undo) return m_undo();
     if ((event->matches(QKeySequence::Redo) ||
          (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier)) &&

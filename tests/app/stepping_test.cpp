@@ -298,6 +298,21 @@ TEST_F(SteppingTest, TheFaultIsALinkAndItsCallPathHasValues) {
     EXPECT_EQ(frameValue("divisor"), "0");
 }
 
+TEST_F(SteppingTest, AFaultTakesTheEditorToItsLineAndMarksIt) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 2; }));
+    editor().goTo(0);
+    (void)window->control().write("Main.divisor", "0");
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }));
+    const int wanted = lineOf("counter := counter / divisor");
+    EXPECT_TRUE(waitFor([&] { return editor().markerFindNext(0, 1U << 9) + 1 == wanted; })) << "marked";
+    int line = 0, column = 0;
+    editor().getCursorPosition(&line, &column);
+    EXPECT_EQ(line + 1, wanted) << "one need not look for it";
+    window->action("run.resetCold")->trigger();
+    EXPECT_TRUE(waitFor([&] { return editor().markerFindNext(0, 1U << 9) < 0; })) << "and no more";
+}
+
 TEST_F(SteppingTest, SavingAtABreakpointChangesAtTheEndOfTheScan) {
     haltAt("a(target := counter)");
     const auto at = static_cast<uint32_t>(editor().utf8().find("counter + 1"));
