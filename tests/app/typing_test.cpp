@@ -13,6 +13,15 @@ namespace {
 
 class TypingTest : public StudioTest {
 protected:
+    /// Types the name into the dialog that opens next and accepts it.
+    static void answerWithName(const QString& name) {
+        QTimer::singleShot(100, qApp, [name] {
+            auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(dialog, nullptr);
+            dialog->findChild<QLineEdit*>()->setText(name);
+            dialog->accept();
+        });
+    }
 };
 
 TEST_F(TypingTest, ANewDocumentHasTheKeyboard) {
