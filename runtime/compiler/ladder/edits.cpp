@@ -138,7 +138,7 @@ Result<LadderEditor::Operand> LadderEditor::parsed(std::string_view operand) con
     const Expr* expr = text.empty() ? nullptr : parse::parseExpression(file, text, sink);
     const bool hasMore = expr && text.find_first_not_of(" )", expr->range.end) != std::string::npos;
     if (!expr || sink.hasErrors() || expr->kind == ExprKind::Error || hasMore || text.find(';') != std::string::npos)
-        return Error{errors::NotAnExpression(text), {}};
+        return Error{errors::NotAnExpressionText(text), {}};
     return Operand{text, levelOf(*expr), isPlace(*expr)};
 }
 

@@ -34,7 +34,7 @@ struct Opened {
         file = parse::parseFile(FileId(0), text, sink);
         blocks = parse::parseFile(FileId(1), kBlocks, others);
         for (const diagnostics::Diagnostic& d : sink.all())
-            if (d.severity == diagnostics::Severity::Error) errors += d.message() + "\n";
+            if (d.severity == diagnostics::Severity::Error) errors += d.message.english() + "\n";
         types = std::make_unique<DeclaredTypes>(std::vector<const syntax::SyntaxFile*>{file.get(), blocks.get()});
         unit = findUnit(*file, name);
         diagram = project(text, *file, unit, *types, form);

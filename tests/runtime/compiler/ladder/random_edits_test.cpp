@@ -369,8 +369,8 @@ TEST(LadderEdits, TenThousandRandomOnesMeanWhatTheySay) {
             if (edited.what.empty()) continue;
             if (!edited.edits) {
                 ++refused;
-                ++refusals[edited.edits.error().message];
-                ASSERT_FALSE(edited.edits.error().message.empty());
+                ++refusals[edited.edits.error().message.english()];
+                ASSERT_FALSE(edited.edits.error().message.isEmpty());
                 continue;
             }
             ++done;
