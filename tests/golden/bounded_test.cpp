@@ -26,9 +26,9 @@ driver::Built built(const std::string& text) {
 std::string refusal(const std::string& text) {
     const driver::Built made = built(text);
     if (made.program) return {};
-    if (!made.failure.empty()) return made.failure;
+    if (!made.failure.isEmpty()) return made.failure.english();
     for (const auto& diagnostic : made.checked.analysis->diagnostics)
-        if (diagnostic.severity == diagnostics::Severity::Error) return diagnostic.message();
+        if (diagnostic.severity == diagnostics::Severity::Error) return diagnostic.message.english();
     return {};
 }
 

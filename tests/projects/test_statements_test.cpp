@@ -13,7 +13,7 @@ Report runOf(const std::string& program, const std::string& test) {
     project.sources.push_back({"main.st", program});
     project.tests.push_back({"tests.st", test});
     auto report = runTests(project, {});
-    EXPECT_TRUE(report) << report.error().text();
+    EXPECT_TRUE(report) << report.error().english();
     return report ? *report : Report{};
 }
 
