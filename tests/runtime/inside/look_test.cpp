@@ -30,7 +30,7 @@ TEST(Look, WatchedScansOfRandomProgramsComeOutAsRecorded) {
         Insight insight(session.history());
         for (Position at = 0; at < 30; ++at) {
             const auto look = insight.look(at);
-            ASSERT_TRUE(look) << look.error().text();
+            ASSERT_TRUE(look) << look.error().english();
             ASSERT_TRUE((*look)->isExact())
                 << "seed " << seed << " scan " << at << " " << (*look)->differences()[0].path;
             EXPECT_EQ((*look)->leftOut(), 0u);
@@ -67,7 +67,7 @@ END_PROGRAM)"));
     session.controller().scan();
     Insight insight(session.history());
     const auto found = insight.look(0);
-    ASSERT_TRUE(found) << found.error().text();
+    ASSERT_TRUE(found) << found.error().english();
     const Look& look = **found;
     ASSERT_TRUE(look.isExact());
     const image::CompiledProgram& program = *session.program();
@@ -104,7 +104,7 @@ END_PROGRAM)"));
     session.controller().scan();
     Insight insight(session.history());
     const auto look = insight.look(0);
-    ASSERT_TRUE(look) << look.error().text();
+    ASSERT_TRUE(look) << look.error().english();
     ASSERT_TRUE((*look)->isExact());
     const auto place = session.program()->layout.find("low");
     const std::vector<EventIndex> writes = (*look)->writesTo(place->offset, 1);
@@ -156,7 +156,7 @@ PROGRAM Main VAR o : Outer; p : Other; END_VAR o(); p(); END_PROGRAM)"));
     LookOptions options;
     options.functions = {inner};
     const auto look = insight.look(1, options);
-    ASSERT_TRUE(look) << look.error().text();
+    ASSERT_TRUE(look) << look.error().english();
     EXPECT_TRUE((*look)->isExact());
     EXPECT_EQ(texts(**look, (*look)->valuesOf(rangeOf(*session.program(), "n + 1"))), Texts{"2"});
     EXPECT_TRUE((*look)->valuesOf(rangeOf(*session.program(), "n + 2")).empty());

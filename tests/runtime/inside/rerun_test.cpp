@@ -88,7 +88,7 @@ void expectEveryScanAgain(const history::History& history, const std::string& wh
     for (history::Position at = all.first; at < all.end; ++at) {
         const auto rerun = again.run(at);
         if (!rerun) {
-            EXPECT_EQ(at, all.first) << what << rerun.error().text(); // what it went on from is evicted
+            EXPECT_EQ(at, all.first) << what << rerun.error().english(); // what it went on from is evicted
             ++unknown;
             continue;
         }
@@ -136,7 +136,7 @@ TEST(RunAgain, EveryScanOfRandomProgramsWithInfluenceFromOutside) {
                                   sources.libraryTexts})
                 .program;
         });
-        ASSERT_TRUE(loaded) << loaded.error().text();
+        ASSERT_TRUE(loaded) << loaded.error().english();
         expectEveryScanAgain(**loaded, "file of seed " + std::to_string(seed + run));
         std::filesystem::remove(file);
     }
@@ -160,7 +160,7 @@ TEST(RunAgain, SurvivesEviction) {
     EXPECT_FALSE(again.run(all.first - 1));
     for (history::Position at = all.first + 1; at < all.end; at += 1 + (all.end - all.first) / 200) {
         const auto rerun = again.run(at);
-        ASSERT_TRUE(rerun) << rerun.error().text();
+        ASSERT_TRUE(rerun) << rerun.error().english();
         ASSERT_TRUE(rerun->isExact()) << at;
         EXPECT_EQ(rerun->input.start.forces.size(), 1u);
     }

@@ -30,12 +30,12 @@ protected:
     Position last() { return session->history().statistics().end - 1; }
     Explanation why(const std::string& text) {
         auto found = reasoner->why({text, {}}, last());
-        EXPECT_TRUE(found) << found.error().text();
+        EXPECT_TRUE(found) << found.error().english();
         return found ? *found : Explanation();
     }
     WhyNot whyNot(const std::string& text) {
         auto found = reasoner->whyNot({text, {}}, last());
-        EXPECT_TRUE(found) << found.error().text();
+        EXPECT_TRUE(found) << found.error().english();
         return found ? *found : WhyNot();
     }
     static std::vector<std::string> names(const std::vector<Part>& parts) {
@@ -161,10 +161,10 @@ TEST_F(Why, TheWriterMayBeAForceAnInitialValueOrAReset) {
     ASSERT_TRUE(session->controller().force("a", integerFor(*session->program(), "a", 5)));
     scan(2);
     const auto forced = reasoner->lastWriter({"a", {}}, last());
-    ASSERT_TRUE(forced) << forced.error().text();
+    ASSERT_TRUE(forced) << forced.error().english();
     EXPECT_EQ(forced->kind, WriterKind::Forced);
     const auto initial = reasoner->lastWriter({"c", {}}, last());
-    ASSERT_TRUE(initial) << initial.error().text();
+    ASSERT_TRUE(initial) << initial.error().english();
     EXPECT_EQ(initial->kind, WriterKind::Initial);
     session->controller().releaseAll();
     session->controller().reset(controller::ResetKind::Cold);
