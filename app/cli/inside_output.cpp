@@ -1,6 +1,7 @@
 #include "app/cli/inside_output.h"
 
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "projects/session/versions.h"
 #include "runtime/inside/words.h"
 
@@ -274,20 +275,20 @@ Result<history::Position> positionOf(const history::History& history, const std:
         return *found;
     }
     const auto time = parseDuration(text);
-    if (!time) return Error{time.error().message + "; a scan's number is possible as well", text};
+    if (!time) return Error{time.error().message.english() + "; a scan's number is possible as well", text};
     const auto found = history.positionAt(*time);
     if (!found) return Error{"The recording has no scan at or before this time", text};
     return *found;
 }
 
 Result<std::unique_ptr<history::History>> openRecording(const std::string& path) {
-    std::string failure;
+    Message failure;
     auto loaded = history::History::load(path, [&](const history::History::Sources& sources) {
         driver::Built built = driver::build(session::recordedInput(sources));
-        if (!built.program) failure = built.failure.empty() ? "the program in it has errors" : built.failure;
+        if (!built.program) failure = built.failure.isEmpty() ? errors::RecordedProgramHasErrors() : built.failure;
         return std::shared_ptr<const image::CompiledProgram>(built.program);
     });
-    if (!loaded && !failure.empty()) return Error{"The recording cannot be opened: " + failure, path};
+    if (!loaded && !failure.isEmpty()) return Error{errors::RecordingNotOpened(failure), path};
     return loaded;
 }
 

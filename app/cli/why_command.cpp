@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/errors.h"
 #include "app/cli/inside_output.h"
 #include "app/cli/run_output.h"
 #include "app/cli/timed_write.h"
@@ -57,7 +58,7 @@ int answerByRunning(const Arguments& arguments, const std::string& path, const s
         return kProgramWrong;
     }
     if (!built.program)
-        return wrongUse({built.failure.empty() ? "There is no program to run" : built.failure, project->name});
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
     session::Settings settings;
     if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
         return wrongUse(start.error());

@@ -49,6 +49,7 @@ Slice Slicer::sliceOf(const image::Place& place) { return sliceOf(std::vector<im
 Slice Slicer::sliceOf(const std::vector<image::Place>& places) {
     m_slice = {};
     m_seen.clear();
+    m_blocks.clear();
     m_count = 0;
     const auto end = static_cast<EventIndex>(m_look.events().size());
     for (const image::Place& place : places) {
@@ -82,8 +83,23 @@ void Slicer::placeBefore(EventIndex before, const image::Place& place, Steps& ou
         m_look.lastWriteBefore(before, place.offset, sizeOf(*m_look.tree().types, place), place.bit);
     if (last != kNone)
         write(last, place, out);
+    else if (const uint32_t block = blockAround(before, place); block != kNone)
+        library(before, block, out); // it ran and left this as it was
     else
         leaf(place, before, out);
+}
+
+/// The run of a library's block before `before` that the place belongs to; kNone: none.
+uint32_t Slicer::blockAround(EventIndex before, const image::Place& place) const {
+    const auto activations = m_look.activations();
+    for (auto a = static_cast<uint32_t>(activations.size()); a-- > 0;) {
+        const Activation& run = activations[a];
+        const types::TypeId type = m_look.tree().functions[run.function].instanceType;
+        if (run.begin >= before || run.end == kNone || run.end >= before || !type.isValid()) continue;
+        if (place.offset < run.instance || place.offset >= run.instance + (*m_look.tree().types)[type].size) continue;
+        if (libraryActivation(a) == a) return a;
+    }
+    return kNone;
 }
 
 void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool isInternal) {
@@ -149,7 +165,7 @@ void Slicer::write(EventIndex at, const image::Place& place, Steps& out) {
     const Activation& activation = m_look.activations()[event.activation];
     const tree::Function& function = m_look.tree().functions[activation.function];
     if (const uint32_t library = libraryActivation(event.activation); library != kNone && event.node) {
-        writeOfLibrary(at, library, out);
+        this->library(at, library, out);
     } else if (!event.node) {
         parameter(at, out);
     } else if (event.stmt()->isHidden && event.stmt()->kind == StmtKind::Assign &&
@@ -230,8 +246,9 @@ void Slicer::output(EventIndex at, Steps& out) {
 }
 
 /// A block or function of a library is explained by what it was given, not by its insides.
-void Slicer::writeOfLibrary(EventIndex at, uint32_t index, Steps& out) {
+void Slicer::library(EventIndex at, uint32_t index, Steps& out) {
     const Activation& activation = m_look.activations()[index];
+    if (!m_blocks.insert(index).second) return;
     const tree::Function& function = m_look.tree().functions[activation.function];
     const types::TypeTable& types = *m_look.tree().types;
     Step step;
@@ -259,7 +276,7 @@ void Slicer::writeOfLibrary(EventIndex at, uint32_t index, Steps& out) {
             if (isOwn && !types.isAggregate(field.type) && !types.isText(field.type))
                 leaf({field.type, activation.instance + field.offset, field.bit}, activation.begin, step.steps, true);
         }
-        for (EventIndex i = activation.begin; i < at; ++i) {
+        for (EventIndex i = activation.begin; i < std::min(at, activation.end); ++i) {
             const Event& event = m_look.events()[i];
             if (event.kind == WatchKind::Value && event.expr()->kind == ExprKind::Intrinsic &&
                 (event.expr()->intrinsic == library::Intrinsic::Time ||
@@ -455,6 +472,7 @@ void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& ou
     const uint32_t size = sizeOf(*m_look.tree().types, place);
     const auto events = m_look.events();
     std::set<std::pair<const Stmt*, uint32_t>> seen;
+    if (after == kNone) blockedCalls(out);
     for (uint32_t a = 0; a < m_look.activations().size(); ++a) {
         const Activation& activation = m_look.activations()[a];
         if (libraryActivation(a) != kNone) continue;
@@ -479,6 +497,22 @@ void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& ou
                 guard(after == kNone ? Step::Kind::Blocked : Step::Kind::NotReset, *parent, at + 1, a, out);
                 break;
             }
+        }
+    }
+}
+
+/// Conditions that kept a call from being made: what is called might have written it.
+void Slicer::blockedCalls(Steps& out) {
+    for (uint32_t a = 0; a < m_look.activations().size(); ++a) {
+        const Activation& activation = m_look.activations()[a];
+        if (libraryActivation(a) != kNone) continue;
+        const auto until = activation.end == kNone ? static_cast<EventIndex>(m_look.events().size()) : activation.end;
+        for (const Stmt* stmt : m_map.branches(activation.function)) {
+            const EventIndex at = stmt->a ? valueEvent(*stmt->a, until, a) : kNone;
+            if (at == kNone) continue;
+            bool calls = stmt->kind == StmtKind::If && m_map.calls(boolAt(at) ? stmt->elseBody : stmt->body);
+            for (const tree::CaseArm& arm : stmt->arms) calls = calls || m_map.calls(arm.body);
+            if (calls) guard(Step::Kind::Blocked, *stmt, at + 1, a, out);
         }
     }
 }

@@ -65,7 +65,9 @@ private:
     void read(EventIndex read, Steps& out);
     void placeBefore(EventIndex before, const image::Place& place, Steps& out, SourceRange text);
     void write(EventIndex write, const image::Place& place, Steps& out);
-    void writeOfLibrary(EventIndex write, uint32_t activation, Steps& out);
+    void library(EventIndex before, uint32_t activation, Steps& out);
+    [[nodiscard]] uint32_t blockAround(EventIndex before, const image::Place& place) const;
+    void blockedCalls(Steps& out);
     void assigned(EventIndex write, Steps& out);
     void parameter(EventIndex write, Steps& out);
     void output(EventIndex write, Steps& out);
@@ -89,6 +91,7 @@ private:
     const StatementMap& m_map;
     Slice m_slice;
     std::set<EventIndex> m_seen; // writes that are explained already
+    std::set<uint32_t> m_blocks; // and runs of library blocks
     struct Condition {
         SourceRange range;
         bool held = false;

@@ -6,7 +6,7 @@ using tree::Stmt;
 using tree::StmtKind;
 
 StatementMap::StatementMap(const tree::Program& tree)
-    : m_assignments(tree.functions.size()), m_calls(tree.functions.size()) {
+    : m_assignments(tree.functions.size()), m_branches(tree.functions.size()) {
     for (uint32_t f = 1; f < tree.functions.size(); ++f) add(tree.functions[f].body, nullptr, f, 0);
 }
 
@@ -20,6 +20,7 @@ void StatementMap::add(const std::vector<Stmt*>& body, const Stmt* parent, uint3
         if (!stmt) continue;
         m_around[stmt] = {parent, &body, function, arm};
         if (stmt->kind == StmtKind::Assign) m_assignments[function].push_back(stmt);
+        if (stmt->kind == StmtKind::If || stmt->kind == StmtKind::Case) m_branches[function].push_back(stmt);
         for (const tree::Expr* expr : {stmt->a, stmt->b, stmt->c}) addCalls(expr, *stmt, function);
         add(stmt->body, stmt, function, 1);
         add(stmt->elseBody, stmt, function, stmt->kind == StmtKind::Case ? -1 : 0);
@@ -35,8 +36,18 @@ void StatementMap::addCalls(const tree::Expr* expr, const Stmt& stmt, uint32_t f
     for (const tree::Expr* operand : expr->operands) addCalls(operand, stmt, function);
     if (!expr->statements.empty()) add(expr->statements, &stmt, function, 1);
     if (!expr->call) return;
-    if (expr->call->callee.value < m_calls.size()) m_calls[expr->call->callee.value].push_back(&stmt);
+    m_callers.insert(&stmt);
     for (const tree::CallArgument& argument : expr->call->arguments) addCalls(argument.value, stmt, function);
+}
+
+bool StatementMap::calls(const std::vector<Stmt*>& body) const {
+    for (const Stmt* stmt : body) {
+        if (!stmt) continue;
+        if (m_callers.contains(stmt) || calls(stmt->body) || calls(stmt->elseBody)) return true;
+        for (const tree::CaseArm& arm : stmt->arms)
+            if (calls(arm.body)) return true;
+    }
+    return false;
 }
 
 bool StatementMap::mayLeave(const Stmt& stmt) const {

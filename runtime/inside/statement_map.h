@@ -3,6 +3,7 @@
 #include "runtime/compiler/tree/tree.h"
 
 #include <unordered_map>
+#include <unordered_set>
 
 namespace plc::inside {
 
@@ -21,8 +22,12 @@ public:
     [[nodiscard]] const std::vector<const tree::Stmt*>& assignments(uint32_t function) const {
         return m_assignments[function];
     }
-    /// Statements that call the function.
-    [[nodiscard]] const std::vector<const tree::Stmt*>& callsOf(uint32_t function) const { return m_calls[function]; }
+    /// IF and CASE statements, by function.
+    [[nodiscard]] const std::vector<const tree::Stmt*>& branches(uint32_t function) const {
+        return m_branches[function];
+    }
+    /// Whether anything in these statements calls a function.
+    [[nodiscard]] bool calls(const std::vector<tree::Stmt*>& body) const;
     /// IF and CASE statements of a function that may leave it (RETURN) or its loop.
     [[nodiscard]] bool mayLeave(const tree::Stmt& stmt) const;
 
@@ -30,7 +35,8 @@ private:
     void add(const std::vector<tree::Stmt*>& body, const tree::Stmt* parent, uint32_t function, int64_t arm);
     void addCalls(const tree::Expr* expr, const tree::Stmt& stmt, uint32_t function);
     std::unordered_map<const tree::Stmt*, Around> m_around;
-    std::vector<std::vector<const tree::Stmt*>> m_assignments, m_calls;
+    std::vector<std::vector<const tree::Stmt*>> m_assignments, m_branches; // by function
+    std::unordered_set<const tree::Stmt*> m_callers;
 };
 
 } // namespace plc::inside

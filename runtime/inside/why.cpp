@@ -163,7 +163,8 @@ Result<Explanation> Reasoner::why(const Question& question, Position at, uint32_
     Result<Asked> asked = ask(question, at);
     if (!asked) return asked.error();
     if (asked->value.empty())
-        return Error{"it has no value in this scan: " + asked->expression.evaluate(asked->image).reason, question.text};
+        return Error{"it has no value in this scan: " + asked->expression.evaluate(asked->image).reason.english(),
+                     question.text};
     Explanation answer;
     answer.question = question;
     answer.value = asked->value;
