@@ -168,7 +168,7 @@ void ImportDialog::preview(const QString& path) {
         const Waiting waiting;
         return exchange::importFrom(path.toStdString());
     }();
-    if (!imported) return show(imported.error());
+    if (!imported) return complain(imported.error());
     m_imported = *imported;
     for (const exchange::ImportedFile& file : m_imported->files)
         new QTreeWidgetItem(m_files, {QString::fromStdString(file.path)});
@@ -182,7 +182,7 @@ void ImportDialog::preview(const QString& path) {
     check();
 }
 
-void ImportDialog::show(const Error& error) {
+void ImportDialog::complain(const Error& error) {
     check();
     m_complaint->setText(kit::messageText(error));
 }

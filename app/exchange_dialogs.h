@@ -31,7 +31,7 @@ public:
 
 private:
     void choose(bool isFolder);
-    void show(const Error& error);
+    void complain(const Error& error);
     void showFile();
     void check();
     QString m_projectsFolder;
