@@ -10,10 +10,12 @@
 #include "runtime/compiler/driver/driver.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
 #include <QToolTip>
@@ -635,7 +637,11 @@ void EditorTabs::showExecutedLine() {
     const int line = place ? place->line : 0;
     const QString shown = QString("%1:%2:%3").arg(file).arg(range.begin).arg(static_cast<int>(state));
     const bool isNew = std::exchange(m_shownPlace, shown) != shown;
-    if (line && isNew) goToLine(file, line);
+    if (line && isNew) {
+        const QPointer<QWidget> focus = QApplication::focusWidget(); // who types elsewhere goes on there
+        goToLine(file, line);
+        if (focus && !isAncestorOf(focus)) focus->setFocus();
+    }
     for (StEditor* editor : allEditors()) {
         const int here = editor->file() == file ? line : 0;
         editor->setExecutedLine(state == State::Halted ? here : 0);

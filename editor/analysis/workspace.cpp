@@ -249,18 +249,11 @@ Result<void> Workspace::saveProjectFile(const projects::Project& project) {
 
 // ------------------------------------------------------------------ changes from outside
 
-namespace {
-std::string withoutMark(std::string bytes) {
-    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-    return bytes;
-}
-} // namespace
-
 bool Workspace::isNewerOnDisk(const QString& file) const {
     QFile disk(absolutePath(file));
     const auto it = m_files.find(file);
     return it != m_files.end() && disk.open(QIODevice::ReadOnly) &&
-           withoutMark(disk.readAll().toStdString()) != withoutMark(it->second.onDisk);
+           projects::decodeText(disk.readAll().toStdString()).text != it->second.onDisk;
 }
 
 void Workspace::lookAtDisk() {
