@@ -14,7 +14,8 @@ inline driver::Built buildText(const std::string& text, std::vector<std::string>
     driver::Built built = driver::build(input);
     EXPECT_TRUE(built.program) << built.failure << text;
     if (!built.program)
-        for (const auto& diagnostic : built.checked.analysis->diagnostics) ADD_FAILURE() << diagnostic.message.english();
+        for (const auto& diagnostic : built.checked.analysis->diagnostics)
+            ADD_FAILURE() << diagnostic.message.english();
     return built;
 }
 
