@@ -1,6 +1,7 @@
 #include "runtime/inside/rerun.h"
 
 #include "projects/session/session.h"
+#include "projects/session/versions.h"
 #include "tests/projects/random_program.h"
 
 #include <filesystem>
@@ -127,14 +128,7 @@ TEST(RunAgain, EveryScanOfRandomProgramsWithInfluenceFromOutside) {
             (std::filesystem::temp_directory_path() / ("again" + std::to_string(::getpid()) + ".rec")).string();
         ASSERT_TRUE(session.history().save(file));
         const auto loaded = history::History::load(file, [](const history::History::Sources& sources) {
-            return driver::build({{{sources.files[0].first, sources.files[0].second}},
-                                  sources.libraries,
-                                  false,
-                                  {},
-                                  true,
-                                  false,
-                                  sources.libraryTexts})
-                .program;
+            return driver::build(session::recordedInput(sources)).program;
         });
         ASSERT_TRUE(loaded) << loaded.error().english();
         expectEveryScanAgain(**loaded, "file of seed " + std::to_string(seed + run));
