@@ -65,6 +65,9 @@ void World::writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16
     types::writeValue(types, type, value, std::span(out.bytes).subspan(offset, size), bit);
 }
 
+/// An initial value at a place of its type.
+///   ok:    a : ARRAY[1..3] OF INT := [1, 2(0)]; p : Point := (x := 1);
+///   wrong: a : ARRAY[1..2] OF INT := [1, 2, 3];  (P3031)   p : Point := (z := 1);  (P2002)
 void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
                        const Scope& scope, const std::vector<syntax::Argument>* constructor) {
     const TypeKind kind = types.kind(type);

@@ -8,6 +8,7 @@ namespace plc::sema {
 using diagnostics::Kind;
 using types::Family;
 
+///   ok:    p := REF(w);      wrong: p := REF(w.3);  (P2037)
 Operand Checker::addressOf(tree::Place* place, TypeId pointer, SourceRange range) {
     if (!hasAddress(place)) {
         emit(range, Kind::TemporaryReference);
@@ -31,6 +32,8 @@ Operand Checker::isNull(Operand pointer, SourceRange range) {
     return {e, &types};
 }
 
+/// LOWER_BOUND and UPPER_BOUND of ARRAY[*] .
+///   ok:    UPPER_BOUND(a, 1)      wrong: UPPER_BOUND(x, 1)  with x : INT (P2014)   UPPER_BOUND(a, 3)  of two (P2016)
 Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
     const library::Signature* signature = library::findSignature(isUpper ? "UPPER_BOUND" : "LOWER_BOUND");
     const StandardArguments arguments = standardArguments(*signature, e);
@@ -69,6 +72,7 @@ Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
     return {out, &types};
 }
 
+///   ok:    SIZEOF(a); SIZEOF(INT)      wrong: SIZEOF(a, b)  (P2011)
 Operand Checker::sizeCall(const syntax::Expr& e, TypeKind result) {
     if (e.arguments.size() != 1 || !e.arguments[0].value) {
         emit(e.base->range, e.arguments.empty() ? Kind::MissingArgument : Kind::TooManyArguments,
@@ -183,6 +187,7 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
 }
 
 /// __QUERYINTERFACE(from, to): to becomes from's block seen through its interface, or null; gives whether it could.
+///   ok:    __QUERYINTERFACE(i, j)      wrong: __QUERYINTERFACE(i)  (P2010)
 Operand Checker::queryCall(const syntax::Expr& e) {
     if (e.arguments.size() != 2 || !e.arguments[0].value || !e.arguments[1].value) {
         emit(e.base->range, Kind::MissingArgument, {"TO", textOf(e.base->range)});

@@ -34,6 +34,7 @@ std::optional<TypeKind> elementaryNamed(std::string_view name) {
     return std::nullopt;
 }
 
+///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[1..x] OF INT  with a variable x (P2019)
 std::optional<int64_t> World::constantInteger(const syntax::Expr* expr, const Scope& scope) {
     if (!expr) return std::nullopt;
     const Waiting wait(waitingCounter(), expr->height);
@@ -68,6 +69,7 @@ std::string_view ownNameOf(std::string_view foreign) {
 
 } // namespace
 
+///   wrong: x : Motr;  where nothing is called so (P3002)
 TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceRange range) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (path.empty()) return unknown;
@@ -241,6 +243,7 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
     return unknown;
 }
 
+///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[3..1] OF INT  (P3027)
 TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     const TypeId element = resolveSpec(spec.element, scope);
@@ -345,6 +348,8 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
     return types.subrange(types.storage(base), *low, *high);
 }
 
+///   ok:    VAR_GLOBAL g : INT; END_VAR … VAR_EXTERNAL g : INT; END_VAR      wrong: without the VAR_GLOBAL (P3022)
+///          VAR a : ARRAY[*] OF INT; END_VAR  (P3018)
 TypeId World::typeOf(Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
@@ -412,6 +417,7 @@ bool World::sameType(TypeId a, TypeId b) const {
     return false;
 }
 
+///   ok:    A : STRUCT b : REF_TO A; END_STRUCT      wrong: A : STRUCT b : A; END_STRUCT  (P3003)
 void World::reportCycle(TypeId type, SourceRange usedAt) {
     const types::Type& t = types[type];
     emit(usedAt.file.isValid() ? usedAt : t.declaration, Kind::TypeCycle, {t.name});
