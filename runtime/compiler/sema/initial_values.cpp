@@ -90,7 +90,7 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                 emit(argument.range, Kind::Expected, {"name :=", std::string(textOf(argument.value->range))});
                 continue;
             }
-            const types::Field* field = types[type].findField(argument.name.text);
+            const types::Field* field = fieldOf(type, argument.name.text);
             if (!field) {
                 suggest(emit(argument.name.range, Kind::UnknownMember, {nameOf(type), std::string(argument.name.text)}),
                         argument.name.range, argument.name.text, memberNames(type));

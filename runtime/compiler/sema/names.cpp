@@ -342,7 +342,7 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
         return {};
     case TypeKind::Struct:
     case TypeKind::Union: {
-        const types::Field* field = types[type].findField(name.text);
+        const types::Field* field = world.fieldOf(type, name.text);
         if (!field) return unknownMember();
         if (const auto it = world.structsByType.find(type); it != world.structsByType.end()) {
             const auto index = static_cast<size_t>(field - types[type].fields.data());
@@ -430,7 +430,7 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
 bool Checker::hasMembers(Variable& variable, std::string_view name) {
     const TypeId type = world.typeOf(variable);
     const TypeKind kind = types.kind(type);
-    if (kind == TypeKind::Struct || kind == TypeKind::Union) return types[type].findField(name) != nullptr;
+    if (kind == TypeKind::Struct || kind == TypeKind::Union) return world.fieldOf(type, name) != nullptr;
     return kind == TypeKind::Block || kind == TypeKind::Interface || kind == TypeKind::Pointer ||
            kind == TypeKind::Reference || kind == TypeKind::Unknown;
 }

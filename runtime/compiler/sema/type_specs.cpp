@@ -566,6 +566,14 @@ void World::completeEnum(EnumType& enumeration) {
     }
 }
 
+/// A field by its name; of a structure without a search, because a machine's whole data may be one.
+const types::Field* World::fieldOf(TypeId type, std::string_view name) {
+    const auto made = structsByType.find(type);
+    if (made == structsByType.end() || made->second->indices.empty()) return types[type].findField(name);
+    const auto found = made->second->indices.find(key(name));
+    return found == made->second->indices.end() ? nullptr : &types[type].fields[found->second];
+}
+
 void World::completeStruct(StructType& made) {
     if (made.progress != Progress::Open) return;
     made.progress = Progress::Working;
@@ -632,6 +640,10 @@ void World::completeStruct(StructType& made) {
                    types[made.type].declaration.file.isValid() ? types[made.type].declaration : made.spec->range)) {
         made.progress = Progress::Done;
         return;
+    }
+    for (uint32_t i = 0; i < type.fields.size(); ++i) {
+        made.indices.try_emplace(key(type.fields[i].name), i);
+        for (const std::string& alias : type.fields[i].aliases) made.indices.try_emplace(key(alias), i);
     }
     if (std::any_of(type.fields.begin(), type.fields.end(), [](const types::Field& f) { return f.isLocated; }))
         for (types::Field& field : type.fields) field.isLocated = true; // where it lies for those that extend it
