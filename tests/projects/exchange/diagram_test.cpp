@@ -240,7 +240,9 @@ TEST_F(DiagramImport, DamagedDiagramsEndWithALineOrNothingButNeverHang) {
         std::string damaged = whole;
         damaged.erase(at, 7);
         const auto imported = importFrom(write("damaged.xml", damaged));
-        if (imported) EXPECT_FALSE(imported->files.empty());
+        if (imported) {
+            EXPECT_FALSE(imported->files.empty());
+        }
     }
 }
 
