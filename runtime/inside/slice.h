@@ -76,7 +76,8 @@ private:
     void callResult(const tree::Expr& expr, EventIndex at, uint32_t activation, Steps& out);
     void guards(const tree::Stmt& stmt, EventIndex before, uint32_t activation, Steps& out);
     void guard(Step::Kind kind, const tree::Stmt& around, EventIndex before, uint32_t activation, Steps& out);
-    void otherWriters(const image::Place& place, EventIndex after, Steps& out);
+    void input(const Activation& activation, const image::Place& place, Steps& out);
+    void otherWriters(const image::Place& place, EventIndex after, Steps& out, bool followsCalls = true);
     void leaf(const image::Place& place, EventIndex read, Steps& out, bool isInternal = false);
     void clock(Steps& out);
 

@@ -82,7 +82,7 @@ std::optional<types::Value> asType(const types::TypeTable& types, types::TypeId 
 std::vector<types::Value> alternatives(const image::Layout& layout, const Leaf& leaf) {
     std::vector<types::Value> all;
     const types::TypeTable& types = *layout.types;
-    if (leaf.isClock || !leaf.value.hasValue()) return all;
+    if (leaf.isClock || !leaf.value.hasValue() || types.isText(leaf.place.type)) return all;
     if (types.storageKind(leaf.place.type) == TypeKind::Bool) {
         types::Value flipped = leaf.value;
         flipped.data = static_cast<int64_t>(leaf.value.isTrue() ? 0 : 1);
