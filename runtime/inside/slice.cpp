@@ -18,6 +18,12 @@ namespace {
 constexpr size_t kMostSteps = 400;
 constexpr uint32_t kDeepest = 60;
 
+/// What lowering made of a chart: not what a person would change. A step's X is.
+bool isMachinery(const std::string& path) {
+    if (path.find("__") != std::string::npos) return true;
+    return path.ends_with(".enter") || path.ends_with(".leave");
+}
+
 uint32_t sizeOf(const types::TypeTable& types, const image::Place& place) {
     return place.bit >= 0 ? 1 : std::max(1u, types[place.type].size);
 }
@@ -117,7 +123,7 @@ void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool i
     auto index = static_cast<uint32_t>(known - m_slice.leaves.begin());
     if (known == m_slice.leaves.end()) {
         fresh.path = nameOf(layout, place);
-        fresh.isInternal = isInternal;
+        fresh.isInternal = isInternal || isMachinery(fresh.path);
         const std::span<const std::byte> image =
             read < m_look.events().size() ? std::span<const std::byte>(m_look.input().image) : m_look.image();
         if (!m_look.tree().types->isAggregate(place.type))
@@ -131,6 +137,7 @@ void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool i
     step.leaf = index;
     step.path = m_slice.leaves[index].path;
     step.value = m_slice.leaves[index].value;
+    step.isInternal = m_slice.leaves[index].isInternal;
     step.event = read;
     out.push_back(std::move(step));
 }

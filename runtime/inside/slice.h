@@ -41,6 +41,7 @@ struct Step {
     std::string note;                     // Block: "has run 3.2 s of 5 s, 1.8 s to go"
     types::Value value;
     uint32_t leaf = kNone;
+    bool isInternal = false; // Leaf: what a library's block remembers
     EventIndex event = kNone;
     std::vector<Step> steps;
 };

@@ -258,6 +258,10 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
                 ++i;
         }
     }
+    const auto isInside = [&](const Toggle& toggle) {
+        return toggle.kind == Toggle::Kind::Leaf && slice.leaves[toggle.leaf].isInternal;
+    };
+    if (!std::all_of(found.begin(), found.end(), isInside)) std::erase_if(found, isInside);
     for (const Toggle& toggle : found) {
         Part part;
         if (toggle.kind == Toggle::Kind::Leaf || toggle.kind == Toggle::Kind::Clock) {
@@ -271,6 +275,8 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
             if (goesOn)
                 if (auto deeper = why({leaf.path, {}}, changed - 1, depth - 1))
                     part.because = std::move(deeper->triggers);
+            // What counts on from itself is no news.
+            std::erase_if(part.because, [&](const Part& deeper) { return deeper.path == part.path; });
         } else {
             part.path = toggle.kind == Toggle::Kind::First ? "first scan" : "forces";
         }
