@@ -2,7 +2,9 @@
 // editable.
 #include "app/editor_tabs.h"
 #include "app/exchange_dialogs.h"
+#include "app/focus_command.h"
 #include "app/main_window.h"
+#include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/search_view.h"
 #include "editor/debug/watch_view.h"
@@ -23,6 +25,12 @@ template <void (editor::StEditor::*Command)()> void inEditor(MainWindow& window)
     if (auto* editor = window.tabs().currentEditor()) (editor->*Command)();
 }
 
+constexpr char kUndo[] = "undo", kRedo[] = "redo", kCut[] = "cut", kCopy[] = "copy", kPaste[] = "paste",
+               kZoomIn[] = "zoom-in", kZoomOut[] = "zoom-out";
+template <const char* Command> void inFocus(MainWindow& window) {
+    runInFocus(window.tabs(), QString::fromLatin1(Command));
+}
+
 void say(MainWindow& window, const Result<void>& result) {
     if (!result) window.say(kit::messageText(result.error()), true);
 }
@@ -37,7 +45,7 @@ const std::vector<ActionSpec> kActions = {
     {"file.newTrace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "New Trace…"), "", drawn(Icon::Trace), [](MainWindow& w) { w.newTrace(); }},
     {"file.texts", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Panel Texts"), "", drawn(Icon::Texts), [](MainWindow& w) { w.openTexts(); }},
     {"file.alarms", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Alarms"), "", drawn(Icon::Alarm), [](MainWindow& w) { w.openAlarms(); }},
-    {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.tabs().saveAll(); }},
+    {"file.saveAll", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Save All"), "Ctrl+Shift+S", none, [](MainWindow& w) { w.saveAll(); }},
     {"file.closeTab", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Close Document"), "Ctrl+W", none, [](MainWindow& w) { if (w.tabs().count()) w.tabs().closePage(w.tabs().currentIndex()); }},
     {"file.libraries", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Libraries…"), "", drawn(Icon::Library), [](MainWindow& w) { w.chooseLibraries(); }},
     {"file.import", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Import…"), "", none, [](MainWindow& w) { importProject(w); }},
@@ -45,11 +53,11 @@ const std::vector<ActionSpec> kActions = {
     {"file.settings", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Settings…"), "Ctrl+,", drawn(Icon::Settings), [](MainWindow& w) { w.openSettings(); }},
     {"file.quit", QT_TRANSLATE_NOOP("plc::app::MainWindow", "File"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Quit"), "Ctrl+Q", none, [](MainWindow& w) { w.close(); }},
 
-    {"edit.undo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Undo"), "Ctrl+Z", drawn(Icon::Undo), [](MainWindow& w) { w.tabs().undo(); }},
-    {"edit.redo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Redo"), "Ctrl+Y", drawn(Icon::Redo), [](MainWindow& w) { w.tabs().redo(); }},
-    {"edit.cut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Cut"), "Ctrl+X", drawn(Icon::Cut), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->cut(); }},
-    {"edit.copy", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Copy"), "Ctrl+C", drawn(Icon::Copy), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->copy(); }},
-    {"edit.paste", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Paste"), "Ctrl+V", drawn(Icon::Paste), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->paste(); }},
+    {"edit.undo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Undo"), "Ctrl+Z", drawn(Icon::Undo), inFocus<kUndo>},
+    {"edit.redo", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Redo"), "Ctrl+Y", drawn(Icon::Redo), inFocus<kRedo>},
+    {"edit.cut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Cut"), "Ctrl+X", drawn(Icon::Cut), inFocus<kCut>},
+    {"edit.copy", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Copy"), "Ctrl+C", drawn(Icon::Copy), inFocus<kCopy>},
+    {"edit.paste", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Paste"), "Ctrl+V", drawn(Icon::Paste), inFocus<kPaste>},
     {"edit.find", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find…"), "Ctrl+F", drawn(Icon::Find), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->findBar().open(false); }},
     {"edit.replace", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Replace…"), "Ctrl+H", drawn(Icon::Replace), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->findBar().open(true); }},
     {"edit.findNext", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find Next"), "F3", none, [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->findBar().findNext(); }},
@@ -63,13 +71,14 @@ const std::vector<ActionSpec> kActions = {
     {"edit.goToLine", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Line…"), "Ctrl+G", none, [](MainWindow& w) { w.goToLine(); }},
     {"edit.definition", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to Definition"), "F12", drawn(Icon::Forward), [](MainWindow& w) { w.definitionAtCursor(); }},
     {"edit.uses", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Find All Uses"), "Shift+F12", none, [](MainWindow& w) { w.usesAtCursor(); }},
-    {"edit.rename", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Rename…"), "F2", drawn(Icon::Rename), [](MainWindow& w) { w.renameAtCursor(); }},
+    {"edit.rename", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Rename…"), "F2", drawn(Icon::Rename), [](MainWindow& w) { if (!editFocusedCell()) w.renameAtCursor(); }},
     {"edit.complete", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Complete"), "", none, inEditor<&editor::StEditor::triggerCompletion>},
     {"edit.fix", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Apply a Fix (Alt+Enter)"), "", drawn(Icon::Lightbulb), inEditor<&editor::StEditor::applyFix>},
     {"edit.format", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Format"), "Ctrl+Shift+I", drawn(Icon::Format), inEditor<&editor::StEditor::formatText>},
     {"edit.comment", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Comment In or Out (Ctrl+/)"), "", none, inEditor<&editor::StEditor::toggleComment>},
     {"edit.duplicate", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Duplicate"), "Ctrl+D", none, inEditor<&editor::StEditor::duplicateLine>},
     {"edit.selectBlock", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Select the Block Around"), "Ctrl+Shift+Up", none, inEditor<&editor::StEditor::selectBlock>},
+    {"edit.nextOccurrence", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Select the Next Occurrence Too"), "Alt+J", none, inEditor<&editor::StEditor::selectNextOccurrence>},
     {"edit.matching", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Go to the Matching Word"), "Ctrl+M", none, inEditor<&editor::StEditor::goToMatchingWord>},
     {"edit.nextProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Next Problem"), "F4", none, [](MainWindow& w) { w.problems().goToNext(1); }},
     {"edit.previousProblem", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Edit"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Previous Problem"), "Shift+F4", none, [](MainWindow& w) { w.problems().goToNext(-1); }},
@@ -139,11 +148,15 @@ const std::vector<ActionSpec> kActions = {
          w.settings().setEditor(s);
          w.tabs().applySettings();
      }},
-    {"view.zoomIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Larger"), "Ctrl++", drawn(Icon::ZoomIn), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->zoomIn(); }},
-    {"view.zoomOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Smaller"), "Ctrl+-", drawn(Icon::ZoomOut), [](MainWindow& w) { if (auto* e = w.tabs().currentEditor()) e->zoomOut(); }},
+    {"view.zoomIn", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Larger"), "Ctrl++", drawn(Icon::ZoomIn), inFocus<kZoomIn>},
+    {"view.zoomOut", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Smaller"), "Ctrl+-", drawn(Icon::ZoomOut), inFocus<kZoomOut>},
     {"view.light", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Light Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Light); }},
     {"view.dark", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Dark Theme"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::Dark); }},
     {"view.system", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Theme of the System"), "", none, [](MainWindow& w) { w.changeTheme(kit::ThemeChoice::System); }},
+    {"view.editing", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Editing"), "Ctrl+Alt+1", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Editing); }},
+    {"view.debugging", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Debugging"), "Ctrl+Alt+2", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::Debugging); }},
+    {"view.panelDesign", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Arrange for Drawing Panels"), "Ctrl+Alt+3", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().show(Perspective::PanelDesign); }},
+    {"view.maximise", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Maximise the Editor"), "Ctrl+Alt+M", none, [](MainWindow& w) { if (w.workspace().isOpen()) w.perspectives().toggleMaximised(); }},
     {"view.reset", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Reset the Layout"), "", none, [](MainWindow& w) { w.resetLayout(); }},
 
     {"help.tour", QT_TRANSLATE_NOOP("plc::app::MainWindow", "Help"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Tour"), "", drawn(Icon::Help), [](MainWindow& w) { w.startTour(); }},

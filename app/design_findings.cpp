@@ -22,6 +22,25 @@ DesignFindings::DesignFindings(LiveViews& live, ProblemsView& problems, QObject*
     });
 }
 
+/// Files, lines and elements that could not be read.
+std::vector<PanelProblem> DesignFindings::problems() const {
+    std::vector<PanelProblem> out;
+    for (const Error& each : m_live.panels().problems) {
+        const QString place = QString::fromStdString(each.place);
+        bool hasLine = false;
+        const int line = place.section(':', -1).toInt(&hasLine);
+        out.push_back({m_live.panels().placeOf(hasLine ? place.section(':', 0, -2) : place),
+                       kit::messageText(each.message), hasLine ? line : 0});
+    }
+    return out;
+}
+
+PanelProblem DesignFindings::problemOf(const QString& file) const {
+    for (const PanelProblem& each : problems())
+        if (each.file == file) return each;
+    return {};
+}
+
 void DesignFindings::begin() {
     m_turn.stop();
     m_found.clear();
@@ -47,6 +66,10 @@ void DesignFindings::continueCheck() {
     std::stable_sort(m_found.begin(), m_found.end(),
                      [](const hmi::Finding& a, const hmi::Finding& b) { return a.isError > b.isError; });
     std::vector<OtherProblem> problems;
+    for (const PanelProblem& each : this->problems()) {
+        const QString place = each.line ? QString("%1:%2").arg(each.file).arg(each.line) : each.file;
+        problems.push_back({"H1000", each.message, place, true, each.file, {}});
+    }
     for (const hmi::Finding& each : m_found) {
         QString place = each.file;
         if (each.line > 0) place += QString(":%1").arg(each.line);

@@ -12,13 +12,21 @@ namespace plc::app {
 
 class LiveViews;
 
+/// Why a file could not be read.
+struct PanelProblem {
+    QString file, message;
+    int line = 0; // from 1, 0 = nowhere
+};
+
 class DesignFindings : public QObject {
     Q_OBJECT
 public:
     DesignFindings(LiveViews& live, ProblemsView& problems, QObject* parent);
     void schedule() { m_pause.start(); }
+    [[nodiscard]] PanelProblem problemOf(const QString& file) const;
 
 private:
+    [[nodiscard]] std::vector<PanelProblem> problems() const;
     void begin();
     void continueCheck();
 

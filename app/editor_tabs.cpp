@@ -1,13 +1,21 @@
 #include "app/editor_tabs.h"
 
+#include "app/disk_change.h"
+#include "app/instance_bar.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
+#include "editor/kit/post.h"
 #include "editor/kit/theme.h"
 #include "runtime/compiler/driver/driver.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
 #include <QToolTip>
@@ -97,6 +105,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();
+            showInstance(*page);
             if (page->chart()) {
                 page->chart()->setPast(m_control.viewed().has_value());
                 page->chart()->refreshOnline();
@@ -145,6 +154,7 @@ void EditorTabs::connectPage(StPage* page) {
     connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
     connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
     connectEditor(&page->first());
+    connect(&page->instanceBar(), &InstanceBar::instanceChosen, &m_control, &editor::RunControl::setPreferredInstance);
     page->table().setOnlineValues(onlineValues());
     page->table().setModel(m_workspace.model());
 }
@@ -184,15 +194,13 @@ void EditorTabs::connectEditor(StEditor* editor) {
     editor->setSettings(m_settings.editor());
     editor->setModel(m_workspace.model());
     editor->setOnlineValues(onlineValues());
-    editor->setPathOf([this](const QString& name, const QString& pou) {
-        if (!m_workspace.model()) return QString();
-        const auto& checked = m_workspace.model()->checked();
-        // A local of the instance that the text shows, else a global.
-        const QString block = pou.section('.', 0, 0), instance = m_control.preferredInstance(block);
-        for (const QString& path : {(instance.isEmpty() ? block : instance) + '.' + name, name})
-            if (driver::compileExpression(checked, path.toStdString())) return path;
-        return QString();
-    });
+    editor->setPathOf([this](const QString& name, const QString& pou) { return pathOf(name, pou); });
+    connect(editor, &StEditor::writeRequested, this,
+            [this](const QString& name, const QString& pou) { askForValue(name, pou, false); });
+    connect(editor, &StEditor::forceRequested, this,
+            [this](const QString& name, const QString& pou) { askForValue(name, pou, true); });
+    connect(editor, &StEditor::unforceRequested, this,
+            [this](const QString& name, const QString& pou) { m_control.unforce(pathOf(name, pou)); });
     connect(editor, &StEditor::edited, this, [this, editor](const QString& file) {
         if (!m_isApplying) m_workspace.setText(file, editor->utf8());
         if (const std::map<int, int> moved = editor->movedBreakpoints(); !moved.empty())
@@ -256,6 +264,17 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
         if (!active) return m_control.unforce(path);
         if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(kit::messageText(forced.error()), true);
     });
+    const auto addKeys = [&](const char* name, std::initializer_list<QKeySequence> keys, void (EditorTabs::*run)()) {
+        auto* action = new QAction(chart);
+        action->setObjectName(name);
+        action->setShortcuts(keys);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        connect(action, &QAction::triggered, this, run);
+        chart->addAction(action);
+    };
+    addKeys("undo", {QKeySequence::Undo}, &EditorTabs::undo); // what is drawn is an edit of the text
+    addKeys("redo", {Qt::CTRL | Qt::Key_Y, Qt::CTRL | Qt::SHIFT | Qt::Key_Z}, &EditorTabs::redo);
+    new kit::OwnKeys(chart);
     connect(chart, &editor::ChartView::failed, this, [this](const QString& text) { emit message(text, true); });
     connect(text, &StEditor::edited, chart, [text, chart] {
         if (chart->isVisible()) chart->setText(text->utf8());
@@ -263,7 +282,44 @@ void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
     connect(text, &StEditor::cursorMoved, chart, [text, chart] {
         if (chart->isVisible() && text->hasFocus()) chart->showCursor(text->cursorOffset());
     });
-    QMetaObject::invokeMethod(this, &EditorTabs::showBreakpoints, Qt::QueuedConnection);
+    kit::post(this, [this] { showBreakpoints(); });
+}
+
+/// A local of the instance that the text shows, else a global; "" when it is neither.
+QString EditorTabs::pathOf(const QString& name, const QString& pou) const {
+    if (!m_workspace.model()) return {};
+    const auto& checked = m_workspace.model()->checked();
+    const QString block = pou.section('.', 0, 0), instance = m_control.preferredInstance(block);
+    for (const QString& path : {(instance.isEmpty() ? block : instance) + '.' + name, name})
+        if (driver::compileExpression(checked, path.toStdString())) return path;
+    return {};
+}
+
+void EditorTabs::askForValue(const QString& name, const QString& pou, bool force) {
+    const QString path = pathOf(name, pou);
+    if (path.isEmpty()) return emit message(tr("%1 is no variable of the running program").arg(name), true);
+    const auto shown = m_control.value(path);
+    bool ok = false;
+    const QString present = shown.isBool ? (shown.isTrue ? "FALSE" : "TRUE") : shown.text; // a BOOL is to be the other
+    const QString typed =
+        QInputDialog::getText(this, force ? tr("Force") : tr("Write"), path, QLineEdit::Normal, present, &ok);
+    if (!ok || typed.trimmed().isEmpty()) return;
+    const auto done = force ? m_control.force(path, typed.trimmed()) : m_control.write(path, typed.trimmed());
+    if (!done) emit message(kit::messageText(done.error()), true);
+}
+
+void EditorTabs::showInstance(StPage& page) {
+    const auto model = m_workspace.model();
+    const auto file = model ? model->fileOf(page.file().toStdString()) : std::nullopt;
+    QString block;
+    QStringList instances;
+    if (file && m_control.hasValues()) {
+        block = QString::fromStdString(model->pouAt(*file, page.active().cursorOffset())).section('.', 0, 0);
+        for (const QString& each : m_control.instancesOf(block)) instances << each;
+        if (instances.size() == 1 && instances.front().compare(block, Qt::CaseInsensitive) == 0)
+            instances.clear(); // a program is its own
+    }
+    page.instanceBar().show(block, instances, m_control.preferredInstance(block));
 }
 
 void EditorTabs::showChart(const QString& file, const QString& unit) {
@@ -328,6 +384,7 @@ void EditorTabs::goForward() {
 
 void EditorTabs::addPage(QWidget* page, const QString& title, const QIcon& icon, const QString& key) {
     page->setProperty("pageKey", key);
+    page->setProperty("pageTitle", title);
     setCurrentIndex(addTab(page, icon, title));
 }
 
@@ -338,6 +395,12 @@ QWidget* EditorTabs::pageByKey(const QString& key) const {
 }
 
 // ------------------------------------------------------------------ saving and closing
+
+void EditorTabs::markPage(const QString& key, bool modified) {
+    for (int i = 0; i < count(); ++i)
+        if (widget(i)->property("pageKey").toString() == key)
+            setTabText(i, widget(i)->property("pageTitle").toString() + (modified ? " ●" : ""));
+}
 
 void EditorTabs::markModified(const QString& file, bool modified) {
     for (int i = 0; i < count(); ++i)
@@ -426,13 +489,12 @@ bool EditorTabs::closeAll() {
 
 void EditorTabs::askAboutDiskChange(const QString& file) {
     if (!m_asked.insert(file).second) return; // the question stands already
-    const auto answer = QMessageBox::question(
-        this, tr("Changed outside"),
-        tr("%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?")
-            .arg(file),
-        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    const DiskAnswer answer = app::askAboutDiskChange(file, m_workspace.text(file), m_workspace.savedText(file), this);
     m_asked.erase(file);
-    if (answer == QMessageBox::Yes) m_workspace.revert(file);
+    if (answer.choice == DiskChoice::LoadFromDisk) m_workspace.revert(file);
+    if (answer.choice != DiskChoice::Merged) return;
+    if (StPage* page = pageOf(file)) page->first().takeText(answer.merged); // undo leads back to what was here
+    m_workspace.setText(file, answer.merged);
 }
 
 void EditorTabs::applySettings() {
@@ -559,22 +621,32 @@ void EditorTabs::showBreakpoints() {
     }
 }
 
+/// Where the controller stands: at a breakpoint, after a step, or where a fault has stopped it.
 void EditorTabs::showExecutedLine() {
-    QString file;
-    int line = 0;
-    if (m_control.session() && m_control.status().state == controller::State::Halted) {
+    using controller::State;
+    const State state = m_control.status().state;
+    SourceRange range;
+    if (m_control.session() && state == State::Halted) {
         const auto frames = m_control.session()->haltFrames();
-        if (const auto place = frames.empty() ? std::nullopt : m_control.placeInText(frames.front().range)) {
-            file = place->file;
-            line = place->line;
-        }
+        if (!frames.empty()) range = frames.front().range;
+    } else if (m_control.session() && state == State::Fault && m_control.status().fault) {
+        range = m_control.status().fault->range;
     }
-    static const char* const kShown = "executedPlace";
-    const QString place = file + ":" + QString::number(line);
-    const bool isNew = property(kShown).toString() != place;
-    setProperty(kShown, place);
-    if (line && isNew) openSource(file);
-    for (StEditor* editor : allEditors()) editor->setExecutedLine(editor->file() == file ? line : 0);
+    const auto place = m_control.placeInText(range);
+    const QString file = place ? place->file : QString();
+    const int line = place ? place->line : 0;
+    const QString shown = QString("%1:%2:%3").arg(file).arg(range.begin).arg(static_cast<int>(state));
+    const bool isNew = std::exchange(m_shownPlace, shown) != shown;
+    if (line && isNew) {
+        const QPointer<QWidget> focus = QApplication::focusWidget(); // who types elsewhere goes on there
+        goToLine(file, line);
+        if (focus && !isAncestorOf(focus)) focus->setFocus();
+    }
+    for (StEditor* editor : allEditors()) {
+        const int here = editor->file() == file ? line : 0;
+        editor->setExecutedLine(state == State::Halted ? here : 0);
+        editor->setFaultLine(state == State::Fault ? here : 0);
+    }
     if (line && isNew && currentEditor()) currentEditor()->ensureLineVisible(line - 1);
 }
 

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] StPage* pageOf(const QString& file) const;
     [[nodiscard]] QStringList openFiles() const;
     void addPage(QWidget* page, const QString& title, const QIcon& icon, const QString& key);
+    /// A page of another kind has something to save, or no more.
+    void markPage(const QString& key, bool modified);
     [[nodiscard]] QWidget* pageByKey(const QString& key) const;
     bool closePage(int index);
     bool closeAll(); // asks for unsaved files; false = cancelled
@@ -73,6 +75,9 @@ private:
     void makeWritable(const QString& file);
     void showBreakpoints();
     void showExecutedLine();
+    void showInstance(StPage& page); // whose values its text shows
+    void askForValue(const QString& name, const QString& pou, bool force);
+    [[nodiscard]] QString pathOf(const QString& name, const QString& pou) const;
     void rememberPlace();
     void askAboutDiskChange(const QString& file);
     [[nodiscard]] editor::OnlineValues onlineValues();
@@ -91,6 +96,7 @@ private:
     void swapGroup(Group& group);
 
     unsigned m_frames = 0;
+    QString m_shownPlace; // where the controller stood when it was shown last
     std::deque<Group> m_groups;
     std::set<QString> m_asked; // about a change outside, the question still stands
     struct Visited {

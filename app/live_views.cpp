@@ -1,5 +1,6 @@
 #include "app/live_views.h"
 
+#include "editor/analysis/path_completion.h"
 #include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
@@ -71,22 +72,8 @@ LiveViews::LiveViews(editor::Workspace& workspace, editor::RunControl& control, 
     connect(m_trace, &trace::TraceView::recordingShown, this, &LiveViews::recordingShown);
     connect(&control, &editor::RunControl::recordedMustClose, this, &LiveViews::closeRecording);
     connect(m_trace, &trace::TraceView::failed, this, [this](const QString& text) { emit message(text, true); });
-    const auto complete = [this](const QString& text, int cursor) {
-        std::vector<kit::Completion> out;
-        if (!m_workspace.model()) return out;
-        const std::string utf8 = text.toStdString();
-        const auto offset = static_cast<uint32_t>(text.left(cursor).toUtf8().size());
-        const analysis::Completion found = m_workspace.model()->completePath(utf8, offset);
-        const int from = static_cast<int>(QString::fromStdString(utf8.substr(0, found.replaceBegin)).size());
-        for (const analysis::CompletionItem& item : found.items) {
-            out.push_back(
-                {QString::fromStdString(item.text), QString::fromStdString(item.detail), kit::Icon::Variable, from});
-            if (out.size() == 100) break;
-        }
-        return out;
-    };
-    m_slider->setCompletionSource(complete);
-    m_complete = complete;
+    m_complete = editor::pathCompletions(workspace);
+    m_slider->setCompletionSource(m_complete);
     connect(&workspace, &editor::Workspace::analysed, this,
             [this](const std::shared_ptr<const analysis::CodeModel>& model) {
                 if (m_design && !model->checked().analysis->hasErrors) m_design->setChecked(model->checked());
@@ -146,10 +133,15 @@ void LiveViews::reloadPanels() {
     m_panelChoice->clear();
     if (!m_workspace.isOpen()) return;
     m_panels = std::make_shared<hmi::PanelProject>(hmi::loadPanelProject(m_workspace.project()));
-    for (const Error& problem : m_panels->problems) emit message(kit::messageText(problem), true);
     for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
     m_design = std::make_shared<hmi::DesignContext>(*m_panels);
     connectDesign();
+    makePlayer();
+    emit panelsChanged();
+}
+
+/// Shows the start panel, where there is a panel at all.
+void LiveViews::makePlayer() {
     m_emptyPanel->setVisible(m_panels->panels.empty());
     if (m_panels->panels.empty()) return;
     m_player = new hmi::PanelPlayer(*m_panels, m_control.session(), m_panelArea);
@@ -159,10 +151,10 @@ void LiveViews::reloadPanels() {
     connectPlayer();
     showInPanel();
     showPanel(m_panels->startPanel.isEmpty() ? m_panels->panels.front().name : m_panels->startPanel);
-    emit panelsChanged();
 }
 
 void LiveViews::connectDesign() {
+    connect(m_design.get(), &hmi::DesignContext::saved, this, &LiveViews::designEdited);
     m_design->setCompletions(m_complete);
     m_design->setVariables([this]() -> const kit::VariableProvider& { return variables(); });
     m_design->setPicker([this](const QString& present) {
@@ -331,30 +323,64 @@ Result<void> LiveViews::addPanel(const QString& name) {
     const auto at = std::find_if(m_panels->panels.begin(), m_panels->panels.end(),
                                  [&](const hmi::NamedPanel& each) { return each.name > name; });
     m_panels->panels.insert(at, hmi::NamedPanel{name, {}});
-    m_panelChoice->clear();
-    for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
+    listPanels();
     if (m_player) m_player->projectChanged();
     emit panelsChanged();
     return {};
 }
 
-void LiveViews::discardPanel(const QString& name) {
-    const hmi::PanelProject onDisk = hmi::loadPanelProject(m_workspace.project());
-    const hmi::NamedPanel* stored = onDisk.find(name);
-    hmi::NamedPanel* here = m_panels->find(name);
-    if (!stored || !here) return;
-    here->panel = stored->panel;
+void LiveViews::listPanels() {
+    const QString shown = m_panelChoice->currentText();
+    m_panelChoice->clear();
+    for (const hmi::NamedPanel& panel : m_panels->panels) m_panelChoice->addItem(panel.name);
+    m_panelChoice->setCurrentText(m_player ? m_player->panelName() : shown);
+}
+
+/// Something of the operator side is another now.
+void LiveViews::panelsTaken() {
     if (m_player) m_player->projectChanged();
     emit designEdited();
 }
 
-void LiveViews::discardTables() {
-    hmi::PanelProject onDisk = hmi::loadPanelProject(m_workspace.project());
-    if (!m_design) return;
-    if (m_design->areTextsChanged()) m_panels->texts = std::move(onDisk.texts);
-    if (m_design->areAlarmsChanged()) m_panels->alarms = std::move(onDisk.alarms);
-    if (m_player) m_player->projectChanged();
-    emit designEdited();
+bool LiveViews::takePanelFile(const QString& name) {
+    const bool isNew = !m_panels->find(name), isGood = m_panels->readPanel(name);
+    if (!isGood || !m_design) {
+        emit designEdited(); // what is wrong with it is a finding
+        return isGood;
+    }
+    if (isNew) {
+        if (!m_player) makePlayer();
+        listPanels();
+        emit panelsChanged();
+    }
+    m_design->panelReplaced(name);
+    panelsTaken();
+    return true;
+}
+
+bool LiveViews::takeTextsFile() {
+    const bool isGood = m_panels->readTexts();
+    if (isGood && m_design) m_design->textsReplaced();
+    panelsTaken();
+    return isGood;
+}
+
+bool LiveViews::takeAlarmsFile() {
+    const bool isGood = m_panels->readAlarms();
+    if (isGood && m_design) m_design->alarmsReplaced();
+    panelsTaken();
+    return isGood;
+}
+
+void LiveViews::removePanel(const QString& name) {
+    m_panels->disk->forget(m_panels->panelPath(name));
+    std::erase_if(m_panels->panels, [&](const hmi::NamedPanel& each) { return each.name == name; });
+    if (m_panels->panels.empty()) delete m_player;
+    m_emptyPanel->setVisible(m_panels->panels.empty());
+    if (m_player && m_player->panelName() == name) showPanel(m_panels->panels.front().name);
+    listPanels();
+    panelsTaken();
+    emit panelsChanged();
 }
 
 Result<bool> LiveViews::saveRecording(const QString& path) {

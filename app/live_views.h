@@ -45,9 +45,12 @@ public:
     /// A recording from a file in all views; `closeRecording` goes back to the controller.
     Result<void> openRecording(const QString& path);
     void closeRecording();
-    /// Takes the panel as it stands on disk again; open designers of it close.
-    void discardPanel(const QString& name);
-    void discardTables(); // texts and alarms
+    /// A file as it is on disk now, in the place of what is shown and edited; false when it could not be understood.
+    bool takePanelFile(const QString& name);
+    bool takeTextsFile();
+    bool takeAlarmsFile();
+    /// Its file is gone.
+    void removePanel(const QString& name);
 
     /// What lives on when the window is built anew around the same controller: the panels as they are edited, the
     /// player with its alarms, the trace.
@@ -76,6 +79,9 @@ private:
     void recordingShown();
     void showInPanel();
     void connectDesign();
+    void makePlayer();
+    void listPanels();
+    void panelsTaken();
     void connectPlayer();
     void connectSession();
     void keepAlarms();

@@ -13,7 +13,7 @@ struct Living {
     std::unique_ptr<editor::RunControl> control; // looks at the workspace: dies before it
     LiveViews::Kept views;
     editor::EventLog::Kept log;
-    std::vector<editor::WatchView::Row> watches;
+    editor::WatchView::Kept watches;
     types::NumberFormat watchFormat = types::NumberFormat::Decimal;
     std::vector<std::unique_ptr<editor::StEditor>> texts; // of open files: share the documents and their undo
     QStringList changedPanels;                            // designers with something to save

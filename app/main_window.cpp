@@ -4,16 +4,22 @@
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/living.h"
+#include "app/panel_files.h"
+#include "app/perspectives.h"
 #include "app/problems_view.h"
 #include "app/project_tree.h"
+#include "app/runs_menu.h"
 #include "app/search_view.h"
 #include "app/start_page.h"
+#include "app/test_view.h"
 #include "app/tour.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/command_palette.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
 
 #include <QAction>
@@ -21,6 +27,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLocale>
 #include <QMenuBar>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -55,6 +62,8 @@ void MainWindow::build() {
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);
     m_live = new LiveViews(*m_workspace, *m_control, this);
+    m_perspectives = new Perspectives(*this);
+    takeRecordingSettings();
     for (QWidget* page : {static_cast<QWidget*>(m_startPage), static_cast<QWidget*>(m_tabs)})
         page->setMinimumSize(240, 120); // the page in the back does not keep docks small
     m_stack->addWidget(m_startPage);
@@ -70,8 +79,7 @@ void MainWindow::build() {
 }
 
 MainWindow::~MainWindow() {
-    if (m_testing) m_testing->cancel();
-    if (m_tester.joinable()) m_tester.join();
+    delete m_testRunner; // ends what it runs
     if (m_control) m_control->disconnectSession();
     delete m_stack; // open designers look at what the live views own
 }
@@ -99,6 +107,8 @@ void MainWindow::makeDocks() {
     m_breakpoints = new editor::BreakpointView(*m_control);
     m_tasks = new editor::TaskMonitor(*m_control);
     m_log = new editor::EventLog(*m_control);
+    m_testRunner = new TestRunner(*m_workspace, this);
+    m_tests = new TestView(*m_workspace, *m_testRunner);
     const auto i = [](Icon icon) { return static_cast<int>(icon); };
     addDock("project", tr("Project"), i(Icon::Project), m_tree, Qt::LeftDockWidgetArea);
     QDockWidget* watch = addDock("watch", tr("Watch"), i(Icon::Watch), m_watch, Qt::RightDockWidgetArea);
@@ -112,6 +122,7 @@ void MainWindow::makeDocks() {
     QDockWidget* search = addDock("search", tr("Search"), i(Icon::Find), m_search, Qt::BottomDockWidgetArea);
     QDockWidget* tasks = addDock("tasks", tr("Tasks"), i(Icon::TaskMonitor), m_tasks, Qt::BottomDockWidgetArea);
     QDockWidget* log = addDock("log", tr("Log"), i(Icon::Log), m_log, Qt::BottomDockWidgetArea);
+    QDockWidget* tests = addDock("tests", tr("Tests"), i(Icon::Test), m_tests, Qt::BottomDockWidgetArea);
     QDockWidget* trace = addDock("trace", tr("Trace"), i(Icon::Trace), &m_live->traceView(), Qt::BottomDockWidgetArea);
     QDockWidget* panel = addDock("panel", tr("Panel"), i(Icon::Panel), m_live->panelArea(), Qt::RightDockWidgetArea);
     tabifyDockWidget(calls, panel);
@@ -119,6 +130,7 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(problems, search);
     tabifyDockWidget(search, tasks);
     tabifyDockWidget(tasks, log);
+    tabifyDockWidget(log, tests);
     watch->raise();
     panel->raise();
     trace->raise();
@@ -181,6 +193,11 @@ void MainWindow::makeActions() {
         menu->addAction(made);
         addAction(made);
         m_actions << made;
+        if (id == "run.openRecording") {
+            auto* runs = new RunsMenu(m_control->archive(), menu);
+            menu->addMenu(runs);
+            connect(runs, &RunsMenu::runChosen, this, &MainWindow::showRecording);
+        }
         if (id == "file.open") m_recentMenu = menu->addMenu(tr("Recent Projects"));
         for (const char* last :
              {"file.close", "file.closeTab", "file.settings", "edit.redo", "edit.paste", "edit.goToLine", "edit.rename",
@@ -302,6 +319,17 @@ void MainWindow::connectParts() {
     });
     connect(m_live, &LiveViews::message, this, &MainWindow::say);
     m_findings = new DesignFindings(*m_live, *m_problems, this);
+    m_files = new PanelFiles(
+        *m_workspace, *m_live,
+        [this](const QString& file, const std::string& here, const std::string& onDisk) {
+            return askAboutDiskChange(file, here, onDisk, this);
+        },
+        this);
+    connect(m_files, &PanelFiles::message, this, &MainWindow::say);
+    connect(m_files, &PanelFiles::changedStateChanged, m_tabs, &EditorTabs::markPage);
+    connect(m_files, &PanelFiles::panelGone, this, [this](const QString& key) {
+        if (QWidget* page = m_tabs->pageByKey(key)) m_tabs->closePage(m_tabs->indexOf(page));
+    });
     connect(m_workspace, &editor::Workspace::saved, m_findings, &DesignFindings::schedule);
     connect(m_problems, &ProblemsView::elementRequested, this, &MainWindow::openDesignPlace);
     m_tabs->setMayClose([this](QWidget* page) { return maySwitchAway(page); });
@@ -312,6 +340,16 @@ void MainWindow::connectParts() {
     connect(m_search, &SearchView::placeRequested, this,
             [this](const QString& file, uint32_t offset, uint32_t length) { m_tabs->goTo(file, offset, length); });
     connect(m_search, &SearchView::message, this, &MainWindow::say);
+    connect(m_search, &SearchView::panelPlaceRequested, this, &MainWindow::openDesignPlace);
+    m_search->setPanelTexts([this] {
+        std::map<QString, std::string> texts;
+        if (!m_live->design()) return texts;
+        const hmi::PanelProject& panels = m_live->panels();
+        for (const hmi::NamedPanel& panel : panels.panels)
+            texts[panels.placeOf(panels.panelPath(panel.name))] = panel.panel.write();
+        if (panels.hasAlarms) texts[panels.placeOf(panels.alarmsPath())] = panels.alarms.write();
+        return texts;
+    });
     connect(m_search, &SearchView::textsReplaced, m_tabs,
             [this](const std::map<QString, std::string>& texts) { m_tabs->applyTexts(texts); });
     connect(m_tabs, &EditorTabs::renameRequested, this, &MainWindow::renameTo);
@@ -320,14 +358,17 @@ void MainWindow::connectParts() {
     });
     connect(m_breakpoints, &editor::BreakpointView::lineRequested, this,
             [this](const QString& file, int line) { m_tabs->goToLine(file, line); });
+    connect(m_log, &editor::EventLog::lineRequested, m_tabs, &EditorTabs::goToLine);
+    connect(m_callPath, &editor::CallPathView::instanceChosen, m_control, &editor::RunControl::setPreferredInstance);
     connect(m_callPath, &editor::CallPathView::placeRequested, this,
             [this](const QString& file, uint32_t offset) { m_tabs->goTo(file, offset); });
     connect(m_tabs, &EditorTabs::message, this, &MainWindow::say);
+    connect(m_tabs, &QTabWidget::tabBarDoubleClicked, m_perspectives, &Perspectives::toggleMaximised);
     connect(m_tabs, &EditorTabs::cursorMoved, this, [this](const QString&, int line, int column) {
         m_cursorLabel->setText(tr("%1 : %2").arg(line).arg(column));
     });
     connect(m_tabs, &EditorTabs::saved, this, [this] {
-        if (m_settings.changeOnSave() && m_control->isRunning()) m_control->onlineChange();
+        if (m_settings.changeOnSave() && m_control->isRunning() && !m_control->isUpToDate()) m_control->onlineChange();
     });
     connect(m_tabs, &EditorTabs::editorMade, this, [this](editor::StEditor* made) {
         connect(made, &editor::StEditor::definitionRequested, this, &MainWindow::findDefinition);
@@ -378,6 +419,7 @@ void MainWindow::connectParts() {
         if (const auto place = shown ? m_control->placeInText(shown->range) : std::nullopt)
             m_tabs->goTo(place->file, place->offset, place->length);
     });
+    connectTests();
     connect(m_workspace, &editor::Workspace::opened, this, &MainWindow::updateActions);
     connect(m_workspace, &editor::Workspace::closed, this, &MainWindow::updateActions);
     connect(&kit::Theme::current(), &kit::Theme::changed, this, &MainWindow::updateStatus);
@@ -434,14 +476,11 @@ void MainWindow::updateStatus() {
                              .arg(ground.name(), ink.name());
     if (m_stateLabel->styleSheet() != look) m_stateLabel->setStyleSheet(look);
     m_timeLabel->setText(
-        online
-            ? tr("%1 · scan %2")
-                  .arg(QString::fromStdString(types::durationText(status.time.count() / 1'000'000 * 1'000'000)).mid(2))
-                  .arg(status.scans)
-            : QString());
+        online ? tr("%1 · scan %2").arg(kit::momentText(status.time.count() / 1'000'000 * 1'000'000)).arg(status.scans)
+               : QString());
     m_loadLabel->setText(online ? tr("%1 µs · %2 % load")
-                                      .arg(static_cast<double>(status.lastScanNs) / 1e3, 0, 'f', 1)
-                                      .arg(100 * status.load, 0, 'f', 1)
+                                      .arg(QLocale().toString(static_cast<double>(status.lastScanNs) / 1e3, 'f', 1),
+                                           QLocale().toString(100 * status.load, 'f', 1))
                                 : QString());
     if (online && m_control->session()) {
         const auto statistics = m_control->session()->history().statistics();
@@ -479,6 +518,7 @@ void MainWindow::say(const QString& text, bool isError) {
 void MainWindow::openPalette() { m_palette->open(); }
 
 void MainWindow::resetLayout() {
+    m_perspectives->leaveMaximised();
     restoreState(m_defaultLayout);
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->setVisible(m_workspace->isOpen());
     findChild<QToolBar*>("timeToolBar")->setVisible(m_workspace->isOpen());
@@ -489,12 +529,30 @@ void MainWindow::changeTheme(kit::ThemeChoice choice) {
     kit::Theme::current().setChoice(choice);
 }
 
+/// The program may end now: what was recorded is on disk first.
+void MainWindow::keepRecording() {
+    if (!m_control) return; // another window has it
+    m_control->disconnectSession();
+    if (m_control->archive().isWriting())
+        kit::LongTask::runAside(tr("Keeping the recording of the last run…"), this,
+                                [this](Progress& progress) { m_control->archive().wait(progress); });
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    // Where changes are not reported (network drives), coming back to the window is the moment to look.
+    if (event->type() != QEvent::ActivationChange || !isActiveWindow() || !m_files) return;
+    m_files->lookSoon();
+    m_workspace->lookAtDisk();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (m_workspace->isOpen()) {
         saveProjectState();
-        if (!m_tabs->closeAll()) return event->ignore();
+        if (!mayLeaveProject()) return event->ignore();
         m_workspace->discardRecovery();
     }
+    keepRecording();
     m_settings.setWindowGeometry(saveGeometry());
     event->accept();
 }

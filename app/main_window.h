@@ -1,6 +1,7 @@
 // The studio's window: docks around the open documents, the actions, the status line. It puts the parts together and
 // holds no logic of its own: project and texts are the Workspace's, the controller the RunControl's. GUI thread.
 #pragma once
+#include "app/search_view.h"
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
 #include "editor/debug/run_control.h"
@@ -10,7 +11,6 @@
 #include <QMainWindow>
 
 #include <functional>
-#include <thread>
 #include <vector>
 
 class QAction;
@@ -20,6 +20,9 @@ class QLabel;
 class QStackedWidget;
 class QToolButton;
 
+namespace plc::testing {
+struct Report;
+}
 namespace plc::kit {
 class CommandPalette;
 class WorkStrip;
@@ -38,11 +41,14 @@ namespace plc::app {
 class DesignFindings;
 class EditorTabs;
 class LiveViews;
+class PanelFiles;
+class Perspectives;
 struct Living;
 class ProblemsView;
 class ProjectTree;
-class SearchView;
 class StartPage;
+class TestRunner;
+class TestView;
 class Tour;
 
 /// One line of the action table: everything a menu, a toolbar, the palette and the shortcut editor need.
@@ -77,6 +83,9 @@ public:
     [[nodiscard]] SearchView& search() { return *m_search; }
     [[nodiscard]] editor::WatchView& watch() { return *m_watch; }
     [[nodiscard]] editor::EventLog& log() { return *m_log; }
+    [[nodiscard]] Perspectives& perspectives() { return *m_perspectives; }
+    [[nodiscard]] PanelFiles& panelFiles() { return *m_files; }
+    [[nodiscard]] TestView& tests() { return *m_tests; }
     [[nodiscard]] LiveViews& live() { return *m_live; }
     [[nodiscard]] StartPage& startPage() { return *m_startPage; }
     [[nodiscard]] QAction* action(const QString& id) const;
@@ -121,13 +130,15 @@ public:
     /// A place in a panel, in the texts or in the alarms: where a finding lies.
     void openDesignPlace(const QString& file, const QString& element);
     void openRecording();
+    void showRecording(const QString& path);
     void backToLive();
     /// Asks for the window to be built anew in the language of the settings, once no test runs.
     void changeLanguage();
     /// Everything that lives on; afterwards the window can only be destroyed.
     [[nodiscard]] Living release();
     void saveLanguages(); // that were added in the texts, to project.json
-    void saveDocument();  // text, panel, texts or alarms, whichever is in front
+    void saveAll();
+    void saveDocument(); // text, panel, texts or alarms, whichever is in front
     void changeTheme(kit::ThemeChoice choice);
     void about();
 
@@ -137,6 +148,7 @@ signals:
     void renamed(const QString& path, const QString& oldName, const QString& newName);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:
@@ -144,11 +156,24 @@ private:
     void makeDocks();
     void makeStatusLine();
     void connectParts();
+    [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
+    void connectTests();
+    void logTests(const testing::Report& report);
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
+    void takeRecordingSettings();
+    void keepRecording();
     void updateActions();
     void updateStatus();
     bool closeDesigns();               // designers, texts, alarms; false when one wants to stay
     bool maySwitchAway(QWidget* page); // asks for what a design page has not saved
+    bool maySwitchAway(const QString& key);
+    bool asksToSave(const QString& title, const std::function<Result<void>()>& save,
+                    const std::function<void()>& discard);
+    bool mayLeaveProject();
+    void openAsText(const QString& key);
+    void openDocument(const QString& key);
+    [[nodiscard]] bool isUnread(const QString& key) const;
+    void report(const Result<void>& result);
     void build();
     void showProject();
     void saveProjectState();
@@ -190,9 +215,11 @@ private:
     kit::WorkStrip* m_work = nullptr;
     QToolButton* m_recordingButton = nullptr; // says that a recording from a file is shown; a click goes back
     DesignFindings* m_findings = nullptr;
-    bool m_changesLanguage = false;      // when the tests have ended
-    std::thread m_tester;                // runs the project's tests
-    std::shared_ptr<Progress> m_testing; // null: none run
+    PanelFiles* m_files = nullptr;
+    Perspectives* m_perspectives = nullptr;
+    bool m_changesLanguage = false; // when the tests have ended
+    TestRunner* m_testRunner = nullptr;
+    TestView* m_tests = nullptr;
 };
 
 [[nodiscard]] const std::vector<ActionSpec>& actionTable();

@@ -1,10 +1,13 @@
 // What the main window's actions do with the project's documents: panels, texts, alarms, traces.
+#include "app/design_findings.h"
 #include "app/editor_tabs.h"
 #include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/new_project.h"
+#include "app/panel_files.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
+#include "app/text_page.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "hmi/designer/alarm_editor.h"
@@ -135,7 +138,8 @@ void MainWindow::deleteProjectFile(const QString& kind, const QString& name) {
 bool MainWindow::closeDesigns() {
     for (int i = m_tabs->count() - 1; i >= 0; --i) {
         const QString key = m_tabs->widget(i)->property("pageKey").toString();
-        if ((key.startsWith("panel:") || key == "texts" || key == "alarms") && !m_tabs->closePage(i)) return false;
+        const bool isDesign = key.startsWith("panel:") || key.startsWith("text:") || key == "texts" || key == "alarms";
+        if (isDesign && !m_tabs->closePage(i)) return false;
     }
     return true;
 }
@@ -151,6 +155,7 @@ void MainWindow::newPanel() {
         return say(tr("A panel's name is a file name: no / and no \\"), true);
     if (auto added = m_live->addPanel(name); !added) return say(kit::messageText(added.error()), true);
     openDesigner(name);
+    if (QWidget* page = m_tabs->pageByKey("panel:" + name)) page->setFocus();
 }
 
 void MainWindow::addDesignPage(QWidget* page, const QString& title, int icon, const QString& key) {
@@ -161,42 +166,90 @@ void MainWindow::addDesignPage(QWidget* page, const QString& title, int icon, co
 }
 
 void MainWindow::openDesigner(const QString& panel) {
-    if (!m_live->design() || !m_live->panels().find(panel)) return;
+    if (!m_live->design()) return;
     const QString key = "panel:" + panel;
+    if (!m_live->panels().find(panel)) return openAsText(key); // what is wrong with it can be put right there
     if (QWidget* open = m_tabs->pageByKey(key)) return m_tabs->setCurrentWidget(open);
     auto* designer = new hmi::PanelDesigner(*m_live->design(), panel, m_tabs);
     addDesignPage(designer, panel, static_cast<int>(kit::Icon::Panel), key);
     QTimer::singleShot(0, designer, [designer] { // once it has its size: the whole panel
         if (auto* fit = designer->findChild<QAction*>("zoom-fit")) fit->trigger();
     });
-    connect(designer, &hmi::PanelDesigner::modifiedChanged, this, [this, designer, panel](bool modified) {
-        m_tabs->setTabText(m_tabs->indexOf(designer), panel + (modified ? " ●" : ""));
+    connect(designer, &hmi::PanelDesigner::modifiedChanged, m_tabs,
+            [this, key](bool modified) { m_tabs->markPage(key, modified); });
+    m_tabs->markPage(key, m_files->isChanged(key));
+}
+
+void MainWindow::openAsText(const QString& key) {
+    const QString path = m_files->pathOf(key);
+    if (!QFile::exists(path)) return;
+    if (QWidget* open = m_tabs->pageByKey("text:" + key)) return m_tabs->setCurrentWidget(open);
+    auto* page = new TextPage(path, m_tabs);
+    m_tabs->addPage(page, QFileInfo(path).fileName(), kit::icon(kit::Icon::Error), "text:" + key);
+    connect(page, &TextPage::modifiedChanged, m_tabs,
+            [this, key](bool modified) { m_tabs->markPage("text:" + key, modified); });
+    const auto showProblem = [this, page, path] {
+        const PanelProblem problem = m_findings->problemOf(m_live->panels().placeOf(path));
+        page->showProblem(problem.message, problem.line);
+    };
+    showProblem();
+    page->setFocus();
+    connect(page, &TextPage::saved, this, [this, page, key, showProblem] {
+        m_files->look();
+        const bool isGood = m_live->panels().disk->isKnown(m_files->pathOf(key));
+        if (!isGood) return showProblem();
+        m_tabs->closePage(m_tabs->indexOf(page)); // it can be opened as what it is
+        openDocument(key);
     });
+}
+
+void MainWindow::openDocument(const QString& key) {
+    if (key == "texts") return openTexts();
+    if (key == "alarms") return openAlarms();
+    openDesigner(key.mid(6));
 }
 
 void MainWindow::openTexts() {
     if (!m_live->design()) return;
+    if (isUnread("texts")) return openAsText("texts");
     if (QWidget* open = m_tabs->pageByKey("texts")) return m_tabs->setCurrentWidget(open);
     addDesignPage(new hmi::TextEditor(*m_live->design(), m_tabs), tr("Texts"), static_cast<int>(kit::Icon::Texts),
                   "texts");
 }
 
+/// The file is there, and what it holds could not be understood.
+bool MainWindow::isUnread(const QString& key) const {
+    const QString path = m_files->pathOf(key);
+    return QFile::exists(path) && !m_live->panels().disk->isKnown(path);
+}
+
 void MainWindow::openAlarms() {
     if (!m_live->design()) return;
+    if (isUnread("alarms")) return openAsText("alarms");
     if (QWidget* open = m_tabs->pageByKey("alarms")) return m_tabs->setCurrentWidget(open);
     addDesignPage(new hmi::AlarmEditor(*m_live->design(), m_tabs), tr("Alarms"), static_cast<int>(kit::Icon::Alarm),
                   "alarms");
 }
 
+void MainWindow::report(const Result<void>& result) {
+    if (!result) say(kit::messageText(result.error()), true);
+}
+
 void MainWindow::saveDocument() {
-    if (auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->currentWidget())) {
-        if (auto saved = designer->save(); !saved) return say(kit::messageText(saved.error()), true);
-        if (m_live->player()) m_live->player()->projectChanged();
-    }
-    if (m_live->design())
-        if (auto saved = m_live->design()->save(); !saved) return say(kit::messageText(saved.error()), true);
+    QWidget* page = m_tabs->currentWidget();
+    if (auto* text = qobject_cast<TextPage*>(page)) return report(text->save());
+    if (m_tabs->currentPage()) return m_tabs->saveCurrent();
+    if (!page || !m_live->design()) return;
+    report(m_files->save(page->property("pageKey").toString()));
     saveLanguages();
-    m_tabs->saveCurrent();
+}
+
+void MainWindow::saveAll() {
+    for (int i = 0; i < m_tabs->count(); ++i)
+        if (auto* text = qobject_cast<TextPage*>(m_tabs->widget(i)); text && text->isModified()) report(text->save());
+    report(m_files->saveAll());
+    saveLanguages();
+    m_tabs->saveAll();
 }
 
 void MainWindow::saveLanguages() {
@@ -220,26 +273,40 @@ void MainWindow::openDesignPlace(const QString& file, const QString& element) {
 }
 
 bool MainWindow::maySwitchAway(QWidget* page) {
-    auto* designer = qobject_cast<hmi::PanelDesigner*>(page);
-    const bool isTexts = qobject_cast<hmi::TextEditor*>(page) != nullptr,
-               isAlarms = qobject_cast<hmi::AlarmEditor*>(page) != nullptr;
-    hmi::DesignContext* design = m_live->design();
-    const bool changed = (designer && designer->isModified()) || (design && isTexts && design->areTextsChanged()) ||
-                         (design && isAlarms && design->areAlarmsChanged());
-    if (!changed) return true;
-    const QString name = designer ? tr("Panel %1").arg(designer->panelName()) : isTexts ? tr("Texts") : tr("Alarms");
-    const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(name),
+    if (auto* text = qobject_cast<TextPage*>(page)) {
+        if (!text->isModified()) return true;
+        return asksToSave(
+            QFileInfo(text->path()).fileName(), [text] { return text->save(); }, [] {});
+    }
+    return maySwitchAway(page->property("pageKey").toString());
+}
+
+bool MainWindow::maySwitchAway(const QString& key) {
+    if (!m_files->isChanged(key)) return true;
+    return asksToSave(
+        PanelFiles::titleOf(key), [this, key] { return m_files->save(key); }, [this, key] { m_files->discard(key); });
+}
+
+bool MainWindow::asksToSave(const QString& title, const std::function<Result<void>()>& save,
+                            const std::function<void()>& discard) {
+    const auto answer = QMessageBox::question(this, tr("Unsaved changes"), tr("%1 was changed. Save it?").arg(title),
                                               QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Cancel) return false;
-    Result<void> saved;
-    if (answer == QMessageBox::Save)
-        saved = designer ? designer->save() : design->save();
-    else if (designer)
-        m_live->discardPanel(designer->panelName());
-    else
-        m_live->discardTables();
-    if (!saved) say(kit::messageText(saved.error()), true);
+    if (answer == QMessageBox::Discard) {
+        discard();
+        return true;
+    }
+    const Result<void> saved = save();
+    report(saved);
     return static_cast<bool>(saved);
+}
+
+/// All that is open or unsaved; false keeps the project.
+bool MainWindow::mayLeaveProject() {
+    if (!m_tabs->closeAll()) return false;
+    for (const QString& key : m_files->changed()) // what has no page, as texts typed in a panel
+        if (!maySwitchAway(key)) return false;
+    return true;
 }
 
 } // namespace plc::app

@@ -3,6 +3,7 @@
 #include "app/editor_tabs.h"
 #include "app/living.h"
 #include "app/main_window.h"
+#include "app/test_runner.h"
 #include "app/translation.h"
 #include "hmi/designer/panel_designer.h"
 
@@ -14,7 +15,7 @@ namespace plc::app {
 
 void MainWindow::changeLanguage() {
     m_changesLanguage = true;
-    if (m_testing) return say(tr("The language changes when the tests have ended"));
+    if (m_testRunner->isRunning()) return say(tr("The language changes when the tests have ended"));
     emit rebuildRequested();
 }
 
@@ -31,13 +32,13 @@ Living MainWindow::release() {
             living.changedPanels << designer->panelName();
         }
     }
-    living.watches = m_watch->rows();
+    living.watches = m_watch->kept();
     living.watchFormat = m_watch->format();
     living.log = m_log->release();
     m_workspace->disconnect(); // no part of this window hears of it any more
     m_control->disconnect();
     living.views = m_live->release();
-    connect(m_workspace, &editor::Workspace::closed, m_control, &editor::RunControl::disconnectSession);
+    m_control->followWorkspace();
     m_workspace->setParent(nullptr);
     m_control->setParent(nullptr);
     living.workspace.reset(m_workspace);
@@ -62,7 +63,7 @@ void MainWindow::restoreLiving(Living living) {
             if (auto* designer = qobject_cast<hmi::PanelDesigner*>(m_tabs->pageByKey("panel:" + panel)))
                 designer->document().undoStack().resetClean();
         m_watch->setFormat(living.watchFormat);
-        m_watch->setRows(living.watches);
+        m_watch->restore(std::move(living.watches));
         m_findings->schedule();
     }
     updateActions();

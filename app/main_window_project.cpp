@@ -4,23 +4,25 @@
 #include "app/live_views.h"
 #include "app/main_window.h"
 #include "app/new_project.h"
+#include "app/perspectives.h"
 #include "app/project_tree.h"
 #include "app/search_view.h"
 #include "app/settings_dialog.h"
 #include "app/start_page.h"
+#include "app/test_view.h"
 #include "app/tour.h"
 #include "editor/debug/debug_views.h"
 #include "editor/debug/watch_view.h"
 #include "editor/kit/message_text.h"
-#include "editor/kit/post.h"
 #include "editor/kit/work_strip.h"
 #include "projects/storage/project_file.h"
-#include "projects/testing/test_run.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLocale>
 #include <QMessageBox>
@@ -45,7 +47,8 @@ bool MainWindow::openProject(const QString& folder) {
     }
     m_settings.addRecent(m_workspace->folder());
     showProject();
-    m_watch->setExpressions(m_settings.projectValue(m_workspace->folder(), "watches").toStringList());
+    const QStringList lists = m_settings.projectValue(m_workspace->folder(), "watchLists").toStringList();
+    m_watch->restore(lists.isEmpty() ? QStringList{"0", tr("Watch")} : lists);
     restoreBreakpoints();
     offerRecovery();
     return true;
@@ -62,7 +65,7 @@ void MainWindow::showProject() {
 void MainWindow::closeProject() {
     if (!m_workspace->isOpen()) return;
     saveProjectState();
-    if (!m_tabs->closeAll()) return;
+    if (!mayLeaveProject()) return;
     m_workspace->discardRecovery();
     m_workspace->close();
     for (QDockWidget* each : findChildren<QDockWidget*>()) each->hide();
@@ -81,12 +84,14 @@ void MainWindow::saveProjectState() {
             pages << QStringList{page->file(), QString::number(page->first().cursorOffset()),
                                  page->chart() && page->chart()->isVisible() ? page->chart()->unit() : QString()}
                          .join('|');
-        else if (const QString key = m_tabs->widget(i)->property("pageKey").toString(); !key.startsWith("library:"))
+        else if (const QString key = m_tabs->widget(i)->property("pageKey").toString();
+                 !key.startsWith("library:") && !key.startsWith("text:"))
             pages << key;
     }
     m_settings.setProjectValue(folder, "pages", pages);
     m_settings.setProjectValue(folder, "currentPage", m_tabs->currentIndex());
-    m_settings.setProjectValue(folder, "watches", m_watch->expressions());
+    m_settings.setProjectValue(folder, "watchLists", m_watch->stored());
+    m_perspectives->leaveMaximised();
     m_settings.setProjectValue(folder, "layout", saveState());
     QStringList breakpoints;
     for (const editor::EditorBreakpoint& b : m_control->breakpoints())
@@ -123,6 +128,7 @@ void MainWindow::restoreProjectState() {
     if (tabs.isEmpty() && !m_workspace->files().isEmpty()) tabs << m_workspace->files().first();
     if (m_tabs->count() == 0)
         for (const QString& file : tabs) m_tabs->openFile(file);
+    if (QWidget* page = m_tabs->currentWidget()) page->setFocus();
 }
 
 void MainWindow::restoreBreakpoints() {
@@ -155,7 +161,10 @@ void MainWindow::offerRecovery() {
 void MainWindow::fillRecentMenu() {
     m_recentMenu->clear();
     for (const QString& folder : m_settings.recentProjects())
-        connect(m_recentMenu->addAction(folder), &QAction::triggered, this, [this, folder] { openProject(folder); });
+        connect(m_recentMenu->addAction(
+                    QString("%1  –  %2")
+                        .arg(QFileInfo(folder).fileName(), QDir::toNativeSeparators(QFileInfo(folder).path()))),
+                &QAction::triggered, this, [this, folder] { openProject(folder); });
     m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
 }
 
@@ -226,48 +235,45 @@ void MainWindow::chooseLibraries() {
 }
 
 void MainWindow::runTests() {
-    if (!m_workspace->isOpen() || m_testing) return;
-    projects::Project project = m_workspace->project();
-    project.sources = m_workspace->buildInput().files;
-    project.tests.clear();
-    for (const QString& file : m_workspace->files())
-        if (editor::Workspace::isTestFile(file)) project.tests.push_back({file.toStdString(), m_workspace->text(file)});
-    showDock("log");
-    say(tr("The tests run…"));
-    if (m_tester.joinable()) m_tester.join();
-    m_testing = std::make_shared<Progress>();
-    m_work->begin(tr("Tests"), m_testing);
-    m_tester = std::thread([this, progress = m_testing, project = std::move(project)] {
-        testing::Options options;
-        options.watched = progress.get();
-        auto report = testing::runTests(project, options);
-        QMetaObject::invokeMethod(
-            this,
-            [this, report = std::make_shared<Result<testing::Report>>(std::move(report))] {
-                const bool isCancelled = m_testing->isCancelled();
-                m_work->end(std::exchange(m_testing, nullptr));
-                if (m_changesLanguage) changeLanguage();
-                if (!*report) return say(kit::messageText(report->error()), true);
-                const testing::Report& done = **report;
-                for (const std::string& text : done.diagnostics)
-                    m_log->addMessage(QString::fromStdString(text).trimmed(), true);
-                for (const testing::TestResult& result : done.results) {
-                    m_log->addMessage((result.passed() ? tr("passed: %1") : tr("FAILED: %1"))
-                                          .arg(QString::fromStdString(result.title)),
-                                      !result.passed());
-                    for (const testing::Failure& failure : result.failures)
-                        m_log->addMessage(QString("    %1:%2  %3  %4")
-                                              .arg(QString::fromStdString(failure.file))
-                                              .arg(failure.line)
-                                              .arg(kit::messageText(failure.message), kit::messageText(failure.detail)),
-                                          true);
-                }
-                if (isCancelled) say(tr("The tests were cancelled"));
-                say(tr("%1 passed, %2 failed").arg(done.results.size() - done.failed()).arg(done.failed()),
-                    done.failed() != 0 || done.hasErrors);
-            },
-            Qt::QueuedConnection);
+    showDock("tests");
+    m_tests->runAll();
+}
+
+void MainWindow::connectTests() {
+    connect(m_tests, &TestView::placeRequested, m_tabs, &EditorTabs::goToLine);
+    connect(m_tests, &TestView::recordingRequested, this, &MainWindow::showRecording);
+    connect(m_testRunner, &TestRunner::started, this, [this](const std::shared_ptr<Progress>& work) {
+        say(tr("The tests run…"));
+        m_work->begin(tr("Tests"), work);
     });
+    connect(m_testRunner, &TestRunner::workEnded, this, [this](const std::shared_ptr<Progress>& work) {
+        m_work->end(work);
+        if (m_changesLanguage) changeLanguage();
+    });
+    connect(m_testRunner, &TestRunner::failed, this, [this](const QString& message) { say(message, true); });
+    connect(m_testRunner, &TestRunner::ended, this,
+            [this](const std::shared_ptr<const testing::Report>& report, bool isCancelled) {
+                logTests(*report);
+                if (isCancelled) say(tr("The tests were cancelled"));
+                say(tr("%1 passed, %2 failed").arg(report->results.size() - report->failed()).arg(report->failed()),
+                    report->failed() != 0 || report->hasErrors);
+            });
+}
+
+void MainWindow::logTests(const testing::Report& report) {
+    for (const std::string& text : report.diagnostics) m_log->addMessage(QString::fromStdString(text).trimmed(), true);
+    for (const testing::TestResult& result : report.results) {
+        m_log->addMessage(
+            (result.passed() ? tr("passed: %1") : tr("FAILED: %1")).arg(QString::fromStdString(result.title)),
+            !result.passed());
+        for (const testing::Failure& failure : result.failures)
+            m_log->addMessage(QString("    %1:%2  %3  %4")
+                                  .arg(QString::fromStdString(failure.file))
+                                  .arg(failure.line)
+                                  .arg(kit::messageText(failure.message), kit::messageText(failure.detail)),
+                              true);
+    }
+    if (report.hasErrors) showDock("log"); // why none could run
 }
 
 // ------------------------------------------------------------------ settings and the like
@@ -277,8 +283,7 @@ void MainWindow::openSettings() {
     if (dialog.exec() != QDialog::Accepted) return;
     changeTheme(m_settings.theme());
     m_tabs->applySettings();
-    if (m_control->session())
-        m_control->session()->history().setBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
+    takeRecordingSettings();
     if (dialog.languageChanged()) changeLanguage();
 }
 
@@ -325,13 +330,21 @@ void MainWindow::setHistoryBudget() {
                              m_settings.historyMegabytes(), 16, 16384, 16, &ok);
     if (!ok) return;
     m_settings.setHistoryMegabytes(megabytes);
-    if (m_control->session()) m_control->session()->history().setBudget(static_cast<size_t>(megabytes) << 20);
+    takeRecordingSettings();
+}
+
+void MainWindow::takeRecordingSettings() {
+    m_control->setHistoryBudget(static_cast<size_t>(m_settings.historyMegabytes()) << 20);
+    m_control->archive().setBudget(static_cast<qint64>(m_settings.runsMegabytes()) << 20);
 }
 
 void MainWindow::openRecording() {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Open a Recording"), m_workspace->folder(), tr("Recordings (*.rec)"));
-    if (path.isEmpty()) return;
+    if (!path.isEmpty()) showRecording(path);
+}
+
+void MainWindow::showRecording(const QString& path) {
     if (auto opened = m_live->openRecording(path); !opened) return say(kit::messageText(opened.error()), true);
     showDock("trace");
 }

@@ -5,8 +5,10 @@
 #include "app/main_window.h"
 #include "app/new_project.h"
 #include "app/project_tree.h"
+#include "app/rename_dialog.h"
 #include "app/search_view.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/texts.h"
 #include "hmi/designer/panel_designer.h"
 #include "runtime/base/text.h"
 
@@ -46,7 +48,7 @@ void MainWindow::newUnitIn(const QString& kind, const QString& wantedFile) {
         return;
     }
     if (auto added = m_workspace->addFile(file, text); !added) return say(kit::messageText(added.error()), true);
-    m_tabs->openFile(file);
+    if (StPage* page = m_tabs->openFile(file)) page->first().setFocus(); // one goes on typing in it
 }
 
 // ------------------------------------------------------------------ names
@@ -124,8 +126,20 @@ void MainWindow::findUses(const QString& file, uint32_t offset) {
     if (!id) return;
     const auto symbol = model->symbolAt(*id, offset);
     if (!symbol) return say(tr("There is no name at the cursor"));
-    m_search->showUses(QString::fromStdString(model->symbol(*symbol).name), model->uses(*id, offset), model->sources());
+    const sema::Symbol& found = model->symbol(*symbol);
+    m_search->showUses(QString::fromStdString(found.name), model->uses(*id, offset), model->sources(),
+                       usesInPanels(found));
     showDock("search");
+}
+
+/// Panels and alarms that name a variable of the program; they name nothing inside a block.
+std::vector<SearchView::PanelUse> MainWindow::usesInPanels(const sema::Symbol& symbol) const {
+    std::vector<SearchView::PanelUse> out;
+    const bool isAtTop = symbol.owner.empty() || symbol.path != symbol.name;
+    if (!m_live->design() || symbol.path.empty() || !isAtTop) return out;
+    for (const auto& use : m_live->design()->usesOfVariable(QString::fromStdString(symbol.path)))
+        out.push_back({use.file, use.element, use.property + " = " + use.expression, use.isWrite});
+    return out;
 }
 
 void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
@@ -135,12 +149,18 @@ void MainWindow::renameSymbol(const QString& file, uint32_t offset) {
     const auto symbol = model->symbolAt(*id, offset);
     if (!symbol) return say(tr("There is no name at the cursor"));
     const QString old = QString::fromStdString(model->symbol(*symbol).name);
-    bool ok = false;
-    const QString name = QInputDialog::getText(this, tr("Rename"), tr("New name of %1, in the whole project:").arg(old),
-                                               QLineEdit::Normal, old, &ok)
-                             .trimmed();
-    if (!ok || name.isEmpty() || name == old) return;
-    renameTo(file, offset, name);
+    std::vector<RenameDialog::Place> places;
+    for (const analysis::Use& use : model->uses(*id, offset)) {
+        const SourceText& source = model->sources()[use.range.file];
+        const uint32_t line = source.lineColumn(use.range.begin).line;
+        places.push_back({QString("%1:%2").arg(QString::fromStdString(source.path())).arg(line),
+                          kit::fromView(source.line(line)).trimmed()});
+    }
+    for (const SearchView::PanelUse& use : usesInPanels(model->symbol(*symbol)))
+        places.push_back({QString("%1: %2").arg(use.file, use.element), use.text});
+    RenameDialog dialog(old, places, this);
+    if (dialog.exec() != QDialog::Accepted || dialog.name().isEmpty() || dialog.name() == old) return;
+    renameTo(file, offset, dialog.name());
 }
 
 void MainWindow::renameTo(const QString& file, uint32_t offset, const QString& name) {

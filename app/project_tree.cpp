@@ -134,6 +134,22 @@ ProjectTree::ProjectTree(editor::Workspace& workspace, QWidget* parent) : QWidge
     connect(&workspace, &editor::Workspace::analysed, this, &ProjectTree::reload);
     connect(&workspace, &editor::Workspace::filesChanged, this, &ProjectTree::reload);
     connect(&workspace, &editor::Workspace::closed, this, &ProjectTree::reload);
+    connect(&workspace, &editor::Workspace::modificationChanged, this, &ProjectTree::markChanged);
+}
+
+/// A dot where the file holds something that is not saved, also when no tab of it is open.
+void ProjectTree::markChanged() {
+    const QStringList changed = m_workspace.isOpen() ? m_workspace.modifiedFiles() : QStringList();
+    const QString dot = QStringLiteral(" ●");
+    const auto mark = [&](auto&& self, QTreeWidgetItem* item) -> void {
+        if (const QString file = item->data(0, File).toString(); item->data(0, Note).isValid()) {
+            QString note = item->data(0, Note).toString();
+            if (note.endsWith(dot)) note.chop(dot.size());
+            item->setData(0, Note, changed.contains(file) ? note + dot : note);
+        }
+        for (int i = 0; i < item->childCount(); ++i) self(self, item->child(i));
+    };
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) mark(mark, m_tree->topLevelItem(i));
 }
 
 bool ProjectTree::isByFile() const { return m_byFile->isChecked(); }
@@ -273,7 +289,7 @@ void ProjectTree::reload() {
     m_variables.clear();
     for (const sema::Symbol& symbol : model.checked().analysis->symbols) {
         if ((symbol.kind != SymbolKind::Variable && symbol.kind != SymbolKind::Constant) ||
-            !symbol.declaration.file.isValid())
+            !symbol.declaration.file.isValid() || symbol.name.starts_with("__")) // what the compiler adds
             continue;
         if (!m_workspace.files().contains(QString::fromStdString(model.sources()[symbol.declaration.file].path())))
             continue;
@@ -335,6 +351,7 @@ void ProjectTree::reload() {
         item->setData(0, File, file);
         item->setData(0, Offset, 0u);
         item->setData(0, Name, file);
+        item->setData(0, Note, QString(""));
     }
     addLibraries();
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
@@ -344,6 +361,7 @@ void ProjectTree::reload() {
             item->setForeground(0, kit::colors().muted);
     }
     m_variables.clear();
+    markChanged();
     filter(m_filter->text());
 }
 
@@ -359,6 +377,7 @@ void ProjectTree::addFiles() {
         item->setData(0, File, file);
         item->setData(0, Offset, 0u);
         item->setData(0, Name, "file:" + file);
+        item->setData(0, Note, QString("")); // room for the dot of a changed file
         item->setToolTip(0, m_workspace.absolutePath(file));
         if (const auto id = model.fileOf(file.toStdString()))
             for (const analysis::OutlineItem& unit : model.outline(*id)) addUnit(item, unit, file);

@@ -43,6 +43,7 @@ signals:
 private:
     enum Role { Kind = Qt::UserRole, File, Offset, EndOffset, Name, Path, Note };
     void addFiles();
+    void markChanged();
     void addLibraries();
     [[nodiscard]] bool isByFile() const;
     void addVariables(QTreeWidgetItem* parent, const std::string& owner, const QString& file);

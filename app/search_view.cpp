@@ -16,6 +16,19 @@
 
 namespace plc::app {
 
+namespace {
+constexpr int kElement = Qt::UserRole + 3; // of a panel; set where the row is none of a source
+
+/// The element of a panel's text in which a place is.
+QString elementAt(const QString& text, qsizetype at) {
+    static const QRegularExpression id("\"id\": \"([^\"]*)\"");
+    QString found;
+    for (auto matches = id.globalMatch(text.left(text.indexOf('\n', at))); matches.hasNext();)
+        found = matches.next().captured(1);
+    return found;
+}
+} // namespace
+
 SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(parent), m_workspace(workspace) {
     m_text = new QLineEdit(this);
     m_text->setPlaceholderText(tr("Find in all files"));
@@ -55,6 +68,8 @@ SearchView::SearchView(editor::Workspace& workspace, QWidget* parent) : QWidget(
     connect(find, &QPushButton::clicked, this, &SearchView::search);
     connect(replace, &QPushButton::clicked, this, &SearchView::replaceAll);
     connect(m_results, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        if (item->data(0, kElement).isValid())
+            return emit panelPlaceRequested(item->data(0, Qt::UserRole).toString(), item->data(0, kElement).toString());
         emit placeRequested(item->data(0, Qt::UserRole).toString(), item->data(0, Qt::UserRole + 1).toUInt(),
                             item->data(0, Qt::UserRole + 2).toUInt());
     });
@@ -88,12 +103,15 @@ void SearchView::search() {
                                                                QRegularExpression::CaseInsensitiveOption);
     if (!pattern.isValid()) return m_summary->setText(tr("Not a pattern: %1").arg(pattern.errorString()));
     int files = 0;
-    const QStringList all = m_workspace.files();
+    const std::map<QString, std::string> panels = m_panelTexts ? m_panelTexts() : std::map<QString, std::string>();
+    QStringList all = m_workspace.files();
+    for (const auto& [file, text] : panels) all << file;
     kit::LongTask task(tr("Searching all files…"), this);
     for (qsizetype i = 0; i < all.size(); ++i) {
         const QString& file = all[i];
         if (!task.reached(static_cast<double>(i) / static_cast<double>(all.size()))) break;
-        const std::string text = m_workspace.text(file);
+        const auto panel = panels.find(file);
+        const std::string text = panel == panels.end() ? m_workspace.text(file) : panel->second;
         const SourceText source(file.toStdString(), text);
         const QString content = QString::fromStdString(text);
         bool any = false;
@@ -107,6 +125,9 @@ void SearchView::search() {
             counted = match.capturedStart();
             addLine(file, source, {FileId(0), begin, begin + static_cast<uint32_t>(match.captured().toUtf8().size())},
                     {});
+            if (panel != panels.end())
+                m_results->topLevelItem(m_results->topLevelItemCount() - 1)
+                    ->setData(0, kElement, elementAt(content, match.capturedStart()));
             any = true;
             if (m_results->topLevelItemCount() % 200 == 0 &&
                 !task.reached(
@@ -153,7 +174,8 @@ int SearchView::replaceAll() {
     return count;
 }
 
-void SearchView::showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources) {
+void SearchView::showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources,
+                          const std::vector<PanelUse>& inPanels) {
     m_results->clear();
     int reads = 0, writes = 0;
     for (const analysis::Use& use : uses) {
@@ -165,6 +187,15 @@ void SearchView::showUses(const QString& name, const std::vector<analysis::Use>&
                 : use.isWrite && use.isRead ? tr("read, write")
                 : use.isWrite               ? tr("write")
                                             : tr("read"));
+    }
+    for (const PanelUse& use : inPanels) {
+        reads += !use.isWrite;
+        writes += use.isWrite;
+        auto* item = new QTreeWidgetItem(m_results, {QString("%1: %2").arg(use.file, use.element),
+                                                     use.isWrite ? tr("write") : tr("read"), use.text});
+        item->setForeground(0, kit::colors().muted);
+        item->setData(0, Qt::UserRole, use.file);
+        item->setData(0, kElement, use.element);
     }
     m_summary->setText(tr("%1: %2 read, %3 written").arg(name).arg(reads).arg(writes));
 }

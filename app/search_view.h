@@ -10,6 +10,7 @@ class QCheckBox;
 class QLabel;
 class QLineEdit;
 
+#include <functional>
 #include <map>
 
 namespace plc::app {
@@ -21,11 +22,20 @@ public:
     void openSearch(const QString& text);
     void search();
     int replaceAll();
-    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources);
+    /// A use in a panel or an alarm.
+    struct PanelUse {
+        QString file, element, text;
+        bool isWrite = false;
+    };
+    void showUses(const QString& name, const std::vector<analysis::Use>& uses, const SourceSet& sources,
+                  const std::vector<PanelUse>& inPanels = {});
+    /// What is searched besides the sources: panels and alarms as they are edited, by file.
+    void setPanelTexts(std::function<std::map<QString, std::string>()> texts) { m_panelTexts = std::move(texts); }
     [[nodiscard]] QTreeWidget& results() { return *m_results; }
 
 signals:
     void placeRequested(const QString& file, uint32_t offset, uint32_t length);
+    void panelPlaceRequested(const QString& file, const QString& element);
     void message(const QString& text, bool isError);
     /// The new texts of all files in which something is replaced.
     void textsReplaced(const std::map<QString, std::string>& texts);
@@ -33,6 +43,7 @@ signals:
 private:
     void addLine(const QString& file, const SourceText& source, SourceRange range, const QString& kind);
 
+    std::function<std::map<QString, std::string>()> m_panelTexts;
     editor::Workspace& m_workspace;
     QLineEdit *m_text, *m_replacement;
     QCheckBox *m_regex, *m_case;

@@ -47,6 +47,8 @@ QByteArray Settings::windowGeometry() const { return m_store.value("geometry").t
 void Settings::setWindowGeometry(const QByteArray& geometry) { m_store.setValue("geometry", geometry); }
 int Settings::historyMegabytes() const { return m_store.value("run/historyMegabytes", 256).toInt(); }
 void Settings::setHistoryMegabytes(int megabytes) { m_store.setValue("run/historyMegabytes", megabytes); }
+int Settings::runsMegabytes() const { return m_store.value("run/runsMegabytes", 1024).toInt(); }
+void Settings::setRunsMegabytes(int megabytes) { m_store.setValue("run/runsMegabytes", megabytes); }
 
 QStringList Settings::recentProjects() const {
     QStringList out;

@@ -33,6 +33,8 @@ public:
     void setWindowGeometry(const QByteArray& geometry);
     [[nodiscard]] int historyMegabytes() const;
     void setHistoryMegabytes(int megabytes);
+    [[nodiscard]] int runsMegabytes() const; // on disk, per project, for the runs that have ended
+    void setRunsMegabytes(int megabytes);
 
     [[nodiscard]] QStringList recentProjects() const; // newest first, only those that exist
     void addRecent(const QString& folder);

@@ -84,6 +84,13 @@ QWidget* SettingsDialog::makeRun() {
     m_history->setValue(m_settings.historyMegabytes());
     form->addRow(m_changeOnSave);
     form->addRow(tr("Memory for the recording of every scan"), m_history);
+    m_runs = new QSpinBox(page);
+    m_runs->setRange(0, 1 << 20);
+    m_runs->setSingleStep(256);
+    m_runs->setSuffix(" MB");
+    m_runs->setSpecialValueText(tr("none is kept"));
+    m_runs->setValue(m_settings.runsMegabytes());
+    form->addRow(tr("Disk space for the recordings of earlier runs, per project"), m_runs);
     return page;
 }
 
@@ -180,6 +187,7 @@ void SettingsDialog::accept() {
     m_settings.setFormatOnSave(m_formatOnSave->isChecked());
     m_settings.setChangeOnSave(m_changeOnSave->isChecked());
     m_settings.setHistoryMegabytes(m_history->value());
+    m_settings.setRunsMegabytes(m_runs->value());
     for (int row = 0; row < m_actions.size(); ++row) {
         const QKeySequence keys = takenBy(row) >= 0 ? QKeySequence() : keysOf(row)->keySequence();
         if (keys == m_actions[row]->shortcut()) continue;

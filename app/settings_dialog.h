@@ -34,7 +34,7 @@ private:
     Settings& m_settings;
     QList<QAction*> m_actions;
     QComboBox *m_theme, *m_language;
-    QSpinBox *m_indent, *m_history;
+    QSpinBox *m_indent, *m_history, *m_runs;
     QCheckBox *m_upperCase, *m_autoClose, *m_formatOnSave, *m_changeOnSave, *m_values;
     QTableWidget* m_shortcuts;
     QLabel* m_conflict;

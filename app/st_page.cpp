@@ -1,5 +1,6 @@
 #include "app/st_page.h"
 
+#include "app/instance_bar.h"
 #include "editor/kit/icons.h"
 #include "projects/analysis/conversion.h"
 #include "runtime/compiler/parse/parser.h"
@@ -16,6 +17,7 @@ using editor::StEditor;
 
 StPage::StPage(const QString& file, QWidget* parent, Kind kind) : QWidget(parent), m_file(file), m_kind(kind) {
     m_notice = makeNotice();
+    m_instances = new InstanceBar(this);
     m_sides = new QSplitter(Qt::Horizontal, this);
     m_splitter = new QSplitter(Qt::Vertical, m_sides);
     m_first = new StEditor(m_splitter);
@@ -33,6 +35,7 @@ StPage::StPage(const QString& file, QWidget* parent, Kind kind) : QWidget(parent
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_notice);
+    layout->addWidget(m_instances);
     layout->addWidget(m_sides, 1);
     layout->addWidget(m_find);
     setFocusProxy(m_first);

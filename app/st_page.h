@@ -15,6 +15,8 @@ class QLabel;
 
 namespace plc::app {
 
+class InstanceBar;
+
 class StPage : public QWidget {
     Q_OBJECT
 public:
@@ -24,6 +26,7 @@ public:
     [[nodiscard]] editor::StEditor& active() { return *m_active; }
     [[nodiscard]] editor::StEditor& first() { return *m_first; }
     [[nodiscard]] editor::FindBar& findBar() { return *m_find; }
+    [[nodiscard]] InstanceBar& instanceBar() { return *m_instances; }
     [[nodiscard]] editor::DeclarationTable& table() { return *m_table; }
     [[nodiscard]] const QString& file() const { return m_file; }
     [[nodiscard]] bool isLibrary() const { return m_kind == Kind::Library; }
@@ -55,6 +58,7 @@ private:
     QString m_file;
     Kind m_kind;
     QWidget* m_notice;
+    InstanceBar* m_instances;
     QSplitter* m_sides;
     QSplitter* m_splitter;
     editor::ChartView* m_chart = nullptr;

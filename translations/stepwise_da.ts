@@ -1290,6 +1290,114 @@
         <translation>Der er ingen aktion {0}</translation>
     </message>
     <message>
+        <source>A coil writes a variable.</source>
+        <translation>En spole skriver en variabel.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Et ben har ingen kontakter; skriv et udtryk.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Et netværk kan ikke flyttes ind i sig selv.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Et netværk flyttes inden for sin blok af sætninger; brug klip og sæt ind i teksten til mere.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Slet kaldet i teksten: andre sætninger bruger måske dets udgange.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Slet denne udgang i teksten.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>Andre udgange afhænger af samme IF; giv først denne spole sit eget netværk.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Vælg en boks med tekst.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Vælg en spole.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Vælg en kontakt eller en ledning.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Vælg en kontakt, et ben eller en spole.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Vælg et netværk med kontakter.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Vælg et netværk med én udgang.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Vælg det netværk, der skal indsættes ved siden af.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Vælg det netværk, kommentaren hører til.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Vælg det, der skal ændres.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Vælg det, der skal slettes.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Flere variabler tildeles i én sætning; skil dem først ad i teksten.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>Sætninger på én linje kan ikke flyttes; skil dem først ad i teksten.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>Netværket læser det, det skriver; tilføj denne spole i sit eget netværk.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>Der er ingen funktionsblok {0}.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Denne ændring kan ikke laves i billedet; ret teksten.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Dette har ingen operand.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Dette er ikke en sætning: {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Dette er ikke et udtryk: {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Dette netværk har ingen betingelse; sæt det under et IF i teksten.</translation>
+    </message>
+    <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
     </message>
@@ -1654,6 +1762,399 @@
         <translation>En prioritet er et tal; 0 fjerner den</translation>
     </message>
     <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Der er allerede et trin {0}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Denne ændring ville ændre den samme tekst to gange</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Denne transition fører endnu ikke til et trin</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Intet ville føre til sammenføringen efter dette trin</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>Starttrinnet bliver øverst</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Kun et trin med sin egen enkelte transition kan flyttes</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>Trinnet er der allerede</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Et trin kan sættes efter en transition, der fører til ét trin</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Dette trin fører kun til sig selv</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Her er ingen gren</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>En transition kræver en betingelse</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>En prioritet skal være et positivt tal</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>Den sidste gren fører ikke til et trin</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Aktionen findes ikke</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Der er endnu intet SFC-diagram</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Flere transitioner forlader dette trin; slet først dets grene</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>Betingelsen for denne transition kan ikke læses; rediger den i teksten</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>Panelet er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Et panel skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>Panelet er skrevet af en nyere version af Stepwise</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>”{0}” skal være en liste</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>Element {0} er ikke et objekt</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Arten af element {0} er ikke en tekst</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Alarmerne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>En alarm har intet id</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>To alarmer har id&apos;et ”{0}”</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Denne linje er ikke gyldig UTF-8; gem filen som UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Der er tekst efter et afsluttende anførselstegn; fordobl et anførselstegn, der hører til teksten</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>Kolonne {0} har intet sprogmærke</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>Sproget {0} har to kolonner</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Denne linje har ingen nøgle</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>Nøglen {0} er allerede på linje {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>Alarmhistorikken kan ikke åbnes: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>Alarmhistorikken kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} kan ikke være i {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>En {0} kan ikke skrives fra et panel</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Mappen til billederne kan ikke oprettes</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>Billedet kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>Projektet har ikke det panel</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>Nøglen {0} er ikke i teksttabellen</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Denne version kender ikke elementarten ”{0}”; den bevares uændret</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>Projektet har ikke sproget {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>Elementet ligger uden for panelet</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>Filen {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>Der er intet panel {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>Alarmen har ingen betingelse</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>Der er ingen alarmklasse {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Intet panel og ingen alarm bruger nøglen {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>Nøglen {0} har ingen tekst på {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Ingen skrifttype har tegnet {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} er ikke en variabel og kan derfor ikke skrives</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} er {1}; her kræves en BOOL</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} er {1}; her kræves et tal</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} er {1}; her kræves en STRING</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} er {1}; her kræves et array</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} er {1}; her kræves en enkelt værdi</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>En pladsholder er ikke lukket med {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>Formatet {0} er ukendt</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>En traceopsætning skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>Traceopsætningen er ugyldig: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>”{0}” skal være {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>”{0}” mangler</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Et billedes navn skal ende på en af {0}</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>ikke længere optaget</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>En optagelse fra en fil kan ikke skrives; gå først tilbage til den kørende styring</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Optagede værdier kan ikke skrives; fortsæt først herfra</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>En prioritet er et tal; 0 fjerner den</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>De lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} er for stor til maskinens stak; del den op</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} er ikke et heltal</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} er ikke et antal scan</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} er ikke en tid</translation>
         <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
     </message>
@@ -2834,6 +3335,18 @@
         <source>%1 was not saved</source>
         <translation>%1 blev ikke gemt</translation>
     </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 er ikke en variabel i det kørende program</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Tving</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Skriv</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::LiveViews</name>
@@ -3676,6 +4189,34 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>The project was exported</source>
         <translation>Projektet blev eksporteret</translation>
     </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Vælg også næste forekomst</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Arrangér til redigering</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Arrangér til fejlfinding</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Arrangér til tegning af paneler</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Maksimér editoren</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Optagelsen af den seneste kørsel gemmes…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -4203,6 +4744,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
     </message>
+    <message>
+        <source>none is kept</source>
+        <translation>ingen gemmes</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Diskplads til optagelser af tidligere kørsler, pr. projekt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::StPage</name>
@@ -4663,6 +5212,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Filter of the events</source>
         <translation>Filter for hændelserne</translation>
     </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Trin: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 ved %2</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::FindBar</name>
@@ -4865,6 +5423,18 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Declare %1 in %2</source>
         <translation>Erklær %1 i %2</translation>
     </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Skriv en værdi…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Tving…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Ophæv tvangen</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::TaskMonitor</name>
@@ -5021,6 +5591,46 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <comment>stretch of an array</comment>
         <translation>%1 … %2</translation>
     </message>
+    <message>
+        <source>Watch</source>
+        <translation>Overvågning</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Tilføj, omdøb eller fjern en liste</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Listens navn:</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Ny liste…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Ny liste</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Omdøb listen…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Omdøb listen</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Fjern listen</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Talformat</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>Som listen</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -5094,6 +5704,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Gap across</source>
         <translation>Afstand vandret</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Enheden %1 er ikke længere i teksten</translation>
     </message>
     <message>
         <source>Gap down</source>
@@ -5113,6 +5725,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Resize</source>
         <translation>Ændr størrelse</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Vælg det trin, grenen går ud fra</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5249,6 +5863,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Same size</source>
         <translation>Samme størrelse</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 er en variabel: den har ingen krop</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -6922,6 +7538,255 @@ Ikke bevaret: %3</translation>
     <message>
         <source>To:</source>
         <translation>Til:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alt</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Eksporter tegningen</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nyt navn til %1, i hele projektet:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Steder, der ændres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n sted ændres:</numerusform>
+            <numerusform>%n steder ændres:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Ændret udefra</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 blev ændret af et andet program, og her også.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Sammenlign…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Indlæs fra disken</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Behold mine</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instans, hvis værdier vises</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Værdier for instansen af %1:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Sammenlign %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Forrige</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Overtag</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Overtag alle</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Her (denne tekst beholdes)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>På disken</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Brug teksten til venstre</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Ingen forskelle</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Forskel %1 af %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Tidligere kørsler</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, afsluttet af en fejl, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Den seneste kørsel skrives…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Ingen kørsel er slut endnu</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Kør alle tests</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Kør de valgte tests</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Kør de fejlede tests</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestået, %2 fejlet</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>endnu ikke kørt</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestået</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fejlet</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Vis optagelsen af fejlen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Linje %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
     </message>
 </context>
 </TS>

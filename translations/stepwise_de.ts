@@ -1262,6 +1262,114 @@
         <translation>ASSERT nicht erfüllt: {0} ({1})</translation>
     </message>
     <message>
+        <source>A coil writes a variable.</source>
+        <translation>Eine Spule schreibt eine Variable.</translation>
+    </message>
+    <message>
+        <source>A pin has no contacts; type an expression.</source>
+        <translation>Ein Anschluss hat keine Kontakte; geben Sie einen Ausdruck ein.</translation>
+    </message>
+    <message>
+        <source>A rung cannot move into itself.</source>
+        <translation>Ein Netzwerk kann nicht in sich selbst verschoben werden.</translation>
+    </message>
+    <message>
+        <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
+        <translation>Ein Netzwerk lässt sich innerhalb seines Anweisungsblocks verschieben; nehmen Sie für mehr Ausschneiden und Einfügen im Text.</translation>
+    </message>
+    <message>
+        <source>Delete the call in the text: other statements may use its outputs.</source>
+        <translation>Löschen Sie den Aufruf im Text: andere Anweisungen könnten seine Ausgänge verwenden.</translation>
+    </message>
+    <message>
+        <source>Delete this output in the text.</source>
+        <translation>Löschen Sie diesen Ausgang im Text.</translation>
+    </message>
+    <message>
+        <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
+        <translation>Andere Ausgänge hängen vom selben IF ab; geben Sie dieser Spule zuerst ein eigenes Netzwerk.</translation>
+    </message>
+    <message>
+        <source>Select a box with text.</source>
+        <translation>Wählen Sie einen Kasten mit Text.</translation>
+    </message>
+    <message>
+        <source>Select a coil.</source>
+        <translation>Wählen Sie eine Spule.</translation>
+    </message>
+    <message>
+        <source>Select a contact or a wire.</source>
+        <translation>Wählen Sie einen Kontakt oder eine Leitung.</translation>
+    </message>
+    <message>
+        <source>Select a contact, a pin or a coil.</source>
+        <translation>Wählen Sie einen Kontakt, einen Anschluss oder eine Spule.</translation>
+    </message>
+    <message>
+        <source>Select a rung with contacts.</source>
+        <translation>Wählen Sie ein Netzwerk mit Kontakten.</translation>
+    </message>
+    <message>
+        <source>Select a rung with one output.</source>
+        <translation>Wählen Sie ein Netzwerk mit einem Ausgang.</translation>
+    </message>
+    <message>
+        <source>Select the rung beside which it is inserted.</source>
+        <translation>Wählen Sie das Netzwerk, neben dem eingefügt wird.</translation>
+    </message>
+    <message>
+        <source>Select the rung that the comment belongs to.</source>
+        <translation>Wählen Sie das Netzwerk, zu dem der Kommentar gehört.</translation>
+    </message>
+    <message>
+        <source>Select what is to be changed.</source>
+        <translation>Wählen Sie, was geändert werden soll.</translation>
+    </message>
+    <message>
+        <source>Select what is to be deleted.</source>
+        <translation>Wählen Sie, was gelöscht werden soll.</translation>
+    </message>
+    <message>
+        <source>Several variables are assigned in one statement; separate them in the text first.</source>
+        <translation>Mehrere Variablen werden in einer Anweisung zugewiesen; trennen Sie sie zuerst im Text.</translation>
+    </message>
+    <message>
+        <source>Statements on one line cannot be moved; separate them in the text first.</source>
+        <translation>Anweisungen in einer Zeile können nicht verschoben werden; trennen Sie sie zuerst im Text.</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
+    </message>
+    <message>
+        <source>The rung reads what it writes; add this coil in a rung of its own.</source>
+        <translation>Das Netzwerk liest, was es schreibt; fügen Sie diese Spule in einem eigenen Netzwerk hinzu.</translation>
+    </message>
+    <message>
+        <source>There is no function block {0}.</source>
+        <translation>Es gibt keinen Funktionsbaustein {0}.</translation>
+    </message>
+    <message>
+        <source>This edit cannot be made in the picture; edit the text.</source>
+        <translation>Diese Änderung ist im Bild nicht möglich; ändern Sie den Text.</translation>
+    </message>
+    <message>
+        <source>This has no operand.</source>
+        <translation>Das hat keinen Operanden.</translation>
+    </message>
+    <message>
+        <source>This is not a statement: {0}</source>
+        <translation>Das ist keine Anweisung: {0}</translation>
+    </message>
+    <message>
+        <source>This is not an expression: {0}</source>
+        <translation>Das ist kein Ausdruck: {0}</translation>
+    </message>
+    <message>
+        <source>This rung has no condition; put it under IF in the text.</source>
+        <translation>Dieses Netzwerk hat keine Bedingung; stellen Sie es im Text unter ein IF.</translation>
+    </message>
+    <message>
         <source>{0} is {1}</source>
         <translation>{0} ist {1}</translation>
     </message>
@@ -1654,6 +1762,427 @@
         <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
     </message>
     <message>
+        <source>The file was changed by another program and was not overwritten</source>
+        <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>Hmi</name>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} ist {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} ist {1}, erwartet {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} ist {1}, aufgezeichnet {2} in Zyklus {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>Die Aufzeichnung {0} hat {1} {1:Zyklus|Zyklen}, dieser Lauf {2}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
+    </message>
+    <message>
+        <source>the condition cannot be evaluated</source>
+        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>There is no action {0}</source>
+        <translation>Es gibt keine Aktion {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Einen Schritt {0} gibt es schon</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Diese Änderung würde denselben Text zweimal ändern</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Diese Transition führt noch zu keinem Schritt</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>Der Initialschritt bleibt oben</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>Der Schritt ist schon dort</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Dieser Schritt führt nur zu sich selbst</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Hier gibt es keinen Zweig</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>Eine Transition braucht eine Bedingung</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>Eine Priorität muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>Der letzte Zweig führt zu keinem Schritt</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Diese Aktion gibt es nicht</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Es gibt noch keine Schrittkette</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>Der Initialschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen Schritt zum Initialschritt</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>Das Panel ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Ein Panel muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>„{0}“ muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>Element {0} ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Die Art von Element {0} ist kein Text</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Die Alarme sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>Ein Alarm hat keine Kennung</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>Zwei Alarme haben die Kennung „{0}“</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Diese Zeile ist kein gültiges UTF-8; speichern Sie die Datei als UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Nach einem schließenden Anführungszeichen steht Text; verdoppeln Sie ein Anführungszeichen, das zum Text gehört</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>Spalte {0} hat kein Sprachkürzel</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>Die Sprache {0} hat zwei Spalten</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Diese Zeile hat keinen Schlüssel</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>Die Alarmhistorie kann nicht geöffnet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>Die Alarmhistorie kann nicht verwendet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>Die Alarmhistorie kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} passt nicht in {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>Ein {0} kann von einem Panel nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Der Ordner für die Bilder kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>Das Bild kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>Das Projekt hat kein solches Panel</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>Der Schlüssel {0} ist nicht in der Texttabelle</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Diese Version kennt die Elementart „{0}“ nicht; sie bleibt unverändert</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>Das Projekt hat keine Sprache {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>Das Element liegt außerhalb des Panels</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>Die Datei {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>Es gibt kein Panel {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>Der Alarm hat keine Bedingung</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>Es gibt keine Alarmklasse {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>Der Schlüssel {0} hat keinen Text in {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Keine Schrift hat das Zeichen {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} ist {1}; hier wird ein BOOL gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} ist {1}; hier wird eine Zahl gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} ist {1}; hier wird ein STRING gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} ist {1}; hier wird ein Array gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>Das Format {0} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>Die Trace-Konfiguration ist ungültig: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>„{0}“ muss {1} sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>„{0}“ fehlt</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Der Name eines Bilds muss auf eines von {0} enden</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>nicht mehr aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} ist zu groß für den Stapel der Maschine; teilen Sie es auf</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} ist keine Anzahl von Zyklen</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} ist keine Zeit</translation>
         <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
         <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
     </message>
@@ -2834,6 +3363,18 @@
         <source>%1 was not saved</source>
         <translation>%1 wurde nicht gespeichert</translation>
     </message>
+    <message>
+        <source>%1 is no variable of the running program</source>
+        <translation>%1 ist keine Variable des laufenden Programms</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Erzwingen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::LiveViews</name>
@@ -3676,6 +4217,34 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>The project was exported</source>
         <translation>Das Projekt wurde exportiert</translation>
     </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
+    </message>
+    <message>
+        <source>Select the Next Occurrence Too</source>
+        <translation>Nächstes Vorkommen auch auswählen</translation>
+    </message>
+    <message>
+        <source>Arrange for Editing</source>
+        <translation>Zum Bearbeiten anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for Debugging</source>
+        <translation>Zum Debuggen anordnen</translation>
+    </message>
+    <message>
+        <source>Arrange for Drawing Panels</source>
+        <translation>Zum Zeichnen von Panels anordnen</translation>
+    </message>
+    <message>
+        <source>Maximise the Editor</source>
+        <translation>Editor maximieren</translation>
+    </message>
+    <message>
+        <source>Keeping the recording of the last run…</source>
+        <translation>Die Aufzeichnung des letzten Laufs wird aufbewahrt…</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -4203,6 +4772,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
         <translation>%1 gehört jetzt zu „%2“; „%3“ verliert es.</translation>
     </message>
+    <message>
+        <source>none is kept</source>
+        <translation>keine wird aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Disk space for the recordings of earlier runs, per project</source>
+        <translation>Plattenplatz für die Aufzeichnungen früherer Läufe, je Projekt</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::StPage</name>
@@ -4663,6 +5240,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Filter of the events</source>
         <translation>Filter der Ereignisse</translation>
     </message>
+    <message>
+        <source>Step: %1</source>
+        <translation>Schritt: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>event at file:line</comment>
+        <translation>%1 bei %2</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::FindBar</name>
@@ -4865,6 +5451,18 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Declare %1 in %2</source>
         <translation>%1 in %2 deklarieren</translation>
     </message>
+    <message>
+        <source>Write a Value…</source>
+        <translation>Wert schreiben…</translation>
+    </message>
+    <message>
+        <source>Force…</source>
+        <translation>Erzwingen…</translation>
+    </message>
+    <message>
+        <source>Release the Force</source>
+        <translation>Erzwingen aufheben</translation>
+    </message>
 </context>
 <context>
     <name>plc::editor::TaskMonitor</name>
@@ -5021,6 +5619,46 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <comment>stretch of an array</comment>
         <translation>%1 … %2</translation>
     </message>
+    <message>
+        <source>Watch</source>
+        <translation>Überwachung</translation>
+    </message>
+    <message>
+        <source>Add, rename or remove a list</source>
+        <translation>Liste hinzufügen, umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Name of the list:</source>
+        <translation>Name der Liste:</translation>
+    </message>
+    <message>
+        <source>New List…</source>
+        <translation>Neue Liste…</translation>
+    </message>
+    <message>
+        <source>New List</source>
+        <translation>Neue Liste</translation>
+    </message>
+    <message>
+        <source>Rename the List…</source>
+        <translation>Liste umbenennen…</translation>
+    </message>
+    <message>
+        <source>Rename the List</source>
+        <translation>Liste umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove the List</source>
+        <translation>Liste entfernen</translation>
+    </message>
+    <message>
+        <source>Number Format</source>
+        <translation>Zahlenformat</translation>
+    </message>
+    <message>
+        <source>As the list</source>
+        <translation>Wie die Liste</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::AlarmEditor</name>
@@ -5094,6 +5732,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Gap across</source>
         <translation>Abstand waagrecht</translation>
+        <source>The unit %1 is not in the text any more</source>
+        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
     </message>
     <message>
         <source>Gap down</source>
@@ -5113,6 +5753,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Resize</source>
         <translation>Größe ändern</translation>
+        <source>Select the step from which the branch goes out</source>
+        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5249,6 +5891,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Same size</source>
         <translation>Gleiche Größe</translation>
+        <source>%1 is a variable: it has no body</source>
+        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
     </message>
     <message>
         <source>Bring to front</source>
@@ -6922,6 +7566,255 @@ Nicht erhalten: %3</translation>
     <message>
         <source>To:</source>
         <translation>Nach:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Stellen, die sich ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n Stelle ändert sich:</numerusform>
+            <numerusform>%n Stellen ändern sich:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Außerhalb geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Beide nebeneinander vergleichen, die Datei von der Platte laden und die Änderungen hier verlieren, oder behalten, was hier steht, und die Datei beim nächsten Speichern ersetzen?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Von der Platte laden</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instanz, deren Werte gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Werte der Instanz von %1:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>%1 vergleichen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorheriger</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Alle übernehmen</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Hier (dieser Text wird behalten)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Auf der Platte</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Den linken Text verwenden</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Keine Unterschiede</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Unterschied %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Frühere Läufe</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, durch einen Fehler beendet, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Der letzte Lauf wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Noch kein Lauf ist zu Ende</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Alle Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Die ausgewählten Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Die fehlgeschlagenen Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>noch nicht gelaufen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Aufzeichnung des Fehlschlags zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
     </message>
 </context>
 </TS>

@@ -133,4 +133,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n place changes:</numerusform>
+            <numerusform>%n places change:</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -44,7 +44,8 @@ std::string overview() {
 const std::vector<Command>& commands() {
     static const std::vector<Command> all = {checkCommand(),   runCommand(),    formatCommand(), testCommand(),
                                              traceCommand(),   replayCommand(), panelCommand(),  docCommand(),
-                                             convertCommand(), importCommand(), exportCommand()};
+                                             convertCommand(), importCommand(), exportCommand(), ladderCommand(),
+                                             whyCommand()};
     return all;
 }
 

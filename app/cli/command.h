@@ -32,6 +32,8 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command convertCommand();
 [[nodiscard]] Command importCommand();
 [[nodiscard]] Command exportCommand();
+[[nodiscard]] Command ladderCommand();
+[[nodiscard]] Command whyCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.

@@ -1,9 +1,12 @@
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
+#include "app/cli/inside_output.h"
 #include "app/cli/run_output.h"
 
+#include "projects/session/versions.h"
 #include "runtime/compiler/driver/driver.h"
 #include "runtime/history/history.h"
+#include "runtime/inside/words.h"
 
 #include <iostream>
 
@@ -15,12 +18,8 @@ namespace {
 /// each.
 class Versions {
 public:
-    std::shared_ptr<const image::CompiledProgram> build(const std::vector<std::pair<std::string, std::string>>& sources,
-                                                        const std::vector<std::string>& libraries) {
-        driver::BuildInput input;
-        for (const auto& [path, text] : sources) input.files.push_back({path, text});
-        driver::setRecordedSettings(input, libraries);
-        m_all.push_back(driver::build(input));
+    std::shared_ptr<const image::CompiledProgram> build(const history::History::Sources& sources) {
+        m_all.push_back(driver::build(session::recordedInput(sources)));
         if (!m_all.back().program)
             m_failure = m_all.back().failure.isEmpty() ? errors::RecordedProgramHasErrors() : m_all.back().failure;
         return m_all.back().program;
@@ -65,13 +64,40 @@ private:
     std::shared_ptr<const image::CompiledProgram> m_program;
 };
 
+/// --inside: everything that one scan computed.
+int lookInside(const Arguments& arguments, const history::History& history, const std::string& scan) {
+    const auto position = positionOf(history, scan);
+    if (!position) return wrongUse(position.error());
+    inside::Insight insight(history);
+    const auto look = insight.look(*position);
+    if (!look) return wrongUse(look.error());
+    std::cout << (arguments.wantsJson() ? insideJson(**look) + "\n" : insideText(**look));
+    return (*look)->isExact() ? kGood : kProgramWrong;
+}
+
+/// --writers: every change of a value and who made it.
+int listWriters(const Arguments& arguments, const history::History& history, const std::string& text) {
+    constexpr size_t kMost = 100'000;
+    inside::Insight insight(history);
+    inside::Reasoner reasoner(insight);
+    const history::Statistics all = history.statistics();
+    const auto writers = reasoner.writers({text, {}}, all.first, all.end, kMost);
+    if (!writers) return wrongUse({"--writers: " + writers.error().message.english(), text});
+    std::string list;
+    for (const inside::Writer& writer : *writers)
+        list += arguments.wantsJson() ? (list.empty() ? "" : ",") + toJson(writer) : inside::toText(writer);
+    if (arguments.wantsJson())
+        std::cout << "{\"expression\":" << jsonString(text) << ",\"writers\":[" << list << "]}\n";
+    else
+        std::cout << (list.empty() ? text + " does not change in this recording\n" : list);
+    return kGood;
+}
+
 int replay(const Arguments& arguments) {
     if (arguments.paths().size() != 1) return wrongUse({errors::ReplayNeedsRecording(), ""});
     Versions versions;
-    const auto loaded =
-        history::History::load(arguments.paths()[0], [&versions](const auto& sources, const auto& libraries) {
-            return versions.build(sources, libraries);
-        });
+    const auto loaded = history::History::load(arguments.paths()[0],
+                                               [&versions](const auto& sources) { return versions.build(sources); });
     if (!loaded)
         return wrongUse(versions.failure().isEmpty()
                             ? loaded.error()
@@ -79,6 +105,8 @@ int replay(const Arguments& arguments) {
     const history::History& history = **loaded;
     const history::Statistics statistics = history.statistics();
     if (statistics.end == statistics.first) return wrongUse({errors::RecordingEmpty(), arguments.paths()[0]});
+    if (const auto scan = arguments.value("--inside")) return lookInside(arguments, history, *scan);
+    if (const auto text = arguments.value("--writers")) return listWriters(arguments, history, *text);
     history::Position at = statistics.end - 1;
     if (const auto text = arguments.value("--at")) {
         const auto time = parseDuration(*text);
@@ -164,6 +192,8 @@ Command replayCommand() {
               {"--find", "EXPR", "the first scan (from --at on) in which the expression becomes true"},
               {"--watch", "EXPR", "a value to show (repeatable; default: all variables)"},
               {"--csv", "FILE", "write every recorded scan"},
+              {"--inside", "1.5s|150", "every statement of that scan with its values, run again as recorded"},
+              {"--writers", "EXPR", "every change of a value and who made it"},
               {"--format", "text|json", "text (default) or one JSON object"}},
              "stepwise replay motor.rec --at 1.5s --watch IO.K1"},
             replay};

@@ -7,6 +7,7 @@
 #include "projects/session/value_text.h"
 #include "projects/storage/project_file.h"
 #include "runtime/base/text.h"
+#include "runtime/controller/leave_hook.h"
 #include "runtime/types/conversion.h"
 
 #include <algorithm>
@@ -157,6 +158,7 @@ int run(const Arguments& arguments) {
         settings.controller.calendarStartNs = **start;
     catchInterrupt();
     session::Session session(built, settings);
+    controller::setLeaveHook(session.controller(), isInterrupted);
     const auto plan = planRun(arguments, built, session.controller());
     if (!plan) return wrongUse(plan.error());
     CsvWriter csv(plan->watches);

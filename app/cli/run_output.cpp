@@ -18,7 +18,8 @@ std::vector<Watch> allVariables(const driver::Built& built) {
     std::vector<Watch> out;
     const image::Layout& layout = built.program->layout;
     const auto add = [&](const std::string& path) {
-        if (auto expression = driver::compileExpression(built.checked, path)) out.push_back({path, *expression});
+        if (auto expression = driver::compileExpression(built.checked, path))
+            out.push_back({path, *expression, kLargestListed});
     };
     for (const image::Root& root : layout.roots) {
         if (root.isHidden || root.constant) continue;
@@ -85,6 +86,17 @@ std::string secondsText(std::chrono::nanoseconds time) {
     return fraction.empty() ? out : out + "." + fraction;
 }
 
+namespace {
+/// The value in the image, unless it is too large to be of use to anybody.
+expression::Outcome shownValue(const Watch& watch, std::span<const std::byte> image) {
+    const types::Type& type = watch.expression.types()[watch.expression.type()];
+    if (type.size <= watch.largest) return watch.expression.evaluate(image);
+    expression::Outcome outcome;
+    outcome.reason = std::to_string(type.size) + " bytes are not shown; name a part of it with --watch";
+    return outcome;
+}
+} // namespace
+
 CsvWriter::~CsvWriter() {
     if (m_file) (void)close();
 }
@@ -110,7 +122,7 @@ void CsvWriter::row(std::span<const std::byte> image, uint64_t scan, std::chrono
     if (!m_file) return;
     std::string line = secondsText(time) + "," + std::to_string(scan);
     for (const Watch& watch : m_watches) {
-        const expression::Outcome outcome = watch.expression.evaluate(image);
+        const expression::Outcome outcome = shownValue(watch, image);
         line += "," + (outcome.hasValue() ? csvCell(csvValue(watch.expression.types(), outcome.value)) : std::string());
     }
     line += "\r\n";
@@ -162,7 +174,7 @@ std::string RunReport::toText(bool colours) const {
     for (const Watch& watch : watches) {
         std::string name = watch.text;
         name.resize(width + 2, ' ');
-        out += name + valueText(watch.expression.types(), watch.expression.evaluate(controller.image())) + "\n";
+        out += name + valueText(watch.expression.types(), shownValue(watch, controller.image())) + "\n";
     }
     const auto& fault = controller.fault();
     if (fault) {
@@ -210,7 +222,7 @@ std::string RunReport::toJson() const {
                       ",\"time_s\":" + secondsText(controller.lastTime()) + ",\"values\":{";
     bool isFirst = true;
     for (const Watch& watch : watches) {
-        const expression::Outcome outcome = watch.expression.evaluate(controller.image());
+        const expression::Outcome outcome = shownValue(watch, controller.image());
         out += (isFirst ? "" : ",") + jsonString(watch.text) + ":" +
                (outcome.hasValue() ? types::toJson(watch.expression.types(), outcome.value) : "null");
         isFirst = false;

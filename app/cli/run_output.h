@@ -9,9 +9,13 @@
 
 namespace plc::cli {
 
+/// Bytes of a variable whose value is written out: one that was not asked for, one that was.
+inline constexpr uint32_t kLargestListed = 16 * 1024, kLargestWatched = 1024 * 1024;
+
 struct Watch {
     std::string text;
     expression::Expression expression;
+    uint32_t largest = kLargestWatched;
 };
 
 /// Every variable of programs and globals that is not hidden or a constant, in order of declaration.

@@ -1,4 +1,5 @@
 #include "app/cli/command.h"
+#include "app/cli/coverage_output.h"
 
 #include "app/cli/errors.h"
 #include "projects/testing/test_run.h"
@@ -171,7 +172,15 @@ int test(const Arguments& arguments) {
     std::vector<ProjectReport> reports;
     size_t failed = 0, passed = 0, broken = 0;
     ProgressLine progress;
-    for (const std::vector<std::string>& paths : projectsOf(arguments.paths())) {
+    std::vector<std::string> all = arguments.paths();
+    const bool wantsConditions = options.coverage && std::erase(all, "mcdc") > 0; // --coverage mcdc
+    const auto reportFile = arguments.value("--report");
+    for (const std::vector<std::string>& paths : projectsOf(all)) {
+        CoverageRun coverage;
+        if (wantsConditions || reportFile) {
+            options.coverage = false; // of lines: the other one counts them too
+            coverage.follow(options);
+        }
         const auto project = openNamedProject(arguments, paths);
         if (!project) return wrongUse(project.error());
         progress.show("testing " + project->name);
@@ -184,6 +193,9 @@ int test(const Arguments& arguments) {
         broken += report->hasErrors ? 1 : 0;
         reports.push_back({project->name, paths.front(), std::move(*report)});
         if (format == "text") printText(reports.back(), options.coverage);
+        if (format == "text" && wantsConditions) std::cout << coverage.text();
+        if (reportFile)
+            if (auto written = coverage.write(*reportFile); !written) return wrongUse(written.error());
     }
     if (format == "json")
         printJson(reports);
@@ -204,7 +216,8 @@ Command testCommand() {
              "Runs the TESTs of projects (tests/*.st), or of ST files, in virtual time.",
              {{"--filter", "TEXT", "only tests whose title holds TEXT (* and ? as in file names)"},
               {"--library", "NAME", "a library the ST files use, besides the standard (repeatable)"},
-              {"--coverage", "", "lines of each POU that ran"},
+              {"--coverage", "", "lines of each POU that ran; --coverage mcdc: statements, branches and conditions"},
+              {"--report", "FILE.html|FILE.xml", "coverage as a page, or in Cobertura's form"},
               {"--format", "text|json|junit", "text (default), JSON or JUnit XML"}},
              "stepwise test projects/examples --filter 'stop*' --coverage"},
             test};

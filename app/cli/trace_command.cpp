@@ -6,6 +6,7 @@
 #include "editor/trace/session_recording.h"
 #include "editor/trace/trace_picture.h"
 #include "projects/session/session.h"
+#include "runtime/controller/leave_hook.h"
 
 #include <QApplication>
 
@@ -164,6 +165,7 @@ int run(const Arguments& arguments) {
     settings.historyBudget = size_t(2) << 30;
     catchInterrupt();
     session::Session session(built, settings);
+    controller::setLeaveHook(session.controller(), isInterrupted);
     if (auto ran = runProject(arguments, built, session, std::chrono::seconds(10), "--for"); !ran)
         return wrongUse(ran.error());
     const bool faulted = session.controller().state() == controller::State::Fault;

@@ -164,6 +164,10 @@ Result<void> Workspace::save(const QString& file, ReadOnly readOnly) {
     if (it == m_files.end()) return Error{errors::NoSuchFileInProject(), toStd(file)};
     if (readOnly == ReadOnly::Keep && it->second.text != it->second.onDisk && isReadOnly(file))
         return Error{errors::FileReadOnly(), toStd(file)};
+    if (isNewerOnDisk(file)) { // the watcher has not said so yet
+        readDiskChange(absolutePath(file));
+        return Error{errors::FileChangedOutside(), toStd(file)};
+    }
     if (auto written = projects::writeSourceText(toStd(absolutePath(file)), it->second.text); !written) return written;
     const bool was = isModified(file);
     it->second.onDisk = it->second.text;
@@ -244,6 +248,20 @@ Result<void> Workspace::saveProjectFile(const projects::Project& project) {
 }
 
 // ------------------------------------------------------------------ changes from outside
+
+bool Workspace::isNewerOnDisk(const QString& file) const {
+    QFile disk(absolutePath(file));
+    const auto it = m_files.find(file);
+    return it != m_files.end() && disk.open(QIODevice::ReadOnly) &&
+           projects::decodeText(disk.readAll().toStdString()).text != it->second.onDisk;
+}
+
+void Workspace::lookAtDisk() {
+    if (!m_project) return;
+    for (const QString& file : files())
+        if (isNewerOnDisk(file)) readDiskChange(absolutePath(file));
+    readFolderChange();
+}
 
 void Workspace::readDiskChange(const QString& absolute) {
     const QString file = QDir(folder()).relativeFilePath(absolute);

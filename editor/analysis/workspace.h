@@ -58,6 +58,8 @@ public:
     Result<void> addFile(const QString& file, const std::string& text);
     Result<void> removeFile(const QString& file);
     Result<void> renameFile(const QString& from, const QString& to);
+    /// Looks for what other programs have changed, where nobody reports it.
+    void lookAtDisk();
     /// Panels, traces and settings as they stand on disk now; the texts stay as edited.
     Result<void> rereadProject();
     Result<void> saveProjectFile(const projects::Project& project);
@@ -96,6 +98,7 @@ private:
     void workerLoop();
     void readDiskChange(const QString& absolute);
     void readFolderChange();
+    [[nodiscard]] bool isNewerOnDisk(const QString& file) const;
     void watchFiles();
     void autosave();
     [[nodiscard]] QString sideFile(const QString& file) const;

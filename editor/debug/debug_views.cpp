@@ -1,6 +1,9 @@
 #include "editor/debug/debug_views.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/message_text.h"
+#include "editor/kit/plot_scale.h"
+#include "editor/kit/post.h"
 #include "editor/kit/theme.h"
 #include "editor/trace/trace_plot.h"
 
@@ -9,6 +12,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
@@ -49,12 +53,11 @@ void stack(QWidget* parent, std::initializer_list<QWidget*> parts) {
     for (QWidget* part : parts) layout->addWidget(part);
 }
 
-QString timeText(controller::Nanoseconds time) { return text(types::durationText(time.count())).mid(2); }
-
 QString nanosecondsText(double ns) {
-    if (ns < 1e3) return QString("%1 ns").arg(ns, 0, 'f', 0);
-    if (ns < 1e6) return QString("%1 µs").arg(ns / 1e3, 0, 'f', 1);
-    return QString("%1 ms").arg(ns / 1e6, 0, 'f', 2);
+    const QLocale locale; // the decimal sign of the studio's language
+    if (ns < 1e3) return QString("%1 ns").arg(locale.toString(ns, 'f', 0));
+    if (ns < 1e6) return QString("%1 µs").arg(locale.toString(ns / 1e3, 'f', 1));
+    return QString("%1 ms").arg(locale.toString(ns / 1e6, 'f', 2));
 }
 
 } // namespace
@@ -150,6 +153,7 @@ CallPathView::CallPathView(RunControl& control, QWidget* parent) : QWidget(paren
     });
     connect(m_frames, &QTreeWidget::currentItemChanged, this, &CallPathView::showValues);
     const auto go = [this](QTreeWidgetItem* item) {
+        if (!item->text(1).isEmpty()) emit instanceChosen(item->text(0).section('.', 0, 0), item->text(1));
         if (const auto place = m_control.placeInText(m_ranges[static_cast<size_t>(frameOf(item))]))
             emit placeRequested(place->file, place->offset);
     };
@@ -249,8 +253,7 @@ void BreakpointView::takeEdits(QTreeWidgetItem* item) {
             each.instance = item->text(3).trimmed();
             each.isEnabled = item->checkState(0) == Qt::Checked;
         }
-    QMetaObject::invokeMethod(
-        this, [this, list] { m_control.setBreakpoints(list); }, Qt::QueuedConnection);
+    kit::post(this, [this, list] { m_control.setBreakpoints(list); });
 }
 
 // ------------------------------------------------------------------ tasks
@@ -344,8 +347,9 @@ void TaskMonitor::refresh() {
                                   nanosecondsText(static_cast<double>(task.maxNs)),
                                   nanosecondsText(static_cast<double>(task.jitterNs)),
                                   QString::number(task.overruns),
-                                  interval > 0 ? QString("%1 %").arg(100 * task.meanNs / interval, 0, 'f', 2)
-                                               : QString("–")};
+                                  interval > 0
+                                      ? QString("%1 %").arg(QLocale().toString(100 * task.meanNs / interval, 'f', 2))
+                                      : QString("–")};
         for (int column = 0; column < columns.size(); ++column) {
             item->setText(column, columns[column]);
             if (column) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -394,17 +398,43 @@ EventLog::EventLog(RunControl& control, QWidget* parent) : QWidget(parent), m_co
     connect(&control, &RunControl::refreshed, this, &EventLog::refresh);
     connect(&control, &RunControl::sessionChanged, this, [this] { m_seen = 0; });
     connect(&control, &RunControl::messageAdded, this, &EventLog::addMessage);
+    connect(m_tree->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { // by the user only
+        const QScrollBar& bar = *m_tree->verticalScrollBar();
+        m_follows = bar.sliderPosition() >= bar.maximum();
+    });
+    connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+        const QString place = item->data(3, Qt::UserRole).toString();
+        if (!place.isEmpty()) emit lineRequested(place.section(':', 0, -2), place.section(':', -1).toInt());
+    });
+}
+
+/// File and line of a fault or a halt; of older ones nobody knows it any more.
+QString EventLog::placeOf(const controller::Event& event) const {
+    using controller::EventKind;
+    const session::Status& status = m_control.status();
+    std::optional<RunControl::TextPlace> place;
+    if (event.kind == EventKind::Fault) {
+        const auto& fault = status.fault ? status.fault : status.simulationFault;
+        if (fault) place = m_control.placeInText(fault->range);
+    } else if (event.kind == EventKind::Breakpoint) {
+        const auto frames = m_control.session()->haltFrames();
+        if (!frames.empty()) place = m_control.placeInText(frames.front().range);
+    }
+    return place ? QString("%1:%2").arg(place->file).arg(place->line) : QString();
+}
+
+void EventLog::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (m_follows) m_tree->scrollToBottom(); // rows that came while it was hidden were not laid out
 }
 
 void EventLog::add(const QStringList& columns, int icon, bool isProblem) {
-    const QScrollBar& bar = *m_tree->verticalScrollBar();
-    const bool follows = bar.value() >= bar.maximum(); // who reads further up is left there
     auto* item = new QTreeWidgetItem(m_tree, columns);
     item->setIcon(3, kit::icon(static_cast<kit::Icon>(icon)));
     item->setData(0, kProblemRole, isProblem);
     filter(item);
     if (m_tree->topLevelItemCount() > kMostEvents) delete m_tree->topLevelItem(0);
-    if (follows) m_tree->scrollToBottom();
+    if (m_follows) m_tree->scrollToBottom();
 }
 
 void EventLog::filter(QTreeWidgetItem* item) {
@@ -464,9 +494,15 @@ void EventLog::refresh() {
                                : event.kind == EventKind::Breakpoint   ? kit::Icon::Breakpoint
                                : event.kind == EventKind::SkippedScans ? kit::Icon::Warning
                                                                        : kit::Icon::Information;
-        add({QTime::currentTime().toString("HH:mm:ss"), timeText(event.time), QString::number(event.scan),
-             trace::markText(static_cast<int>(event.kind), event.text)},
+        const QString place = &event == &events.back() || event.kind == EventKind::Fault ? placeOf(event) : QString();
+        QString shown = trace::markText(static_cast<int>(event.kind), event.text);
+        if (event.kind == EventKind::Breakpoint && !place.isEmpty() && !m_control.hasBreakpoint(place))
+            shown = tr("Step: %1").arg(kit::messageText(event.text)); // nothing but a step can have ended there
+        if (!place.isEmpty()) shown = tr("%1 at %2", "event at file:line").arg(shown, place);
+        add({QTime::currentTime().toString("HH:mm:ss"), kit::momentText(event.time.count()),
+             QString::number(event.scan), shown},
             static_cast<int>(icon), event.kind == EventKind::Fault || event.kind == EventKind::SkippedScans);
+        m_tree->topLevelItem(m_tree->topLevelItemCount() - 1)->setData(3, Qt::UserRole, place);
     }
 }
 

@@ -30,6 +30,7 @@ public:
 
 signals:
     void placeRequested(const QString& file, uint32_t offset);
+    void instanceChosen(const QString& pou, const QString& instance); // of the frame
 
 private:
     void showValues();
@@ -87,7 +88,14 @@ public:
     /// The selected rows, else all that are shown: a line each, columns apart by tabs.
     [[nodiscard]] QString shownText() const;
 
+signals:
+    void lineRequested(const QString& file, int line);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
+    [[nodiscard]] QString placeOf(const controller::Event& event) const;
     void refresh();
     void add(const QStringList& columns, int icon, bool isProblem);
     void filter(QTreeWidgetItem* item);
@@ -99,6 +107,7 @@ private:
     QLineEdit* m_filter;
     QAction* m_problemsOnly;
     size_t m_seen = 0;
+    bool m_follows = true; // the end; who has scrolled up is left there
 };
 
 } // namespace plc::editor

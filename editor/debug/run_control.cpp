@@ -23,7 +23,19 @@ QString text(const std::string& s) { return QString::fromStdString(s); }
 RunControl::RunControl(Workspace& workspace, QObject* parent) : QObject(parent), m_workspace(workspace) {
     m_timer.setInterval(kFrameMs);
     connect(&m_timer, &QTimer::timeout, this, &RunControl::tick);
-    connect(&workspace, &Workspace::closed, this, &RunControl::disconnectSession);
+    followWorkspace();
+    connect(&m_archive, &RunArchive::failed, this,
+            [this](const QString& message) { emit messageAdded(message, true); });
+}
+
+void RunControl::followWorkspace() {
+    const auto keepThere = [this] {
+        const QString folder = m_workspace.folder();
+        m_archive.setFolder(folder.isEmpty() ? QString() : folder + "/.stepwise/runs");
+    };
+    connect(&m_workspace, &Workspace::opened, this, keepThere);
+    connect(&m_workspace, &Workspace::closed, this, &RunControl::disconnectSession);
+    keepThere();
 }
 
 RunControl::~RunControl() {
@@ -55,9 +67,7 @@ void RunControl::buildAside(std::function<void(std::shared_ptr<driver::Built>)> 
             if (progress->isCancelled()) return emit buildCancelled();
             then(built);
         };
-        QMetaObject::invokeMethod(
-            this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); },
-            Qt::QueuedConnection);
+        kit::post(this, [this, finish] { m_hold.expired() ? finish() : m_afterHold.push_back(finish); });
     });
 }
 
@@ -80,12 +90,9 @@ void RunControl::build(std::function<void(bool)> then) {
 RunControl::Hold RunControl::hold() {
     if (auto held = m_hold.lock()) return held;
     const Hold made(this, [](RunControl* self) {
-        QMetaObject::invokeMethod(
-            self,
-            [self] {
-                for (const auto& each : std::exchange(self->m_afterHold, {})) each();
-            },
-            Qt::QueuedConnection);
+        kit::post(self, [self] {
+            for (const auto& each : std::exchange(self->m_afterHold, {})) each();
+        });
     });
     m_hold = made;
     return made;
@@ -117,6 +124,7 @@ void RunControl::adopt(std::shared_ptr<driver::Built> built, bool changeRunning)
     }
     m_viewed.reset();
     session::Settings settings;
+    settings.historyBudget = m_historyBudget;
     if (!retainFile().isEmpty()) {
         QDir().mkpath(m_workspace.folder() + "/.stepwise");
         settings.retainFile = retainFile().toStdString();
@@ -137,7 +145,12 @@ void RunControl::endSession() {
     m_isEnding = false;
     m_frames.clear(); // they are the session's
     if (m_optimising) emit workEnded(std::exchange(m_optimising, nullptr));
-    m_session.reset();
+    m_archive.keep(std::move(m_session));
+}
+
+void RunControl::setHistoryBudget(size_t bytes) {
+    m_historyBudget = bytes;
+    if (m_session) m_session->history().setBudget(bytes);
 }
 
 void RunControl::disconnectSession() {
@@ -222,21 +235,25 @@ bool RunControl::isUpToDate() const {
 }
 
 void RunControl::pause() {
+    m_pausedToLook = false; // it is meant to stand
     if (m_session) m_session->pause();
 }
 void RunControl::stop() {
+    m_pausedToLook = false;
     if (m_session) m_session->stop();
 }
 void RunControl::resume() {
     if (m_session) m_session->resume();
 }
 void RunControl::reset(controller::ResetKind kind) {
+    m_pausedToLook = false;
     leaveRecorded();
     view(std::nullopt);
     if (m_session) m_session->reset(kind);
 }
 
 void RunControl::singleScan() {
+    m_pausedToLook = false;
     leaveRecorded();
     view(std::nullopt);
     if (m_session && isRunning()) return m_session->singleScan();
@@ -244,6 +261,7 @@ void RunControl::singleScan() {
 }
 
 void RunControl::step(session::Step kind) {
+    m_pausedToLook = false;
     leaveRecorded();
     view(std::nullopt);
     if (isRunning()) return m_session->step(kind);
@@ -288,6 +306,12 @@ void RunControl::setMode(session::RunMode mode) {
 }
 
 // ------------------------------------------------------------------ breakpoints
+
+bool RunControl::hasBreakpoint(const QString& place) const {
+    return std::any_of(m_breakpoints.begin(), m_breakpoints.end(), [&](const EditorBreakpoint& each) {
+        return each.isEnabled && QString("%1:%2").arg(each.file).arg(each.line) == place;
+    });
+}
 
 void RunControl::setBreakpoints(std::vector<EditorBreakpoint> breakpoints) {
     m_breakpoints = std::move(breakpoints);
@@ -358,7 +382,7 @@ std::vector<session::Breakpoint> RunControl::breakpointsFor(const image::Compile
     }
     if (before != m_breakpoints) {
         moveBreakpoints({}, {}); // two may have come to one line
-        QMetaObject::invokeMethod(this, &RunControl::breakpointsChanged, Qt::QueuedConnection);
+        kit::post(this, [this] { emit breakpointsChanged(); });
     }
     return posted;
 }
@@ -412,6 +436,10 @@ void RunControl::tick() {
     if (stateChanged || haltedAnew) {
         emit statusChanged();
         if (haltedAnew) {
+            for (size_t i = m_frames.size(); i-- > 0;) // the text shows the instances of the call path
+                if (!m_frames[i].instance.empty())
+                    m_preferredInstance[text(m_frames[i].function).section('.', 0, 0).toLower()] =
+                        text(m_frames[i].instance);
             if (const Message problem = m_session->haltProblem(); !problem.isEmpty())
                 emit messageAdded(tr("The condition of the breakpoint: %1").arg(kit::messageText(problem)), true);
             emit halted();
@@ -544,6 +572,8 @@ RunControl::Shown RunControl::valueIn(const QString& name, const QString& pou) c
     if (!m_frames.empty() && !m_viewed && !m_recorded) // halted: the locals of a frame of this POU come first
         for (size_t i = 0; i < m_frames.size(); ++i) {
             if (text(m_frames[i].function).compare(pou, Qt::CaseInsensitive) != 0) continue;
+            if (const QString of = text(m_frames[i].instance); !of.isEmpty() && of != preferredInstance(pou))
+                continue; // another one was chosen
             for (const auto& [local, value] : m_session->frameVariables(i))
                 if (text(local).compare(name, Qt::CaseInsensitive) == 0 && m_imageProgram) {
                     Shown shown;
@@ -573,7 +603,7 @@ Result<void> RunControl::write(const QString& path, const QString& valueText) {
     if (!value) return value.error();
     if (m_recorded) return Error{errors::RecordingReadOnly(), path.toStdString()};
     if (m_viewed) return Error{errors::PastReadOnly(), path.toStdString()};
-    m_session->write(path.toStdString(), *value);
+    m_session->write(path.toStdString(), *value, "studio");
     return {};
 }
 
@@ -582,7 +612,7 @@ Result<void> RunControl::force(const QString& path, const QString& valueText) {
     if (m_recorded) return Error{errors::RecordingReadOnly(), path.toStdString()};
     const auto value = parse(path, valueText);
     if (!value) return value.error();
-    m_session->force(path.toStdString(), *value);
+    m_session->force(path.toStdString(), *value, "studio");
     return {};
 }
 
@@ -603,6 +633,7 @@ void RunControl::view(std::optional<history::Position> position) {
     refreshImage();
     emit viewedChanged();
     emit refreshed();
+    if (!m_viewed && std::exchange(m_pausedToLook, false) && m_session) m_session->start(); // as before one looked back
 }
 
 void RunControl::stepView(int scans) {
@@ -613,7 +644,10 @@ void RunControl::stepView(int scans) {
     const auto from = static_cast<int64_t>(m_viewed.value_or(statistics.end - 1));
     const int64_t to = from + scans;
     if (to >= static_cast<int64_t>(statistics.end)) return view(std::nullopt);
-    if (!m_viewed && !m_recorded && isRunning() && m_status.state == controller::State::Running) pause();
+    if (!m_viewed && !m_recorded && isRunning() && m_status.state == controller::State::Running) {
+        pause();
+        m_pausedToLook = true;
+    }
     view(static_cast<history::Position>(std::max<int64_t>(to, static_cast<int64_t>(statistics.first))));
 }
 
@@ -622,6 +656,7 @@ Result<void> RunControl::resumeFromView() {
     if (!m_session || !m_viewed) return {};
     const history::Position from = *m_viewed;
     if (auto resumed = m_session->resumeFrom(from); !resumed) return resumed;
+    m_pausedToLook = false;
     view(std::nullopt);
     return {};
 }

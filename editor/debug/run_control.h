@@ -5,6 +5,7 @@
 #pragma once
 #include "editor/analysis/workspace.h"
 #include "editor/debug/line_map.h"
+#include "editor/debug/run_archive.h"
 #include "projects/session/session.h"
 
 #include <QElapsedTimer>
@@ -53,6 +54,13 @@ public:
     [[nodiscard]] bool isEnding() const { return m_isEnding; }
     [[nodiscard]] bool isRunning() const;
 
+    /// Hears of projects that open and close; again after all of the workspace's connections were cut.
+    void followWorkspace();
+    /// The runs before this one.
+    [[nodiscard]] RunArchive& archive() { return m_archive; }
+    /// Memory for the recording of every scan, of this session and of those to come.
+    void setHistoryBudget(size_t bytes);
+
     /// All views show a recording from a file (nothing can be written then); nothing: the controller again.
     void showRecorded(std::optional<RecordedRun> recorded);
     [[nodiscard]] bool showsRecorded() const { return m_recorded.has_value(); }
@@ -83,6 +91,8 @@ public:
 
     // breakpoints, kept with the project
     [[nodiscard]] const std::vector<EditorBreakpoint>& breakpoints() const { return m_breakpoints; }
+    /// An enabled one at "file:line".
+    [[nodiscard]] bool hasBreakpoint(const QString& place) const;
     void setBreakpoints(std::vector<EditorBreakpoint> breakpoints);
     void toggleBreakpoint(const QString& file, int line);
     /// The text was edited: what stood at the first line of a pair stands at the second now.
@@ -164,6 +174,8 @@ private:
     [[nodiscard]] QString retainFile() const;
 
     Workspace& m_workspace;
+    RunArchive m_archive;
+    size_t m_historyBudget = size_t(256) << 20;
     std::unique_ptr<session::Session> m_session;
     session::Status m_status;
     session::RunMode m_mode{session::Pace::Real, 1.0};
@@ -184,6 +196,7 @@ private:
     std::weak_ptr<void> m_hold;
     std::vector<std::function<void()>> m_afterHold;
     bool m_isEnding = false;
+    bool m_pausedToLook = false; // it ran until one looked back
     std::thread m_builder;
 };
 

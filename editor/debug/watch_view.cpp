@@ -1,5 +1,7 @@
 #include "editor/debug/watch_view.h"
 
+#include "editor/analysis/path_completion.h"
+#include "editor/kit/expression_edit.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
 #include "editor/kit/theme.h"
@@ -7,19 +9,20 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QCompleter>
 #include <QDragEnterEvent>
+#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLineEdit>
+#include <QInputDialog>
 #include <QMenu>
 #include <QMimeData>
 #include <QScrollBar>
-#include <QStringListModel>
 #include <QStyledItemDelegate>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace plc::editor {
@@ -28,14 +31,23 @@ namespace {
 constexpr int kExpressionRole = Qt::UserRole;
 constexpr int kUnfoldedRole = Qt::UserRole + 1; // the version of the program whose parts the row has, from 1
 constexpr int kFromRole = Qt::UserRole + 2;     // a stretch of a long array: its first element, from 0
+constexpr int kFormatRole = Qt::UserRole + 3;   // the row's own number format
 constexpr uint64_t kStretch = 1000;
+const QChar kRowEnd(0x1e), kPartEnd(0x1f); // in the settings
 
 /// Rows are dragged as the variables that they watch: onto a panel, a chart or an entry.
 class WatchTree final : public QTreeWidget {
 public:
     using QTreeWidget::QTreeWidget;
+    /// True: a double click there has done its work, nothing opens.
+    std::function<bool(QTreeWidgetItem* item, int column)> onDoubleClick;
 
 protected:
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override {
+        if (trigger == DoubleClicked && onDoubleClick && onDoubleClick(itemFromIndex(index), index.column()))
+            return true;
+        return QTreeWidget::edit(index, trigger, event);
+    }
     QStringList mimeTypes() const override { return {kit::VariableMime}; }
     QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override {
         QStringList paths;
@@ -62,9 +74,15 @@ private:
 
 } // namespace
 
-WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
-    : QWidget(parent), m_control(control), m_workspace(workspace) {
-    m_tree = new WatchTree(this);
+WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent) : QWidget(parent), m_control(control) {
+    auto* tree = new WatchTree(this);
+    m_tree = tree;
+    tree->onDoubleClick = [this](QTreeWidgetItem* item, int column) {
+        if (column != Prepared) return false;
+        const RunControl::Shown shown = m_control.value(expressionOf(item));
+        if (shown.isBool) togglePrepared(item, shown.isTrue);
+        return shown.isBool;
+    };
     m_tree->setDragEnabled(true);
     m_tree->setColumnCount(Column::Count);
     m_tree->setHeaderLabels({tr("Expression"), tr("Value"), tr("Type"), tr("Prepared"), tr("Comment")});
@@ -84,21 +102,20 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
         if (column == Value) prepare(item);
     });
     m_tree->header()->setStretchLastSection(true);
-    m_tree->setColumnWidth(Name, 190);
-    m_tree->setColumnWidth(Value, 120);
-    m_tree->setColumnWidth(Type, 80);
-    m_tree->setColumnWidth(Prepared, 90);
-    m_input = new QLineEdit(this);
+    m_tree->header()->moveSection(Prepared, Type); // in sight beside the value
+    m_tree->setColumnWidth(Name, 150);
+    m_tree->setColumnWidth(Value, 90);
+    m_tree->setColumnWidth(Prepared, 80);
+    m_tree->setColumnWidth(Type, 70);
+    m_input = new kit::ExpressionEdit(this);
+    m_input->setCompletionSource(pathCompletions(workspace));
+    m_input->setEndsWithCompletion(true);
     m_input->setPlaceholderText(tr("Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done"));
     m_input->setClearButtonEnabled(true);
     m_input->setAccessibleName(tr("New watch expression"));
-    auto* completer = new QCompleter(new QStringListModel(this), this);
-    completer->setCaseSensitivity(Qt::CaseInsensitive);
-    completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
-    m_input->setCompleter(completer);
-
     auto* bar = new QToolBar(this);
     bar->setIconSize({16, 16});
+    bar->addWidget(makeListChoice());
     const auto action = [&](kit::Icon icon, const QString& text, auto run) {
         QAction* a = bar->addAction(kit::icon(icon), text);
         connect(a, &QAction::triggered, this, run);
@@ -130,18 +147,6 @@ WatchView::WatchView(RunControl& control, Workspace& workspace, QWidget* parent)
     connect(m_input, &QLineEdit::returnPressed, this, [this] {
         add(m_input->text());
         m_input->clear();
-    });
-    connect(m_input, &QLineEdit::textEdited, this, [this, completer](const QString& typed) {
-        if (!m_workspace.model()) return;
-        const std::string text = typed.toStdString();
-        const analysis::Completion completion =
-            m_workspace.model()->completePath(text, static_cast<uint32_t>(text.size()));
-        QStringList items;
-        for (const analysis::CompletionItem& item : completion.items) {
-            items << QString::fromStdString(text.substr(0, completion.replaceBegin) + item.text);
-            if (items.size() == 60) break;
-        }
-        static_cast<QStringListModel*>(completer->model())->setStringList(items);
     });
     connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &WatchView::showMenu);
     connect(m_tree, &QTreeWidget::itemExpanded, this, &WatchView::unfold);
@@ -184,7 +189,10 @@ std::vector<WatchView::Row> WatchView::rows() const {
     std::vector<Row> out;
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
         const QTreeWidgetItem* item = m_tree->topLevelItem(i);
-        out.push_back({expressionOf(item), item->text(Prepared), item->isExpanded()});
+        const QVariant format = item->data(Name, kFormatRole);
+        out.push_back(
+            {expressionOf(item), item->text(Prepared), item->isExpanded(),
+             format.isValid() ? std::optional(static_cast<types::NumberFormat>(format.toInt())) : std::nullopt});
     }
     return out;
 }
@@ -195,6 +203,7 @@ void WatchView::setRows(const std::vector<Row>& rows) {
         add(row.expression);
         QTreeWidgetItem* item = m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
         item->setText(Prepared, row.prepared);
+        if (row.format) setRowFormat(item, row.format);
         item->setExpanded(row.isUnfolded);
     }
 }
@@ -212,10 +221,153 @@ void WatchView::setFormat(types::NumberFormat format) {
     refresh();
 }
 
+types::NumberFormat WatchView::formatOf(const QTreeWidgetItem* item) const {
+    for (const QTreeWidgetItem* each = item; each; each = each->parent()) // parts are shown as the whole
+        if (const QVariant own = each->data(Name, kFormatRole); own.isValid())
+            return static_cast<types::NumberFormat>(own.toInt());
+    return m_format;
+}
+
+void WatchView::setRowFormat(QTreeWidgetItem* item, std::optional<types::NumberFormat> format) {
+    item->setData(Name, kFormatRole, format ? QVariant(static_cast<int>(*format)) : QVariant());
+    fillRow(item);
+}
+
+// ------------------------------------------------------------------ lists
+
+QWidget* WatchView::makeListChoice() {
+    m_lists.push_back({tr("Watch"), {}});
+    auto* choice = new QWidget(this);
+    auto* row = new QHBoxLayout(choice);
+    row->setContentsMargins(0, 0, 4, 0);
+    row->setSpacing(2);
+    m_listChoice = new QComboBox(choice);
+    m_listChoice->setObjectName("watchLists");
+    m_listChoice->setAccessibleName(tr("Watch list"));
+    auto* more = new QToolButton(choice);
+    more->setIcon(kit::icon(kit::Icon::Add));
+    more->setToolTip(tr("Add, rename or remove a list"));
+    more->setAccessibleName(more->toolTip());
+    more->setAutoRaise(true);
+    more->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(more);
+    const auto asked = [this](const QString& title, const QString& present) {
+        return QInputDialog::getText(this, title, tr("Name of the list:"), QLineEdit::Normal, present).trimmed();
+    };
+    menu->addAction(kit::icon(kit::Icon::Add), tr("New List…"), this,
+                    [this, asked] { addList(asked(tr("New List"), {})); });
+    menu->addAction(kit::icon(kit::Icon::Rename), tr("Rename the List…"), this,
+                    [this, asked] { renameList(asked(tr("Rename the List"), shownList())); });
+    menu->addAction(kit::icon(kit::Icon::Delete), tr("Remove the List"), this, &WatchView::removeList);
+    more->setMenu(menu);
+    row->addWidget(m_listChoice);
+    row->addWidget(more);
+    connect(m_listChoice, &QComboBox::textActivated, this, &WatchView::showList);
+    showLists();
+    return choice;
+}
+
+void WatchView::showLists() {
+    const QSignalBlocker blocker(m_listChoice);
+    m_listChoice->clear();
+    for (const List& list : m_lists) m_listChoice->addItem(list.name);
+    m_listChoice->setCurrentIndex(static_cast<int>(m_shown));
+}
+
+QStringList WatchView::listNames() const {
+    QStringList out;
+    for (const List& list : m_lists) out << list.name;
+    return out;
+}
+
+void WatchView::keepShownRows() { m_lists[m_shown].rows = rows(); }
+
+void WatchView::addList(const QString& name) {
+    if (name.isEmpty() || listNames().contains(name)) return showList(name);
+    keepShownRows();
+    m_lists.push_back({name, {}});
+    m_shown = m_lists.size() - 1;
+    m_tree->clear();
+    showLists();
+    emit expressionsChanged();
+}
+
+void WatchView::showList(const QString& name) {
+    const auto at = listNames().indexOf(name);
+    if (at < 0 || static_cast<size_t>(at) == m_shown) return;
+    keepShownRows();
+    m_shown = static_cast<size_t>(at);
+    setRows(std::exchange(m_lists[m_shown].rows, {}));
+    showLists();
+}
+
+void WatchView::renameList(const QString& name) {
+    if (name.isEmpty() || listNames().contains(name)) return;
+    m_lists[m_shown].name = name;
+    showLists();
+}
+
+void WatchView::removeList() {
+    if (m_lists.size() > 1)
+        m_lists.erase(m_lists.begin() + static_cast<std::ptrdiff_t>(m_shown));
+    else
+        m_lists.front().rows.clear();
+    m_shown = std::min(m_shown, m_lists.size() - 1);
+    setRows(std::exchange(m_lists[m_shown].rows, {}));
+    showLists();
+    emit expressionsChanged();
+}
+
+WatchView::Kept WatchView::kept() {
+    keepShownRows();
+    return {m_lists, m_shown};
+}
+
+void WatchView::restore(Kept kept) {
+    m_lists = std::move(kept.lists);
+    m_shown = kept.shown;
+    setRows(std::exchange(m_lists[m_shown].rows, {}));
+    showLists();
+}
+
+QStringList WatchView::stored() const {
+    QStringList out{QString::number(m_shown)};
+    for (size_t i = 0; i < m_lists.size(); ++i) {
+        QStringList list{m_lists[i].name};
+        for (const Row& row : i == m_shown ? rows() : m_lists[i].rows)
+            list << row.expression + kPartEnd +
+                        (row.format ? QString::number(static_cast<int>(*row.format)) : QString());
+        out << list.join(kRowEnd);
+    }
+    return out;
+}
+
+void WatchView::restore(const QStringList& stored) {
+    if (stored.size() < 2) return;
+    Kept kept;
+    for (const QString& text : stored.mid(1)) {
+        const QStringList parts = text.split(kRowEnd);
+        List list{parts.front(), {}};
+        for (const QString& row : parts.mid(1)) {
+            bool hasFormat = false;
+            const int format = row.section(kPartEnd, 1).toInt(&hasFormat);
+            list.rows.push_back({row.section(kPartEnd, 0, 0),
+                                 {},
+                                 false,
+                                 hasFormat ? std::optional(static_cast<types::NumberFormat>(format)) : std::nullopt});
+        }
+        kept.lists.push_back(std::move(list));
+    }
+    kept.shown = std::min(static_cast<size_t>(stored.front().toUInt()), kept.lists.size() - 1);
+    restore(std::move(kept));
+}
+
+// ------------------------------------------------------------------ rows
+
 void WatchView::fillRow(QTreeWidgetItem* item) {
     if (expressionOf(item).isEmpty()) return; // a stretch of an array
     const QSignalBlocker blocker(m_tree);
-    const RunControl::Shown shown = m_control.value(expressionOf(item), {}, m_format);
+    const RunControl::Shown shown = m_control.value(expressionOf(item), {}, formatOf(item));
     const kit::ThemeColors& c = kit::colors();
     const auto* program = m_control.imageProgram();
     const bool known = program && shown.type.isValid();
@@ -339,11 +491,18 @@ void WatchView::applyPrepared(bool force) {
     for (int i = 0; i < m_tree->topLevelItemCount(); ++i) apply(apply, m_tree->topLevelItem(i));
 }
 
+/// First the other value, then the present one, then none.
+void WatchView::togglePrepared(QTreeWidgetItem* item, bool isTrue) {
+    const QString other = isTrue ? "FALSE" : "TRUE", same = isTrue ? "TRUE" : "FALSE";
+    const QString prepared = item->text(Prepared).trimmed();
+    item->setText(Prepared, prepared.isEmpty() ? other : prepared.compare(other, Qt::CaseInsensitive) == 0 ? same : "");
+}
+
 /// A double click on a value: a BOOL is prepared to be the other, of anything else the value is there to be changed.
 void WatchView::prepare(QTreeWidgetItem* item) {
     const RunControl::Shown shown = m_control.value(expressionOf(item));
     if (shown.text.isEmpty() || item->childIndicatorPolicy() == QTreeWidgetItem::ShowIndicator) return;
-    if (shown.isBool) return item->setText(Prepared, shown.isTrue ? "FALSE" : "TRUE");
+    if (shown.isBool) return togglePrepared(item, shown.isTrue);
     if (item->text(Prepared).isEmpty()) item->setText(Prepared, shown.text);
     m_tree->editItem(item, Prepared);
 }
@@ -382,6 +541,17 @@ void WatchView::showMenu(const QPoint& position) {
                 [this, item] { m_control.unforce(expressionOf(item)); });
         connect(menu.addAction(kit::icon(kit::Icon::Trace), tr("Show in trace")), &QAction::triggered, this,
                 [this, item] { emit traceRequested(expressionOf(item)); });
+        QMenu* format = menu.addMenu(tr("Number Format"));
+        const QStringList names{tr("As the list"), tr("Decimal"), tr("Hexadecimal"), tr("Binary"),
+                                tr("Time", "number format")};
+        const QVariant own = item->data(Name, kFormatRole);
+        for (int i = 0; i < names.size(); ++i) {
+            QAction* choice = format->addAction(names[i], this, [this, item, i] {
+                setRowFormat(item, i ? std::optional(static_cast<types::NumberFormat>(i - 1)) : std::nullopt);
+            });
+            choice->setCheckable(true);
+            choice->setChecked(own.isValid() ? own.toInt() == i - 1 : i == 0);
+        }
         menu.addSeparator();
         connect(menu.addAction(kit::icon(kit::Icon::Delete), tr("Remove")), &QAction::triggered, this,
                 &WatchView::removeSelected);

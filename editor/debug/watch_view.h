@@ -7,9 +7,11 @@
 #include <QTreeWidget>
 #include <QWidget>
 
-class QLineEdit;
-class QToolBar;
+class QComboBox;
 
+namespace plc::kit {
+class ExpressionEdit;
+}
 namespace plc::editor {
 
 class WatchView : public QWidget {
@@ -23,9 +25,32 @@ public:
     struct Row {
         QString expression, prepared;
         bool isUnfolded = false;
+        std::optional<types::NumberFormat> format; // its own; none: that of the list
     };
     [[nodiscard]] std::vector<Row> rows() const;
     void setRows(const std::vector<Row>& rows);
+    struct List {
+        QString name;
+        std::vector<Row> rows; // of those that are not shown
+    };
+    struct Kept {
+        std::vector<List> lists;
+        size_t shown = 0;
+    };
+    [[nodiscard]] Kept kept();
+    void restore(Kept kept);
+    /// The lists by name, each of its own rows; one of them is shown.
+    [[nodiscard]] QStringList listNames() const;
+    [[nodiscard]] QString shownList() const { return m_lists[m_shown].name; }
+    void addList(const QString& name); // and shows it
+    void showList(const QString& name);
+    void renameList(const QString& name);
+    void removeList(); // the one that is shown; the last one is emptied
+    /// For the settings of the project: all lists, and back.
+    [[nodiscard]] QStringList stored() const;
+    void restore(const QStringList& stored);
+
+    void setRowFormat(QTreeWidgetItem* item, std::optional<types::NumberFormat> format);
     void setFormat(types::NumberFormat format);
     [[nodiscard]] types::NumberFormat format() const { return m_format; }
     [[nodiscard]] QTreeWidget& tree() { return *m_tree; }
@@ -51,15 +76,22 @@ private:
     QTreeWidgetItem* addPart(QTreeWidgetItem* parent, const QString& name, const QString& expression,
                              types::TypeId type);
     void prepare(QTreeWidgetItem* item); // by a double click on the value
+    void togglePrepared(QTreeWidgetItem* item, bool isTrue);
+    [[nodiscard]] types::NumberFormat formatOf(const QTreeWidgetItem* item) const;
+    QWidget* makeListChoice();
+    void keepShownRows();
+    void showLists();
     void checkPrepared(QTreeWidgetItem* item);
     void removeSelected();
     void applyPrepared(bool force);
     void showMenu(const QPoint& position);
 
     RunControl& m_control;
-    Workspace& m_workspace;
     QTreeWidget* m_tree;
-    QLineEdit* m_input;
+    kit::ExpressionEdit* m_input;
+    std::vector<List> m_lists;
+    size_t m_shown = 0;
+    QComboBox* m_listChoice;
     unsigned m_frames = 0;
     types::NumberFormat m_format = types::NumberFormat::Decimal;
 };

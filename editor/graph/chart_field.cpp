@@ -106,8 +106,6 @@ QString ChartView::complaintOf(const QString& text) const {
 std::vector<kit::Completion> ChartView::completions(const QString& text, int cursor) const {
     std::vector<kit::Completion> out;
     if (!m_model || !m_place.pou || m_fieldKind == FieldKind::Name) return out;
-    const auto id = m_model->fileOf(m_file.toStdString());
-    if (!id) return out;
     if (m_fieldKind == FieldKind::Action) {
         if (!text.left(cursor).contains(' '))
             for (const char* qualifier : kQualifiers) out.push_back({qualifier, tr("qualifier")});
@@ -117,23 +115,10 @@ std::vector<kit::Completion> ChartView::completions(const QString& text, int cur
                                  [&](const kit::Completion& c) { return c.text == kit::fromView(action->name.text); }))
                     out.push_back({kit::fromView(action->name.text), tr("action"), kit::Icon::Action});
     }
-    // As if it stood in the text already: names resolve as they will there.
-    const uint32_t at = std::min(m_fieldAt, static_cast<uint32_t>(m_text.size()));
-    const std::string utf8 = text.toStdString();
-    const std::string whole = m_text.substr(0, at) + utf8 + " ;" + m_text.substr(at);
-    const analysis::Completion found =
-        m_model->complete(*id, whole, at + static_cast<uint32_t>(text.left(cursor).toUtf8().size()));
-    const int from = static_cast<int>(QString::fromStdString(whole.substr(at, found.replaceBegin - at)).size());
-    for (const analysis::CompletionItem& item : found.items) {
-        if (item.kind == analysis::ItemKind::Snippet || item.kind == analysis::ItemKind::Keyword ||
-            item.kind == analysis::ItemKind::Type)
-            continue;
-        if (m_fieldKind == FieldKind::Action && item.detail != "BOOL") continue;
-        kit::Completion completion{QString::fromStdString(item.text), QString::fromStdString(item.detail)};
-        completion.replaceFrom = from;
-        out.push_back(std::move(completion));
-        if (out.size() > 150) break;
-    }
+    const bool isAction = m_fieldKind == FieldKind::Action;
+    for (kit::Completion& each :
+         namesAt(text, cursor, [isAction](const QString& type) { return !isAction || type == "BOOL"; }))
+        out.push_back(std::move(each));
     return out;
 }
 
@@ -207,29 +192,8 @@ void ChartView::editPriority() {
 
 void ChartView::openField(const QRectF& sceneRect, const QString& text, FieldKind kind, uint32_t at, MakeEdits make,
                           bool keepsSelection) {
-    closeField(false);
     m_fieldKind = kind;
-    m_fieldAt = at;
-    m_fieldBegin = text;
-    m_canvas->ensureVisible(sceneRect, 10, 30);
-    const QRect place = m_canvas->mapFromScene(sceneRect).boundingRect();
-    m_field->setProperty("keepsSelection", keepsSelection);
-    m_field->setGeometry(place.x(), place.y(), std::max(160, place.width()), std::max(26, place.height()));
-    m_makeEdits = std::move(make);
-    m_field->setText(text);
-    m_field->selectAll();
-    m_field->show();
-    m_field->setFocus();
-}
-
-void ChartView::closeField(bool accept) {
-    const MakeEdits make = std::exchange(m_makeEdits, {}); // hiding takes the focus, which comes here again
-    if (!make) return;
-    const QString text = m_field->text().trimmed();
-    m_field->hide();
-    m_canvas->setFocus();
-    if (!accept || text.isEmpty() || text == m_fieldBegin) return;
-    request(make(text), m_field->property("keepsSelection").toBool() ? text : QString());
+    GraphView::openField(sceneRect, text, at, std::move(make), keepsSelection);
 }
 
 } // namespace plc::editor

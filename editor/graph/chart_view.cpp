@@ -10,16 +10,10 @@
 
 #include <QAction>
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QGraphicsItem>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QMenu>
-#include <QPrintDialog>
-#include <QPrinter>
-#include <QScrollBar>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -29,20 +23,12 @@ namespace plc::editor {
 using chart::StepId;
 using chart::TransitionId;
 
-ChartView::ChartView(QWidget* parent) : QWidget(parent) {
-    m_scene = new ChartScene(this);
-    m_canvas = new kit::Canvas(this);
-    m_canvas->setScene(m_scene);
-    m_canvas->setAccessibleName(tr("Sequential function chart"));
-    m_canvas->setBackgroundBrush(kit::colors().base);
-    m_canvas->viewport()->installEventFilter(this);
-    m_canvas->installEventFilter(this);
-    m_bar = new QToolBar(this);
-    m_bar->setIconSize({16, 16});
+ChartView::ChartView(QWidget* parent)
+    : GraphView(*new ChartScene, tr("Sequential function chart"), parent),
+      m_scene(static_cast<ChartScene*>(m_canvas->scene())) {
+    m_scene->setParent(this);
     const auto action = [&](kit::Icon icon, const QString& text, auto run) {
-        QAction* made = m_bar->addAction(kit::icon(icon), text);
-        connect(made, &QAction::triggered, this, run);
-        return made;
+        return addCommand(icon, text, this, run);
     };
     m_up = action(kit::Icon::Up, tr("To the chart around (Backspace)"), &ChartView::openParent);
     action(kit::Icon::Add, tr("Insert a step behind (Ins)"), &ChartView::insertStep);
@@ -58,43 +44,13 @@ ChartView::ChartView(QWidget* parent) : QWidget(parent) {
     action(kit::Icon::Force, tr("Force the step on"), [this] { forceSelected(true); });
     action(kit::Icon::Unforce, tr("Release the step"), [this] { forceSelected(false); });
     m_bar->addSeparator();
-    action(kit::Icon::Fit, tr("Show all"), [this] { m_canvas->zoomToFit(); });
-    action(kit::Icon::Export, tr("Export as SVG, PNG or PDF…"), [this] {
-        const QString path =
-            QFileDialog::getSaveFileName(this, tr("Export the chart"), QString(m_unit).replace('.', '_') + ".svg",
-                                         tr("SVG (*.svg);;PNG (*.png);;PDF (*.pdf)"));
-        if (path.isEmpty()) return;
-        const bool good = path.endsWith(".png")   ? m_canvas->exportPng(path)
-                          : path.endsWith(".pdf") ? m_canvas->exportPdf(path)
-                                                  : m_canvas->exportSvg(path);
-        if (!good) emit failed(tr("%1 can not be written").arg(path));
-    });
-    action(kit::Icon::Print, tr("Print…"), [this] {
-        QPrinter printer;
-        if (QPrintDialog(&printer, this).exec() == QDialog::Accepted) m_canvas->print(printer);
-    });
-    m_state = new QLabel(this);
-    m_state->setContentsMargins(8, 0, 8, 0);
-    m_bar->addWidget(m_state);
-    m_field = new kit::ExpressionEdit(m_canvas->viewport());
-    m_field->hide();
-    m_field->installEventFilter(this);
-    m_field->setCompletionSource([this](const QString& text, int cursor) { return completions(text, cursor); });
-    m_field->setCheck([this](const QString& text) { return complaintOf(text); });
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_bar);
-    layout->addWidget(m_canvas);
+    addSheetCommands();
     m_clock.start();
     connect(m_scene, &QGraphicsScene::selectionChanged, this, &ChartView::selectionMoved);
-    connect(m_canvas, &kit::Canvas::zoomChanged, this, [this] { updateMap(); });
-    connect(&kit::Theme::current(), &kit::Theme::changed, this, [this] {
-        m_canvas->setBackgroundBrush(kit::colors().base);
-        m_scene->refreshTheme();
-    });
     updateActions();
 }
+
+void ChartView::themeChanged() { m_scene->refreshTheme(); }
 
 ChartView::~ChartView() { m_scene->disconnect(this); } // selected items that die would ask for their place
 
@@ -112,16 +68,13 @@ void ChartView::setUnit(const QString& unit) {
 }
 
 void ChartView::showStale(const QString& reason) {
-    m_isStale = true;
-    m_state->setText(reason);
+    GraphView::showStale(reason);
     m_scene->setFaint(true);
-    closeField(false);
 }
 
 void ChartView::setText(const std::string& text) {
     if (text == m_text && m_chart) {
-        m_isStale = false;
-        m_state->clear();
+        showFresh();
         m_scene->setFaint(false);
         return;
     }
@@ -136,8 +89,7 @@ void ChartView::setText(const std::string& text) {
             d.range.begin <= place.pou->range.end)
             return showStale(tr("The text has errors: this is the last good drawing"));
     if (!place) return showStale(tr("%1 is not a chart").arg(m_unit));
-    m_isStale = false;
-    m_state->clear();
+    showFresh();
     closeField(false);
     {
         const QSignalBlocker blocker(m_scene);
@@ -170,7 +122,7 @@ void ChartView::rebuild() {
     for (const diagnostics::Diagnostic& d : sink.all())
         messages.push_back({d.range, kit::messageText(d.message), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
-    applyBreakpoints();
+    marksChanged();
     if (!m_selectAfter.isEmpty())
         for (size_t i = 0; i < m_chart->steps.size(); ++i)
             if (kit::fromView(m_chart->steps[i].decl->name.text) == m_selectAfter)
@@ -179,38 +131,12 @@ void ChartView::rebuild() {
                     m_canvas->ensureVisible(item->sceneBoundingRect(), 30, 30);
                 }
     m_selectAfter.clear();
-    if (std::exchange(m_isFresh, false))
-        QMetaObject::invokeMethod(
-            m_canvas,
-            [this] {
-                m_canvas->zoomToFit();
-                if (m_canvas->zoom() > 1) m_canvas->setZoom(1);
-                if (m_canvas->zoom() < 0.45) { // too long to be read as a whole: from the top
-                    m_canvas->setZoom(0.8);
-                    m_canvas->centerOn(m_scene->sceneRect().center().x(), 0);
-                    m_canvas->verticalScrollBar()->setValue(m_canvas->verticalScrollBar()->minimum());
-                }
-                updateMap();
-            },
-            Qt::QueuedConnection);
+    if (std::exchange(m_isFresh, false)) showWhole();
     updateMap();
     updateActions();
 }
 
-void ChartView::updateMap() {
-    const QRectF scene = m_scene->sceneRect();
-    const double zoom = m_canvas->zoom();
-    const bool isBig = m_chart && (scene.width() * zoom > m_canvas->viewport()->width() * 1.3 ||
-                                   scene.height() * zoom > m_canvas->viewport()->height() * 1.3);
-    if (isBig != m_canvas->isMapVisible()) m_canvas->setMapVisible(isBig);
-}
-
 void ChartView::updateActions() { m_up->setVisible(m_unit.contains('.')); }
-
-void ChartView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    updateMap();
-}
 
 void ChartView::setModel(const std::shared_ptr<const analysis::CodeModel>& model, const QString& file) {
     m_model = model;
@@ -229,32 +155,24 @@ void ChartView::setModel(const std::shared_ptr<const analysis::CodeModel>& model
                 m_listConditions[i] = QString::fromStdString(result.expression);
     }
     std::vector<ChartMessage> messages;
-    for (const diagnostics::Diagnostic& d : model->diagnostics())
-        if (d.range.file == *id && d.severity != diagnostics::Severity::Info)
-            messages.push_back({d.range, kit::messageText(d.message), d.severity == diagnostics::Severity::Error});
+    for (const diagnostics::Diagnostic& d : modelMessages())
+        messages.push_back({d.range, kit::messageText(d.message), d.severity == diagnostics::Severity::Error});
     m_scene->showMessages(messages);
 }
 
-void ChartView::setBreakpoints(const std::set<int>& lines, const std::set<int>& disabled) {
-    m_breakpoints = lines;
-    m_disabled = disabled;
-    applyBreakpoints();
-}
-
-void ChartView::applyBreakpoints() {
+void ChartView::marksChanged() {
     ChartMarks marks;
-    if (m_chart && !m_isStale && !m_breakpoints.empty()) {
-        std::vector<uint32_t> lineBegins{0};
-        for (size_t i = 0; i < m_text.size(); ++i)
-            if (m_text[i] == '\n') lineBegins.push_back(static_cast<uint32_t>(i) + 1);
-        const auto mark = [&](QHash<int, bool>& where, size_t index, uint32_t at) {
-            const int line =
-                static_cast<int>(std::upper_bound(lineBegins.begin(), lineBegins.end(), at) - lineBegins.begin());
-            if (m_breakpoints.contains(line)) where[static_cast<int>(index)] = !m_disabled.contains(line);
-        };
-        for (size_t i = 0; i < m_chart->steps.size(); ++i) mark(marks.steps, i, m_chart->steps[i].decl->range.begin);
-        for (size_t i = 0; i < m_chart->transitions.size(); ++i)
-            mark(marks.transitions, i, m_chart->transitions[i].decl->range.begin);
+    if (m_chart && !m_isStale) {
+        std::vector<uint32_t> places;
+        for (const chart::Step& step : m_chart->steps) places.push_back(step.decl->range.begin);
+        for (const chart::Transition& transition : m_chart->transitions) places.push_back(transition.decl->range.begin);
+        const std::vector<int> found = breakpointsAt(places);
+        for (size_t i = 0; i < found.size(); ++i) {
+            if (found[i] == 0) continue;
+            const bool isStep = i < m_chart->steps.size();
+            (isStep ? marks.steps : marks.transitions)[static_cast<int>(isStep ? i : i - m_chart->steps.size())] =
+                found[i] > 0;
+        }
     }
     m_scene->setMarks(marks);
 }
@@ -350,15 +268,6 @@ void ChartView::selectTowards(int dx, int dy) {
 }
 
 // ------------------------------------------------------------------ edits
-
-void ChartView::request(const Result<chart::Edits>& edits, const QString& selectName) {
-    if (m_isStale) return emit failed(tr("Mend the text first: this is the last good drawing"));
-    if (!edits) return emit failed(kit::messageText(edits.error()));
-    if (edits->empty()) return;
-    m_selectAfter = selectName;
-    const chart::Edits wanted = *edits; // the chart they come from goes with the text
-    emit editsRequested(wanted);
-}
 
 void ChartView::insertStep() {
     const Picked p = picked();
@@ -483,16 +392,6 @@ void ChartView::forceSelected(bool active) {
 // ------------------------------------------------------------------ events
 
 bool ChartView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_field) {
-        if (event->type() == QEvent::KeyPress) {
-            const int key = static_cast<QKeyEvent*>(event)->key();
-            if (key == Qt::Key_Escape && !m_field->isCompletionShown()) return closeField(false), true;
-            if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !m_field->isCompletionShown())
-                return closeField(true), true;
-        }
-        if (event->type() == QEvent::FocusOut && !m_field->isCompletionShown()) closeField(true);
-        return false;
-    }
     if (watched == m_canvas->viewport()) {
         if (event->type() == QEvent::MouseButtonDblClick) {
             const Picked p = picked();
@@ -519,7 +418,7 @@ bool ChartView::eventFilter(QObject* watched, QEvent* event) {
         keyPressEvent(static_cast<QKeyEvent*>(event));
         return event->isAccepted();
     }
-    return QWidget::eventFilter(watched, event);
+    return GraphView::eventFilter(watched, event);
 }
 
 void ChartView::keyPressEvent(QKeyEvent* event) {

@@ -136,7 +136,16 @@ void ExpressionEdit::runCheck() {
     emit complaintChanged(complaint);
 }
 
+bool ExpressionEdit::isWordComplete() const {
+    const QString word = text().mid(wordStart(), cursorPosition() - wordStart());
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        if (m_model->item(row)->text().compare(word, Qt::CaseInsensitive) == 0) return true;
+    return false;
+}
+
 void ExpressionEdit::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && isCompletionShown() && isWordComplete()) m_completer->popup()->hide(); // the name is all there
     if (isCompletionShown()) {
         switch (event->key()) {
         case Qt::Key_Return:
@@ -147,6 +156,7 @@ void ExpressionEdit::keyPressEvent(QKeyEvent* event) {
                 insertCompletion(current);
             else
                 m_completer->popup()->hide();
+            if (isEnter && m_endsWithCompletion) emit returnPressed();
             event->accept();
             return;
         }

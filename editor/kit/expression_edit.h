@@ -34,6 +34,8 @@ public:
 
     void setCompletionSource(CompletionSource source);
     void setCheck(TextCheck check);
+    /// Enter on a completion ends the line as well (where one name is asked for), else it waits for more.
+    void setEndsWithCompletion(bool ends) { m_endsWithCompletion = ends; }
     QString complaint() const { return m_complaint; }
     bool isCompletionShown() const;
     QStringList shownCompletions() const;
@@ -54,11 +56,13 @@ private:
     void refresh(bool forced);
     void insertCompletion(const QModelIndex& index);
     void runCheck();
+    bool isWordComplete() const;
     int wordStart() const;
 
     CompletionSource m_source;
     TextCheck m_check;
     QString m_complaint;
+    bool m_endsWithCompletion = false;
     QCompleter* m_completer;
     QStandardItemModel* m_model;
 };

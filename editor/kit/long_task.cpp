@@ -1,4 +1,5 @@
 #include "editor/kit/long_task.h"
+#include "editor/kit/post.h"
 
 #include <QEventLoop>
 #include <QTimer>
@@ -38,7 +39,7 @@ bool LongTask::runAside(const QString& label, QWidget* parent, const std::functi
     std::thread worker([&] {
         work(progress);
         hasEnded = true;
-        QMetaObject::invokeMethod(&loop, &QEventLoop::quit, Qt::QueuedConnection);
+        kit::post(&loop, [&loop] { loop.quit(); });
     });
     QTimer::singleShot(waits, &loop, &QEventLoop::quit);
     loop.exec(QEventLoop::ExcludeUserInputEvents);

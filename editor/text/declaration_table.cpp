@@ -1,6 +1,7 @@
 #include "editor/text/declaration_table.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/post.h"
 #include "editor/kit/texts.h"
 #include "editor/kit/theme.h"
 #include "projects/analysis/sections.h"
@@ -148,7 +149,7 @@ int DeclarationTable::rowOf(const QString& name) const {
 /// Behind the event that is being handled: its cell is still in use.
 void DeclarationTable::fillAgain() {
     m_pou = nullptr;
-    QMetaObject::invokeMethod(this, &DeclarationTable::fill, Qt::QueuedConnection);
+    kit::post(this, [this] { fill(); });
 }
 
 void DeclarationTable::setModel(std::shared_ptr<const analysis::CodeModel> model) {
@@ -209,8 +210,7 @@ void DeclarationTable::fill() {
     if (m_waiting.empty()) return;
     const std::function<void()> change = std::move(m_waiting.front());
     m_waiting.erase(m_waiting.begin());
-    QMetaObject::invokeMethod(
-        this, [this, change] { whenUpToDate(change); }, Qt::QueuedConnection);
+    kit::post(this, [this, change] { whenUpToDate(change); });
 }
 
 void DeclarationTable::setRow(const syntax::VarSection& section, const syntax::VarDecl& declaration, size_t name,
@@ -344,9 +344,7 @@ void DeclarationTable::changeCell(int row, int column, const QString& text) {
         if (text.isEmpty() || text == kit::fromView(name.text)) return fillAgain();
         m_toSelect = text;
         fillAgain(); // the old name stays when the new one is refused
-        QMetaObject::invokeMethod(
-            this, [this, offset = name.range.begin, text] { emit renameRequested(offset, text); },
-            Qt::QueuedConnection);
+        kit::post(this, [this, offset = name.range.begin, text] { emit renameRequested(offset, text); });
         return;
     }
     if (column == Type && declaration.type && !text.isEmpty()) {

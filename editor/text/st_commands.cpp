@@ -112,6 +112,13 @@ void StEditor::selectBlock() {
         SendScintilla(S::SCI_SETSEL, static_cast<unsigned long>(best->open.begin), static_cast<long>(best->close.end));
 }
 
+void StEditor::selectNextOccurrence() {
+    SendScintilla(S::SCI_TARGETWHOLEDOCUMENT);
+    SendScintilla(S::SCI_SETSEARCHFLAGS, static_cast<unsigned long>(S::SCFIND_WHOLEWORD)); // names of any case
+    SendScintilla(S::SCI_MULTIPLESELECTADDNEXT);
+    SendScintilla(S::SCI_SCROLLCARET);
+}
+
 void StEditor::goToMatchingWord() {
     const uint32_t at = cursorOffset();
     for (const BlockPair& pair : findBlocks(utf8())) {

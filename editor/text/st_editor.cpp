@@ -2,6 +2,7 @@
 
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
 #include "editor/text/st_marks.h"
@@ -67,7 +68,7 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     setMarginSensitivity(kMarks, true);
     setMarginSensitivity(kLineNumbers, true);
     setMarginMarkerMask(kMarks, (1 << kBreakpoint) | (1 << kBreakpointOff) | (1 << kErrorMark) | (1 << kWarningMark) |
-                                    (1 << kExecutedArrow));
+                                    (1 << kExecutedArrow) | (1 << kFaultArrow));
     setMarginType(kChanges, SymbolMargin);
     setMarginWidth(kChanges, 4);
     setMarginMarkerMask(kChanges, (1 << kChangedLine) | (1 << kAddedLine));
@@ -76,6 +77,8 @@ StEditor::StEditor(QWidget* parent) : QsciScintilla(parent), m_lexer(new StLexer
     markerDefine(Circle, kBreakpoint);
     markerDefine(Circle, kBreakpointOff);
     markerDefine(Background, kExecuted);
+    markerDefine(Background, kFault);
+    markerDefine(Invisible, kAutomaticEnd);
     markerDefine(FullRectangle, kChangedLine);
     markerDefine(FullRectangle, kAddedLine);
     indicatorDefine(SquiggleIndicator, kErrorSquiggle);
@@ -152,10 +155,14 @@ void StEditor::applyTheme() {
     setMarkerBackgroundColor(c.window, kBreakpointOff);
     setMarkerForegroundColor(c.breakpoint, kBreakpointOff);
     setMarkerBackgroundColor(c.current, kExecuted);
+    QColor fault = c.bad;
+    fault.setAlpha(c.dark ? 90 : 60);
+    setMarkerBackgroundColor(fault, kFault);
     const auto drawn = [](kit::Icon which) { return kit::icon(which).pixmap(QSize(14, 14), 1.0).toImage(); };
     markerDefine(drawn(kit::Icon::Error), kErrorMark);
     markerDefine(drawn(kit::Icon::Warning), kWarningMark);
     markerDefine(drawn(kit::Icon::CurrentLine), kExecutedArrow);
+    markerDefine(drawn(kit::Icon::Error), kFaultArrow);
     clearRegisteredImages();
     for (int kind = 0; kind <= static_cast<int>(analysis::ItemKind::Namespace); ++kind)
         registerImage(kind, drawn(iconOf(static_cast<analysis::ItemKind>(kind))));
@@ -265,6 +272,7 @@ void StEditor::setModel(std::shared_ptr<const analysis::CodeModel> model) {
     const auto file = fileId();
     m_analysedText = file ? std::string(m_model->sources()[*file].text()) : std::string();
     m_lexer->setModel(m_model, file, m_analysedText);
+    findDeclared();
     m_accumulators = file ? m_model->accumulators(*file) : std::vector<analysis::AccumulatorPlace>();
     m_diagnostics.clear();
     if (file)
@@ -390,6 +398,14 @@ void StEditor::setExecutedLine(int line) {
     markerAdd(line - 1, kExecutedArrow);
 }
 
+void StEditor::setFaultLine(int line) {
+    markerDeleteAll(kFault);
+    markerDeleteAll(kFaultArrow);
+    if (line <= 0) return;
+    markerAdd(line - 1, kFault);
+    markerAdd(line - 1, kFaultArrow);
+}
+
 // ------------------------------------------------------------------ menus, tips
 
 void StEditor::contextMenuEvent(QContextMenuEvent* event) {
@@ -412,6 +428,14 @@ void StEditor::contextMenuEvent(QContextMenuEvent* event) {
         getCursorPosition(&line, &column);
         emit breakpointToggled(m_file, line + 1);
     });
+    if (const auto variable = variableAt(at);
+        variable && m_onlineValues && !m_onlineValues({{variable->name, variable->pou}}).empty()) {
+        menu->insertSeparator(first);
+        add(kit::Icon::Write, tr("Write a Value…"), {}, [this, v = *variable] { emit writeRequested(v.name, v.pou); });
+        add(kit::Icon::Force, tr("Force…"), {}, [this, v = *variable] { emit forceRequested(v.name, v.pou); });
+        add(kit::Icon::Unforce, tr("Release the Force"), {},
+            [this, v = *variable] { emit unforceRequested(v.name, v.pou); });
+    }
     menu->insertSeparator(first);
     menu->exec(event->globalPos());
 }
@@ -421,6 +445,11 @@ bool StEditor::event(QEvent* event) {
         const auto* help = static_cast<QHelpEvent*>(event);
         showToolTip(help->pos());
         return true;
+    }
+    // Scintilla has a command of its own on many keys (Ctrl+T swaps two lines); the window's shortcut is meant.
+    if (event->type() == QEvent::ShortcutOverride && kit::actionOfKey(this, *static_cast<QKeyEvent*>(event))) {
+        event->ignore();
+        return false;
     }
     return QsciScintilla::event(event);
 }
@@ -455,7 +484,27 @@ void StEditor::mousePressEvent(QMouseEvent* event) {
             return;
         }
     }
+    m_caretsBefore.clear();
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::AltModifier) {
+        m_altClick = event->pos();
+        const long count = SendScintilla(S::SCI_GETSELECTIONS);
+        for (long i = 0; i < count; ++i)
+            m_caretsBefore.emplace_back(SendScintilla(S::SCI_GETSELECTIONNANCHOR, static_cast<unsigned long>(i)),
+                                        SendScintilla(S::SCI_GETSELECTIONNCARET, static_cast<unsigned long>(i)));
+    }
     QsciScintilla::mousePressEvent(event);
+}
+
+/// A click with Alt puts one more caret; a drag with Alt selects a column, as before.
+void StEditor::mouseReleaseEvent(QMouseEvent* event) {
+    QsciScintilla::mouseReleaseEvent(event);
+    const auto before = std::exchange(m_caretsBefore, {});
+    if (before.empty() || (event->pos() - m_altClick).manhattanLength() > 4) return;
+    const long at = SendScintilla(S::SCI_GETCURRENTPOS);
+    SendScintilla(S::SCI_SETSELECTION, static_cast<unsigned long>(before[0].second), before[0].first);
+    for (size_t i = 1; i < before.size(); ++i)
+        SendScintilla(S::SCI_ADDSELECTION, static_cast<unsigned long>(before[i].second), before[i].first);
+    SendScintilla(S::SCI_ADDSELECTION, static_cast<unsigned long>(at), at);
 }
 
 } // namespace plc::editor

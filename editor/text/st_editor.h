@@ -76,12 +76,19 @@ public:
     /// Where edits have moved them since: old line → new line, of those that moved.
     [[nodiscard]] std::map<int, int> movedBreakpoints() const;
     void setExecutedLine(int line); // 0 = none
+    void setFaultLine(int line);    // where the controller has stopped with a fault; 0 = none
     void setOnlineValues(OnlineValues values);
     void refreshOnlineValues();
     /// What stands beside the lines now, by line from 0.
     [[nodiscard]] const std::vector<std::pair<int, std::vector<OnlineValue>>>& shownValues() const {
         return m_shownValues;
     }
+
+    struct NamedValue {
+        QString name, pou; // as written, and the unit around
+    };
+    /// The variable at a place, with its members and indices; none where the text is not the analysed one.
+    [[nodiscard]] std::optional<NamedValue> variableAt(uint32_t at) const;
 
     // commands (also in the menus)
     void triggerCompletion();
@@ -91,6 +98,7 @@ public:
     void duplicateLine();
     void moveLines(int direction);
     void selectBlock();
+    void selectNextOccurrence(); // one more caret, where the selected word stands next
     void goToMatchingWord();
     void formatText();
     [[nodiscard]] bool goToDiagnostic(int direction); // F4, Shift+F4 within this file
@@ -103,6 +111,9 @@ signals:
     void usesRequested(const QString& file, uint32_t offset);
     void renameRequested(const QString& file, uint32_t offset);
     void watchRequested(const QString& expression);
+    void writeRequested(const QString& name, const QString& pou);
+    void forceRequested(const QString& name, const QString& pou);
+    void unforceRequested(const QString& name, const QString& pou);
     void cursorMoved(const QString& file, int line, int column);
     void hoverRequested(const QString& file, uint32_t offset, const QPoint& globalPosition);
     /// A fix that changes other files (too).
@@ -114,6 +125,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
     void applyTheme();
@@ -127,12 +139,16 @@ private:
     void afterCharacter(int character);
     void enterPressed();
     void outdentClosingWord();
+    /// Typing the END_… that Enter has put there already is that one, not another.
+    bool typeOverEnd();
+    bool typeOverSemicolon(const QString& typed);
     void upperCaseWordBefore();
     [[nodiscard]] bool isWordComplete() const;
     void insertCompletion(const analysis::CompletionItem& item);
     void showToolTip(const QPoint& position);
     [[nodiscard]] std::string textRange(uint32_t begin, uint32_t end) const;
     void drawOnlineValues(QPainter& painter);
+    void findDeclared();
     [[nodiscard]] std::optional<FileId> fileId() const;
 
     QString m_file;
@@ -151,9 +167,12 @@ private:
     std::map<int, int> m_breakpointMarks; // handle of the mark → line where it was set, from 1
     std::vector<std::pair<int, std::vector<OnlineValue>>> m_shownValues; // by visible line
     std::vector<analysis::AccumulatorPlace> m_accumulators;              // of the analysed text
+    std::vector<const sema::Symbol*> m_declared;                         // of the model, in order of place
     QTimer m_afterEdit;
     QTimer m_afterMove;
     bool m_isLoading = false;
+    std::vector<std::pair<long, long>> m_caretsBefore; // anchor and caret, when a click with Alt began
+    QPoint m_altClick;
 };
 
 } // namespace plc::editor

@@ -14,7 +14,10 @@ enum Marker {
     kWarningMark = 4,
     kChangedLine = 5,
     kAddedLine = 6,
-    kExecutedArrow = 7
+    kExecutedArrow = 7,
+    kFault = 8,
+    kFaultArrow = 9,
+    kAutomaticEnd = 10 // not seen: the line with the END_… that Enter has put there
 };
 /// What is drawn beneath and around characters.
 enum Indicator {

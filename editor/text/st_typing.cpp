@@ -1,6 +1,7 @@
 // What StEditor does while the user types: completion, parameter help, indentation, closing of blocks.
 #include "editor/text/st_editor.h"
 
+#include "editor/kit/own_keys.h"
 #include "editor/text/st_marks.h"
 #include "runtime/base/text.h"
 #include "runtime/compiler/lex/token.h"
@@ -45,6 +46,7 @@ std::vector<QString> listed(const std::vector<analysis::CompletionItem>& items) 
 } // namespace
 
 void StEditor::keyPressEvent(QKeyEvent* event) {
+    if (kit::actionOfKey(this, *event)) return event->ignore(); // it is disabled now, or it would not have come here
     if (event->matches(QKeySequence::Undo) && m_undo) return m_undo();
     if ((event->matches(QKeySequence::Redo) ||
          (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier)) &&
@@ -70,7 +72,46 @@ void StEditor::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Slash && event->modifiers() == Qt::ControlModifier) return toggleComment();
     if ((event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) && event->modifiers() == Qt::AltModifier)
         return moveLines(event->key() == Qt::Key_Up ? -1 : 1);
+    if (typeOverSemicolon(event->text())) return;
     QsciScintilla::keyPressEvent(event);
+}
+
+bool StEditor::typeOverSemicolon(const QString& typed) {
+    int line = 0, column = 0;
+    getCursorPosition(&line, &column);
+    const bool isAutomatic = markersAtLine(line) & (1U << kAutomaticEnd);
+    if (typed != ";" || !isAutomatic || hasSelectedText() || text(line).mid(column, 1) != ";") return false;
+    markerDelete(line, kAutomaticEnd);
+    setCursorPosition(line, column + 1);
+    return true;
+}
+
+bool StEditor::typeOverEnd() {
+    int line = 0, column = 0;
+    getCursorPosition(&line, &column);
+    const QString typed = text(line).left(column).trimmed(), behind = text(line).mid(column).trimmed();
+    if (!typed.startsWith("END_", Qt::CaseInsensitive)) return false;
+    int end = line; // the line with the automatic one: this one, or the next that is not empty
+    if (behind.isEmpty())
+        for (++end; end < lines() && text(end).trimmed().isEmpty();) ++end;
+    if (end >= lines() || !(markersAtLine(end) & (1U << kAutomaticEnd))) return false;
+    QString word = end == line ? behind : text(end).trimmed();
+    if (word.endsWith(';')) word.chop(1);
+    if (word.compare(typed, Qt::CaseInsensitive) != 0) return false;
+    const std::string all = utf8();
+    const auto lineBegin = [this](int of) {
+        return static_cast<uint32_t>(SendScintilla(S::SCI_POSITIONFROMLINE, static_cast<unsigned long>(of)));
+    };
+    const uint32_t at = cursorOffset();
+    const auto wordBegin = static_cast<uint32_t>(all.find_first_not_of(" \t\r\n", at));
+    for (const BlockPair& pair : findBlocks(all))
+        if (pair.close.begin == wordBegin && end != line) return false; // it closes another block
+    const uint32_t from = end == line ? at - static_cast<uint32_t>(typed.size()) : lineBegin(line);
+    const uint32_t to = end == line ? at : lineBegin(end);
+    applyEdits({{{FileId(), from, to}, ""}});
+    SendScintilla(S::SCI_GOTOPOS,
+                  static_cast<unsigned long>(wordBegin - (to - from) + static_cast<uint32_t>(word.size())));
+    return true;
 }
 
 bool StEditor::isWordComplete() const {
@@ -94,6 +135,7 @@ void StEditor::afterCharacter(int character) {
     const bool isLetter = character > 0x7f || isWord(static_cast<char>(character));
     if (!isLetter && m_settings.upperCaseKeywords) upperCaseWordBefore();
     outdentClosingWord();
+    if (typeOverEnd()) return SendScintilla(S::SCI_AUTOCCANCEL), void();
     if (character == '.') return triggerCompletion();
     if (!isLetter) return;
     // A list after the second letter of a word, or refreshed while it is open.
@@ -150,6 +192,7 @@ void StEditor::insertCompletion(const analysis::CompletionItem& item) {
     }
     applyEdits({{{FileId(), begin, end}, inserted}});
     SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(begin + cursor));
+    (void)typeOverEnd();
     if (item.kind == analysis::ItemKind::Parameter) showParameterHelp();
 }
 
@@ -210,6 +253,10 @@ void StEditor::enterPressed() {
     SendScintilla(S::SCI_INSERTTEXT, static_cast<unsigned long>(position), inserted.c_str());
     SendScintilla(S::SCI_GOTOPOS, static_cast<unsigned long>(position + cursor));
     endUndoAction();
+    if (!end.empty())
+        markerAdd(static_cast<int>(
+                      SendScintilla(S::SCI_LINEFROMPOSITION, static_cast<unsigned long>(position + inserted.size()))),
+                  kAutomaticEnd);
     SendScintilla(S::SCI_SCROLLCARET);
 }
 

@@ -54,12 +54,43 @@ std::optional<std::pair<uint32_t, uint32_t>> valueChain(const std::string& text,
 
 } // namespace
 
+void StEditor::findDeclared() {
+    m_declared.clear();
+    const auto file = fileId();
+    if (!file) return;
+    for (const sema::Symbol& symbol : m_model->checked().analysis->symbols)
+        if (symbol.kind == sema::SymbolKind::Variable && symbol.declaration.file == *file && !symbol.isConstant &&
+            !symbol.name.starts_with("__"))
+            m_declared.push_back(&symbol);
+    std::sort(m_declared.begin(), m_declared.end(),
+              [](const sema::Symbol* a, const sema::Symbol* b) { return a->declaration.begin < b->declaration.begin; });
+}
+
+std::optional<StEditor::NamedValue> StEditor::variableAt(uint32_t at) const {
+    const auto file = fileId();
+    if (!file || !m_isAsAnalysed) return std::nullopt;
+    const auto symbol = m_model->symbolAt(*file, at);
+    if (!symbol || m_model->symbol(*symbol).kind != sema::SymbolKind::Variable) return std::nullopt;
+    const auto isWord = [](char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); };
+    uint32_t begin = at, end = at;
+    while (begin > 0 && isWord(m_analysedText[begin - 1])) --begin;
+    while (end < m_analysedText.size() && isWord(m_analysedText[end])) ++end;
+    const size_t lineBegin = begin == 0 ? 0 : m_analysedText.rfind('\n', begin - 1) + 1;
+    const size_t lineEnd = std::min(m_analysedText.find('\n', end), m_analysedText.size());
+    const auto chain = valueChain(m_analysedText + " ", {*file, begin, end}, static_cast<uint32_t>(lineBegin),
+                                  static_cast<uint32_t>(lineEnd));
+    const auto [from, length] = chain.value_or(std::pair(begin, end - begin));
+    return NamedValue{QString::fromStdString(m_analysedText.substr(from, length)),
+                      QString::fromStdString(m_model->pouAt(*file, at))};
+}
+
 void StEditor::refreshOnlineValues() {
     auto before = std::exchange(m_shownValues, {});
     const auto file = fileId();
     if (m_onlineValues && m_settings.showOnlineValues && file && m_isAsAnalysed) {
         const long top = SendScintilla(S::SCI_GETFIRSTVISIBLELINE), count = SendScintilla(S::SCI_LINESONSCREEN);
         const auto& references = m_model->checked().analysis->references;
+        auto declared = m_declared.begin();
         for (long visible = top; visible <= top + count; ++visible) {
             const long line = SendScintilla(S::SCI_DOCLINEFROMVISIBLE, static_cast<unsigned long>(visible));
             const auto begin = static_cast<uint32_t>(
@@ -70,6 +101,10 @@ void StEditor::refreshOnlineValues() {
                 references.begin(), references.end(), std::pair(*file, begin),
                 [](const sema::Reference& r, const auto& key) { return std::pair(r.range.file, r.range.begin) < key; });
             std::vector<std::pair<QString, QString>> wanted;
+            for (; declared != m_declared.end() && (*declared)->declaration.begin < end; ++declared)
+                if ((*declared)->declaration.begin >= begin)
+                    wanted.emplace_back(QString::fromStdString((*declared)->name),
+                                        QString::fromStdString((*declared)->owner));
             for (; it != references.end() && it->range.file == *file && it->range.begin < end; ++it) {
                 if (!it->symbol.isValid()) continue;
                 const sema::Symbol& symbol = m_model->symbol(it->symbol);

@@ -1,6 +1,7 @@
 #include "editor/trace/channel_panel.h"
 
 #include "editor/kit/icons.h"
+#include "editor/kit/post.h"
 #include "editor/kit/property_grid.h"
 #include "editor/kit/theme.h"
 #include "editor/kit/variable_picker.h"
@@ -161,8 +162,7 @@ void ChannelPanel::selectChannel(int channel) {
 void ChannelPanel::showSetup(const TraceSetup& setup, const kit::PlotModel& model) {
     m_setup = setup;
     if (m_isTicked)
-        QMetaObject::invokeMethod(
-            this, [this] { rebuild(); }, Qt::QueuedConnection);
+        kit::post(this, [this] { rebuild(); });
     else
         rebuild();
     showValues(model);

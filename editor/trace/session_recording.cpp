@@ -1,6 +1,8 @@
 #include "editor/trace/session_recording.h"
 #include "runtime/base/messages.h"
 
+#include "projects/session/versions.h"
+
 namespace plc::trace {
 
 std::pair<Position, Position> SessionRecording::extent() const {
@@ -39,11 +41,8 @@ Result<std::shared_ptr<FileRecording>> FileRecording::open(const std::string& pa
     Message failure;
     auto history = history::History::load(
         path,
-        [&](const auto& sources, const auto& libraries) -> std::shared_ptr<const image::CompiledProgram> {
-            driver::BuildInput input;
-            for (const auto& [name, text] : sources) input.files.push_back({name, text});
-            driver::setRecordedSettings(input, libraries);
-            driver::Built built = driver::build(input, progress);
+        [&](const history::History::Sources& sources) -> std::shared_ptr<const image::CompiledProgram> {
+            driver::Built built = driver::build(session::recordedInput(sources), progress);
             if (!built.program) {
                 failure = built.failure.isEmpty() ? errors::RecordedProgramHasErrors() : built.failure;
                 return nullptr;

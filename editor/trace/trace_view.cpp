@@ -4,6 +4,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
 #include "editor/kit/plot_export.h"
 #include "editor/kit/plot_table.h"
 #include "editor/kit/theme.h"
@@ -251,6 +252,7 @@ void TraceView::makeActions(QToolBar* bar) {
     addAction(kit::makeUndoAction(m_undo, this));
     addAction(kit::makeRedoAction(m_undo, this));
     for (QAction* action : actions()) action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    new kit::OwnKeys(this);
 }
 
 void TraceView::report(const Result<void>& result) {
@@ -272,6 +274,16 @@ void TraceView::exportSamples(const QString& path) {
     const kit::PlotModel model = m_plot->model(); // its own: the view goes on meanwhile
     kit::LongTask task(tr("Saving the samples…"), this);
     report(kit::exportCsv(model, model.from, model.to, path, [&](double share) { return task.reached(share); }));
+}
+
+void TraceView::setFolder(const QString& folder) {
+    if (folder == m_folder) return;
+    m_folder = folder;
+    m_plot->edit([](kit::PlotModel& model) { // another project begins at its own time
+        model.to -= model.from;
+        model.from = 0;
+    });
+    m_plot->setFollowing(true);
 }
 
 void TraceView::setSetup(TraceSetup setup) {
@@ -451,11 +463,13 @@ bool TraceView::findTrigger(history::History::Direction direction) {
 
 void TraceView::showPosition(std::optional<Position> position) {
     const auto stamp = position && m_recording ? m_recording->stamp(*position) : std::nullopt;
+    const bool comesBack = !position && m_plot->model().present && !m_opened;
     m_plot->edit([&](kit::PlotModel& model) {
         model.present.reset();
         if (stamp) model.present = stamp->time.count();
     });
     if (stamp) showTime(stamp->time.count());
+    if (comesBack) m_plot->setFollowing(true);
     m_channels->showValues(m_plot->model());
 }
 

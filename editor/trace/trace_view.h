@@ -70,7 +70,7 @@ public:
     bool findTrigger(history::History::Direction direction);
     QString statusText() const;
     /// Folder that file dialogs begin in: the project's traces.
-    void setFolder(const QString& folder) { m_folder = folder; }
+    void setFolder(const QString& folder);
     /// Loads an older recording beneath and notes it in the set-up; an empty path takes it away.
     Result<void> compareWith(const QString& path);
 

@@ -7,7 +7,16 @@
 
 namespace plc::hmi {
 
-Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place) {
+namespace {
+/// An id that no row has yet.
+std::string freeId(const QString& wanted, const QSet<QString>& ids) {
+    const QString stem = wanted.isEmpty() ? QStringLiteral("alarm") : wanted;
+    for (int number = 2;; ++number)
+        if (const QString id = stem + QString::number(number); !ids.contains(id)) return toUtf8(id);
+}
+} // namespace
+
+Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place, std::vector<Error>* problems) {
     const auto fail = [&](Message message) { return Error{std::move(message), place.toStdString()}; };
     const Json root = readJson<Json>(utf8).value;
     if (!root.is_object()) return fail(errors::AlarmsNotJson());
@@ -19,24 +28,32 @@ Result<AlarmFile> AlarmFile::parse(const std::string& utf8, const QString& place
         else if (!root[key].is_array())
             return fail(errors::MustBeList(Verbatim(key)));
     }
-    QSet<QString> ids;
-    const auto read = [&](const char* key, const ElementDescriptor& descriptor, std::vector<Properties>& out) {
-        if (!root.contains(key)) return true;
+    std::vector<Error> found;
+    const auto read = [&](const char* key, const ElementDescriptor& descriptor, std::vector<Properties>& out,
+                          std::vector<Json>& unread) {
+        if (!root.contains(key)) return;
         for (const Json& row : root[key]) {
-            if (!row.is_object()) return false;
-            out.emplace_back(descriptor, inCanonicalOrder(row, descriptor));
+            if (row.is_object()) {
+                out.emplace_back(descriptor, inCanonicalOrder(row, descriptor));
+                continue;
+            }
+            unread.push_back(row);
+            found.push_back(fail(errors::AlarmNotObject()));
         }
         file.m_fields[key] = nullptr;
-        return true;
     };
-    if (!read("classes", alarmClassDescriptor(), file.m_classes) || !read("alarms", alarmDescriptor(), file.m_alarms))
-        return fail(errors::AlarmNotObject());
-    for (const Properties& row : file.m_alarms) {
+    read("classes", alarmClassDescriptor(), file.m_classes, file.m_unreadClasses);
+    read("alarms", alarmDescriptor(), file.m_alarms, file.m_unreadAlarms);
+    QSet<QString> ids;
+    for (Properties& row : file.m_alarms) {
         const QString id = row.text("id");
-        if (id.isEmpty()) return fail(errors::AlarmWithoutId());
-        if (ids.contains(id)) return fail(errors::AlarmIdTwice(toUtf8(id)));
-        ids += id;
+        if (id.isEmpty()) found.push_back(fail(errors::AlarmWithoutId()));
+        if (ids.contains(id)) found.push_back(fail(errors::AlarmIdTwice(toUtf8(id))));
+        if (id.isEmpty() || ids.contains(id)) row.set("id", freeId(id, ids));
+        ids += row.text("id");
     }
+    if (!found.empty() && !problems) return found.front();
+    if (problems) problems->insert(problems->end(), found.begin(), found.end());
     return file;
 }
 
@@ -51,6 +68,8 @@ std::string AlarmFile::write() const {
         }
         std::vector<Json> list;
         for (const Properties& row : *rows) list.push_back(row.fields());
+        const std::vector<Json>& unread = key == "classes" ? m_unreadClasses : m_unreadAlarms;
+        list.insert(list.end(), unread.begin(), unread.end());
         out += writeList(list, 2);
     }
     return out + "\n}\n";

@@ -21,7 +21,10 @@ struct AlarmDefinition {
 class AlarmFile {
 public:
     AlarmFile() = default;
-    static Result<AlarmFile> parse(const std::string& utf8, const QString& place);
+    /// With `problems`, a row that is wrong costs only itself: it is named there, and nothing of it is lost when the
+    /// file is written. Without, the first of them is the error.
+    static Result<AlarmFile> parse(const std::string& utf8, const QString& place,
+                                   std::vector<Error>* problems = nullptr);
     std::string write() const;
 
     const std::vector<Properties>& rows() const { return m_alarms; }
@@ -35,6 +38,7 @@ public:
 private:
     Json m_fields = Json{{"version", 1}, {"classes", nullptr}, {"alarms", nullptr}};
     std::vector<Properties> m_classes, m_alarms;
+    std::vector<Json> m_unreadClasses, m_unreadAlarms; // what is no object; written behind the others
 };
 
 } // namespace plc::hmi

@@ -2,9 +2,11 @@
 
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
+#include "editor/kit/own_keys.h"
 #include "hmi/designer/records_dialog.h"
 #include "hmi/view/panel_theme.h"
 
+#include <QAction>
 #include <QColorDialog>
 #include <QCoreApplication>
 #include <QHeaderView>
@@ -27,8 +29,12 @@ AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent)
     m_list->header()->setSectionResizeMode(3, QHeaderView::Stretch);
     auto* bar = new QToolBar;
     bar->setIconSize(QSize(16, 16));
-    bar->addAction(kit::makeUndoAction(m_undo, this));
-    bar->addAction(kit::makeRedoAction(m_undo, this));
+    for (QAction* action : {kit::makeUndoAction(m_undo, this), kit::makeRedoAction(m_undo, this)}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        bar->addAction(action);
+        addAction(action);
+    }
+    new kit::OwnKeys(this);
     bar->addSeparator();
     bar->addAction(kit::icon(kit::Icon::Alarm), tr("Add an alarm"), this, &AlarmEditor::addAlarm);
     bar->addAction(kit::icon(kit::Icon::Layers), tr("Add a class"), this, &AlarmEditor::addClass);
@@ -50,6 +56,7 @@ AlarmEditor::AlarmEditor(DesignContext& context, QWidget* parent)
         const PropertyDescriptor* property = alarmDescriptor().property(propertyOf(id));
         return property ? m_context.checkBinding(text, property->hint, false) : QString();
     });
+    connect(&m_context, &DesignContext::alarmsTaken, &m_undo, &QUndoStack::clear); // its steps are of another file
     connect(m_grid, &kit::PropertyGrid::committed, this, &AlarmEditor::commit);
     connect(m_grid, &kit::PropertyGrid::actionRequested, this, [this](const QString& id) {
         const Row row = current();

@@ -55,8 +55,7 @@ QString DesignContext::storeText(const QString& present, const QString& typed, c
     for (const QChar c : typed) letters += c.isLetter();
     // Signs and units need no translation; a project with one language and no table needs no keys.
     if (letters < 2 || (m_project.texts.settings().languages.size() < 2 && !m_project.hasTexts)) return typed;
-    const TextTable before = m_project.texts.table();
-    TextTable after = before;
+    const TextTable& before = m_project.texts.table();
     QString key;
     if (isTextKey(present) && before.contains(keyOf(present)))
         key = keyOf(present); // the text of its key is changed
@@ -64,9 +63,21 @@ QString DesignContext::storeText(const QString& present, const QString& typed, c
         key = before.keyOfText(m_language, typed); // a text that is there is used again
     if (key.isEmpty()) key = before.newKeyFor(panel, typed);
     if (before.text(key, m_language) == typed) return u'@' + key;
-    after.setText(key, m_language, typed);
+    // Only this text comes and goes: the rest of the table may have come from disk meanwhile.
+    const bool wasThere = before.contains(key);
+    const auto put = [this, key, tag = m_language](const QString& text) {
+        TextTable table = m_project.texts.table();
+        table.setText(key, tag, text);
+        setTable(std::move(table));
+    };
+    const auto takeBack = [this, key, wasThere, put, old = before.text(key, m_language)] {
+        if (wasThere) return put(old);
+        TextTable table = m_project.texts.table();
+        table.removeKey(key);
+        setTable(std::move(table));
+    };
     undo.push(new kit::ClosureCommand(
-        tr("Text"), [this, after] { setTable(after); }, [this, before] { setTable(before); }));
+        tr("Text"), [put, typed] { put(typed); }, takeBack));
     return u'@' + key;
 }
 
@@ -99,10 +110,58 @@ Result<void> DesignContext::save() {
     if (m_alarmsChanged)
         if (auto saved = saveAlarms(m_project); !saved) return saved;
     m_alarmsChanged = false;
-    for (const QString& name : std::exchange(m_changedPanels, {}))
-        if (const NamedPanel* panel = m_project.find(name))
-            if (auto saved = savePanel(m_project, *panel); !saved) return saved;
+    while (!m_changedPanels.isEmpty()) { // one that is refused stays changed
+        if (const NamedPanel* panel = m_project.find(m_changedPanels.front()))
+            if (auto saved = hmi::savePanel(m_project, *panel); !saved) return saved;
+        m_changedPanels.removeFirst();
+    }
+    emit saved();
     return {};
+}
+
+Result<void> DesignContext::savePanel(const QString& name) {
+    const NamedPanel* panel = m_project.find(name);
+    if (!panel) return {};
+    if (auto saved = hmi::savePanel(m_project, *panel); !saved) return saved;
+    m_changedPanels.removeAll(name);
+    if (PanelDocument* open = m_documents.value(name)) open->setClean();
+    return {};
+}
+
+void DesignContext::setPanel(const QString& name, const Panel& panel) {
+    NamedPanel* known = m_project.find(name);
+    if (!known) return;
+    known->panel = panel;
+    PanelDocument* open = m_documents.value(name);
+    if (!open) {
+        if (!m_changedPanels.contains(name)) m_changedPanels += name;
+        return;
+    }
+    open->reset(panel);
+    open->undoStack().resetClean();
+}
+
+void DesignContext::panelReplaced(const QString& name) {
+    m_changedPanels.removeAll(name);
+    const NamedPanel* panel = m_project.find(name);
+    if (PanelDocument* open = m_documents.value(name); open && panel) open->reset(panel->panel);
+}
+
+void DesignContext::textsReplaced() {
+    m_textsChanged = false;
+    emit textsTaken();
+    emit textsChanged();
+}
+
+void DesignContext::alarmsReplaced() {
+    m_alarmsChanged = false;
+    emit alarmsTaken();
+    emit alarmsChanged();
+}
+
+bool DesignContext::isPanelChanged(const QString& name) const {
+    const PanelDocument* open = m_documents.value(name);
+    return m_changedPanels.contains(name) || (open && !open->isClean());
 }
 
 void DesignContext::openDocument(const QString& panel, PanelDocument* document) { m_documents.insert(panel, document); }
@@ -147,6 +206,30 @@ bool DesignContext::renameVariable(const QString& from, const QString& to) {
         any = true;
     }
     return any;
+}
+
+std::vector<DesignContext::VariableUse> DesignContext::usesOfVariable(const QString& path) const {
+    std::vector<VariableUse> out;
+    const auto names = [&](const QString& expression) {
+        return withRenamedPath(expression, path, QStringLiteral("_")) != expression;
+    };
+    const auto look = [&](const QString& file, const Properties& properties, const ElementId& id) {
+        forEachBinding(properties, [&](const Found& found) {
+            if (names(found.text))
+                out.push_back({file, id, found.place(), found.text, found.place().startsWith(QLatin1String("target"))});
+        });
+    };
+    for (const NamedPanel& panel : m_project.panels) {
+        const QString file = m_project.placeOf(m_project.panelPath(panel.name));
+        look(file, panel.panel, {});
+        for (const Element& element : panel.panel.elements()) look(file, element, element.id());
+    }
+    for (const Properties& row : m_project.alarms.rows())
+        for (const char* key : {"condition", "inhibit"})
+            if (names(row.text(key)))
+                out.push_back({m_project.placeOf(m_project.alarmsPath()), row.text("id"), QString::fromLatin1(key),
+                               row.text(key), false});
+    return out;
 }
 
 std::optional<ValueFacts> DesignContext::factsOf(const QString& path) const {

@@ -49,13 +49,30 @@ public:
     void setAlarms(AlarmFile alarms);
     bool areTextsChanged() const { return m_textsChanged; }
     bool areAlarmsChanged() const { return m_alarmsChanged; }
-    /// Writes texts and alarms where they changed.
+    /// Writes texts, alarms and closed panels where they changed.
     Result<void> save();
+    Result<void> savePanel(const QString& name);
+    /// Another panel in the place of the one of that name, not saved yet.
+    void setPanel(const QString& name, const Panel& panel);
+    /// What another program has written takes the place of what is here; undo of what was here ends.
+    void panelReplaced(const QString& name);
+    void textsReplaced();
+    void alarmsReplaced();
+    /// It has changes that are not saved.
+    bool isPanelChanged(const QString& name) const;
 
     /// An edit in every panel: as an undo step in those that are open, directly in the others. True if any changed.
     bool rewritePanels(const QString& title, const std::function<Edit(const Panel&)>& edit);
     /// A variable was renamed in the code: bindings of panels and conditions of alarms follow.
     bool renameVariable(const QString& from, const QString& to);
+    /// Where panels and alarms name a variable.
+    struct VariableUse {
+        QString file; // "hmi/main.panel.json"
+        ElementId element;
+        QString property, expression;
+        bool isWrite = false;
+    };
+    std::vector<VariableUse> usesOfVariable(const QString& path) const;
     void openDocument(const QString& panel, PanelDocument* document);
     void closeDocument(const PanelDocument* document);
 
@@ -71,6 +88,9 @@ public:
 signals:
     void textsChanged();
     void alarmsChanged();
+    void textsTaken();  // from disk
+    void alarmsTaken(); // from disk
+    void saved();
     void languageChanged();
     void programChanged();
     void recordingChanged();

@@ -3,6 +3,7 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/array_dialog.h"
 #include "hmi/designer/outline.h"
@@ -44,6 +45,8 @@ PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, Q
     m_sheet->setPanelName(panelName);
     m_context.openDocument(panelName, &m_document);
     makeActions();
+    new kit::OwnKeys(this);
+    setFocusProxy(m_canvas);
     m_pages->addWidget(m_canvas);
     m_findingList->setHeaderLabels({tr("Finding"), tr("Element"), tr("Language")});
     m_findingList->setRootIsDecorated(false);

@@ -3,10 +3,12 @@
 #include "editor/kit/edit_history.h"
 #include "editor/kit/icons.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/own_keys.h"
 #include "editor/kit/theme.h"
 #include "hmi/designer/arrange.h"
 #include "projects/storage/project_file.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QFileDialog>
 #include <QHeaderView>
@@ -177,8 +179,12 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     m_users->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* bar = new QToolBar;
     bar->setIconSize(QSize(16, 16));
-    bar->addAction(kit::makeUndoAction(m_undo, this));
-    bar->addAction(kit::makeRedoAction(m_undo, this));
+    for (QAction* action : {kit::makeUndoAction(m_undo, this), kit::makeRedoAction(m_undo, this)}) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        bar->addAction(action);
+        addAction(action);
+    }
+    new kit::OwnKeys(this);
     bar->addSeparator();
     bar->addAction(kit::icon(kit::Icon::Add), tr("Add a key"), this, [this] {
         const QString key = QInputDialog::getText(this, tr("Add a key"), tr("Key"));
@@ -212,6 +218,7 @@ TextEditor::TextEditor(DesignContext& context, QWidget* parent)
     connect(m_search, &QLineEdit::textChanged, this, filter);
     connect(m_incomplete, &QCheckBox::toggled, this, filter);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &TextEditor::showUsers);
+    connect(&m_context, &DesignContext::textsTaken, &m_undo, &QUndoStack::clear); // its steps are of another table
     showUsers();
 }
 

@@ -57,7 +57,8 @@ std::string writeList(const std::vector<Json>& objects, int indent) {
     const std::string margin(static_cast<size_t>(indent) + 2, ' ');
     bool first = true;
     for (const Json& object : objects) {
-        out += (first ? "\n" : ",\n") + margin + writeObject(object, indent + 2);
+        out += (first ? "\n" : ",\n") + margin +
+               (object.is_object() ? writeObject(object, indent + 2) : writeCompact(object));
         first = false;
     }
     return out + "\n" + std::string(static_cast<size_t>(indent), ' ') + "]";

@@ -144,7 +144,7 @@ Error errorAt(const QString& place, Message message) { return Error{std::move(me
 
 } // namespace
 
-Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
+Result<Panel> Panel::parse(const std::string& utf8, const QString& place, std::vector<Error>* problems) {
     const std::string_view text = utf8.starts_with("\xEF\xBB\xBF") ? std::string_view(utf8).substr(3) : utf8;
     JsonText<Json> json = readJson<Json>(text);
     if (!json.isGood()) return errorAt(place + u':' + QString::number(json.line), errors::PanelNotJson());
@@ -155,21 +155,39 @@ Result<Panel> Panel::parse(const std::string& utf8, const QString& place) {
     Panel panel;
     if (!root.contains("elements")) root["elements"] = Json::array();
     if (!root["elements"].is_array()) return errorAt(place, errors::MustBeList(Verbatim("elements")));
-    QSet<QString> ids;
+    QSet<QString> ids, all;
+    for (const Json& item : root["elements"])
+        if (item.is_object() && item.contains("id")) all += toQString(item["id"]);
+    const auto freeId = [&](std::string_view stem) {
+        for (int each = 1;; ++each)
+            if (const QString id =
+                    QString::fromUtf8(stem.data(), static_cast<qsizetype>(stem.size())) + QString::number(each);
+                !all.contains(id) && !ids.contains(id))
+                return toUtf8(id);
+    };
+    std::vector<Error> found;
+    int number = 0;
     for (const Json& item : root["elements"]) {
-        const int number = static_cast<int>(panel.m_elements.size()) + 1;
-        if (!item.is_object()) return errorAt(place, errors::ElementNotObject(number));
-        if (item.contains("kind") && !item["kind"].is_string())
-            return errorAt(place, errors::ElementKindNotText(number));
+        ++number;
+        const bool isObject = item.is_object();
+        if (!isObject || (item.contains("kind") && !item["kind"].is_string())) {
+            found.push_back(
+                errorAt(place, isObject ? errors::ElementKindNotText(number) : errors::ElementNotObject(number)));
+            panel.m_unread.emplace_back(panel.m_elements.size(), item);
+            continue;
+        }
         const Element raw{item};
         Element element{inCanonicalOrder(item, raw.descriptor())};
-        if (element.id().isEmpty())
-            element.setField(
-                "id", toUtf8(panel.freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key)), 0);
-        if (ids.contains(element.id())) return errorAt(place, errors::ElementIdTwice(toUtf8(element.id())));
+        const ElementId id = element.id();
+        const bool isTaken = ids.contains(id);
+        if (isTaken) found.push_back(errorAt(place, errors::ElementIdTwice(toUtf8(id))));
+        if (id.isEmpty() || isTaken)
+            element.setField("id", freeId(element.descriptor().key.empty() ? "element" : element.descriptor().key), 0);
         ids += element.id();
         panel.m_elements.push_back(std::move(element));
     }
+    if (!found.empty() && !problems) return found.front();
+    if (problems) problems->insert(problems->end(), found.begin(), found.end());
     panel.m_fields = inCanonicalOrder(root, panelDescriptor(), "elements");
     panel.m_fields["elements"] = nullptr;
     return panel;
@@ -185,6 +203,9 @@ std::string Panel::write() const {
         }
         std::vector<Json> list;
         for (const Element& element : m_elements) list.push_back(element.fields());
+        for (size_t i = m_unread.size(); i-- > 0;)
+            list.insert(list.begin() + static_cast<std::ptrdiff_t>(std::min(m_unread[i].first, list.size())),
+                        m_unread[i].second);
         out += writeList(list, 2);
     }
     return out + "\n}\n";

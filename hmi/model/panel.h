@@ -8,6 +8,9 @@
 #include <QRectF>
 #include <QSize>
 
+#include <utility>
+#include <vector>
+
 namespace plc::hmi {
 
 using ElementId = QString;
@@ -63,7 +66,9 @@ class Panel : public Properties {
 public:
     Panel() : Properties(panelDescriptor(), Json{{"version", 1}, {"elements", nullptr}}) {}
 
-    static Result<Panel> parse(const std::string& utf8, const QString& place);
+    /// With `problems`, an element that is wrong costs only itself: it is named there, stays in the file where it was,
+    /// and an id that is taken is replaced. Without, the first of them is the error.
+    static Result<Panel> parse(const std::string& utf8, const QString& place, std::vector<Error>* problems = nullptr);
     std::string write() const;
 
     QSize size() const { return Properties::size("size"); }
@@ -80,6 +85,7 @@ public:
 
 private:
     std::vector<Element> m_elements;
+    std::vector<std::pair<size_t, Json>> m_unread; // what is no element, before the element of that number
 };
 
 /// Known fields in the descriptor's order; an unknown field stays behind the known one that it followed.

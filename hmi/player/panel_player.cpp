@@ -1,10 +1,14 @@
 #include "hmi/player/panel_player.h"
 #include "editor/kit/message_text.h"
 
+#include "editor/kit/post.h"
 #include "hmi/player/player_status.h"
 
 #include <QDir>
 #include <QKeyEvent>
+#include <QLayout>
+
+#include <utility>
 
 namespace plc::hmi {
 
@@ -69,10 +73,8 @@ void PanelPlayer::connectScene() {
         else
             m_watch->acknowledge(acknowledge.alarm);
     });
-    connect(&scene(), &PanelScene::panelRequested, this, [this](const QString& name) {
-        QMetaObject::invokeMethod(
-            this, [this, name] { showPanel(name); }, Qt::QueuedConnection);
-    });
+    connect(&scene(), &PanelScene::panelRequested, this,
+            [this](const QString& name) { kit::post(this, [this, name] { showPanel(name); }); });
     connect(&scene(), &PanelScene::languageRequested, this, &PanelPlayer::requestLanguage);
 }
 
@@ -262,14 +264,15 @@ QString PanelPlayer::post(const WriteRequest& write) {
     if (!value)
         return no(whyNot(factsOf(target->types(), target->type(), true), write.value,
                          kit::messageText(value.error().message, language())));
+    const std::string origin = "panel " + m_panelName.toStdString() + ", " + write.element.toStdString(); // journal
     if (write.kind == WriteKind::Write) {
-        m_session->write(path, *value);
+        m_session->write(path, *value, origin);
         return {};
     }
     const Result<types::Value> released = toPlc(target->types(), target->type(), write.released);
     if (!released) return no(kit::messageText(released.error().message, language()));
     m_pressed.insert(write.target, write.released);
-    m_session->press(path, *value, *released);
+    m_session->press(path, *value, *released, origin);
     return {};
 }
 
@@ -348,11 +351,21 @@ void PanelPlayer::frame() {
 
 Overlay* PanelPlayer::overlay() const { return findChild<Overlay*>(); }
 
+/// The panel alone: in the studio it leaves its dock for the time and comes back into it.
 void PanelPlayer::setFullScreen(bool full) {
-    if (full)
-        window()->showFullScreen();
-    else
-        window()->showNormal();
+    if (full == isFullScreen()) return;
+    if (full) {
+        m_isInDock = !isWindow();
+        if (m_isInDock) setWindowFlag(Qt::Window);
+        showFullScreen();
+        setFocus();
+        return;
+    }
+    showNormal();
+    if (!std::exchange(m_isInDock, false)) return;
+    setWindowFlag(Qt::Window, false);
+    show();
+    if (QWidget* place = parentWidget(); place && place->layout()) place->layout()->activate();
 }
 
 void PanelPlayer::placeView() {
@@ -367,8 +380,8 @@ void PanelPlayer::resizeEvent(QResizeEvent*) {
 }
 
 void PanelPlayer::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_F11) return setFullScreen(!window()->isFullScreen());
-    if (event->key() == Qt::Key_Escape && window()->isFullScreen()) return setFullScreen(false);
+    if (event->key() == Qt::Key_F11) return setFullScreen(!isFullScreen());
+    if (event->key() == Qt::Key_Escape && isFullScreen()) return setFullScreen(false);
     QWidget::keyPressEvent(event);
 }
 

@@ -95,6 +95,7 @@ private:
     QString m_languageAsked;
     QMap<QString, Value> m_pressed; // momentary buttons that are down: target → value to release to
     QElapsedTimer m_refusalAge;
+    bool m_isInDock = false; // while it fills the screen: comes back into its place
 };
 
 } // namespace plc::hmi

@@ -5,6 +5,9 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
+#include <functional>
+
 namespace plc::hmi {
 
 const NamedPanel* PanelProject::find(const QString& name) const {
@@ -35,6 +38,73 @@ QString PanelProject::panelPath(const QString& name) const {
 QString PanelProject::textsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/texts.csv")); }
 QString PanelProject::alarmsPath() const { return QDir(folder).filePath(QStringLiteral("hmi/alarms.json")); }
 
+QString PanelProject::placeOf(const QString& path) const { return QDir(folder).relativeFilePath(path); }
+
+namespace {
+
+/// The bytes of a file where they can be read and `take` understands them; what is wrong replaces what was wrong with
+/// this file before.
+bool readInto(PanelProject& project, const QString& path,
+              const std::function<Result<void>(const std::string& bytes, const QString& place)>& take) {
+    const QString place = project.placeOf(path);
+    std::erase_if(project.problems, [&](const Error& each) {
+        const QString of = QString::fromStdString(each.place);
+        return of == place || of.startsWith(place + u':') || of == path;
+    });
+    if (project.disk) project.disk->forget(path);
+    const auto bytes = projects::readFile(path.toStdString());
+    Result<void> taken = bytes ? take(*bytes, place) : Result<void>(bytes.error());
+    if (!taken) project.problems.push_back(taken.error());
+    if (taken && project.disk) project.disk->taken(path, *bytes);
+    return static_cast<bool>(taken);
+}
+
+} // namespace
+
+bool PanelProject::readPanel(const QString& name) {
+    return readInto(*this, panelPath(name), [&](const std::string& bytes, const QString& place) -> Result<void> {
+        auto panel = Panel::parse(bytes, place, &problems);
+        if (!panel) return panel.error();
+        if (NamedPanel* known = find(name)) {
+            known->panel = std::move(*panel);
+            return {};
+        }
+        const auto at =
+            std::find_if(panels.begin(), panels.end(), [&](const NamedPanel& each) { return each.name > name; });
+        panels.insert(at, {name, std::move(*panel)});
+        return {};
+    });
+}
+
+bool PanelProject::readTexts() {
+    return readInto(*this, textsPath(), [&](const std::string& bytes, const QString& place) -> Result<void> {
+        auto table = TextTable::parse(bytes, place, &problems);
+        if (!table) return table.error();
+        for (const QString& tag : texts.settings().languages) table->addLanguage(tag);
+        texts.setTable(std::move(*table));
+        hasTexts = true;
+        return {};
+    });
+}
+
+bool PanelProject::readAlarms() {
+    return readInto(*this, alarmsPath(), [&](const std::string& bytes, const QString& place) -> Result<void> {
+        auto parsed = AlarmFile::parse(bytes, place, &problems);
+        if (!parsed) return parsed.error();
+        alarms = std::move(*parsed);
+        hasAlarms = true;
+        return {};
+    });
+}
+
+QStringList panelsOnDisk(const QString& folder) {
+    QStringList out;
+    for (const QString& file :
+         QDir(folder + QStringLiteral("/hmi")).entryList({QStringLiteral("*.panel.json")}, QDir::Files, QDir::Name))
+        out += file.chopped(11);
+    return out;
+}
+
 PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
@@ -42,62 +112,34 @@ PanelProject loadPanelProject(const projects::Project& project) {
     if (const auto hmi = project.json.find("hmi"); hmi != project.json.end())
         settings = LanguageSettings::fromJson(*hmi);
     out.startPanel = QString::fromStdString(project.startPanel);
-    const QDir folder(out.folder + QStringLiteral("/hmi"));
-    TextTable table;
-    if (QFileInfo::exists(out.textsPath())) {
-        const auto bytes = projects::readFile(out.textsPath().toStdString());
-        if (!bytes)
-            out.problems.push_back(bytes.error());
-        else if (auto parsed = TextTable::parse(*bytes, QStringLiteral("hmi/texts.csv"))) {
-            table = std::move(*parsed);
-            out.hasTexts = true;
-        } else {
-            out.problems.push_back(parsed.error());
-        }
-    }
-    for (const QString& tag : settings.languages) table.addLanguage(tag);
-    out.texts = TextCatalog(std::move(table), std::move(settings));
-    if (QFileInfo::exists(out.alarmsPath())) {
-        const auto bytes = projects::readFile(out.alarmsPath().toStdString());
-        if (!bytes)
-            out.problems.push_back(bytes.error());
-        else if (auto parsed = AlarmFile::parse(*bytes, QStringLiteral("hmi/alarms.json"))) {
-            out.alarms = std::move(*parsed);
-            out.hasAlarms = true;
-        } else {
-            out.problems.push_back(parsed.error());
-        }
-    }
-    for (const QString& file : folder.entryList({QStringLiteral("*.panel.json")}, QDir::Files, QDir::Name)) {
-        const auto bytes = projects::readFile(folder.filePath(file).toStdString());
-        if (!bytes) {
-            out.problems.push_back(bytes.error());
-            continue;
-        }
-        auto panel = Panel::parse(*bytes, QStringLiteral("hmi/") + file);
-        if (panel)
-            out.panels.push_back({file.chopped(11), std::move(*panel)});
-        else
-            out.problems.push_back(panel.error());
-    }
+    TextTable empty;
+    for (const QString& tag : settings.languages) empty.addLanguage(tag);
+    out.texts = TextCatalog(std::move(empty), std::move(settings));
+    if (QFileInfo::exists(out.textsPath())) out.readTexts();
+    if (QFileInfo::exists(out.alarmsPath())) out.readAlarms();
+    for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
     if (!out.find(out.startPanel) && !out.panels.empty()) out.startPanel = out.panels.front().name;
     return out;
 }
 
-Result<void> savePanel(const PanelProject& project, const NamedPanel& panel) {
+namespace {
+Result<void> write(const PanelProject& project, const QString& path, const std::string& bytes) {
     QDir(project.folder).mkpath(QStringLiteral("hmi"));
-    return projects::writeFileAtomically(project.panelPath(panel.name).toStdString(), panel.panel.write());
+    return project.disk ? project.disk->write(path, bytes) : projects::writeFileAtomically(path.toStdString(), bytes);
+}
+} // namespace
+
+Result<void> savePanel(const PanelProject& project, const NamedPanel& panel) {
+    return write(project, project.panelPath(panel.name), panel.panel.write());
 }
 
 Result<void> saveTexts(const PanelProject& project) {
-    QDir(project.folder).mkpath(QStringLiteral("hmi"));
-    return projects::writeFileAtomically(project.textsPath().toStdString(), project.texts.table().write());
+    return write(project, project.textsPath(), project.texts.table().write());
 }
 
 Result<void> saveAlarms(const PanelProject& project) {
-    QDir(project.folder).mkpath(QStringLiteral("hmi"));
-    return projects::writeFileAtomically(project.alarmsPath().toStdString(), project.alarms.write());
+    return write(project, project.alarmsPath(), project.alarms.write());
 }
 
 } // namespace plc::hmi

@@ -2,9 +2,12 @@
 // designer and the command line. A value, main thread.
 #pragma once
 #include "hmi/alarms/alarm_file.h"
+#include "hmi/player/disk_state.h"
 #include "hmi/texts/catalog.h"
 #include "hmi/view/panel_check.h"
 #include "projects/model/project.h"
+
+#include <memory>
 
 namespace plc::hmi {
 
@@ -15,7 +18,9 @@ struct PanelProject {
     TextCatalog texts;
     AlarmFile alarms;
     bool hasTexts = false, hasAlarms = false;
-    std::vector<Error> problems; // files that could not be read; the rest is there
+    std::vector<Error> problems; // what could not be read; the rest is there
+    /// What the files held; null: nobody minds what is written over.
+    std::shared_ptr<DiskState> disk = std::make_shared<DiskState>();
 
     const NamedPanel* find(const QString& name) const;
     NamedPanel* find(const QString& name);
@@ -24,10 +29,20 @@ struct PanelProject {
     QString panelPath(const QString& name) const;
     QString textsPath() const;
     QString alarmsPath() const;
+    /// The place of a file in findings: "hmi/main.panel.json".
+    QString placeOf(const QString& path) const;
+
+    // A file as it is on disk now, in the place of what is here. False: it is gone or could not be understood, which
+    // is among the problems then, and what is here stays.
+    bool readPanel(const QString& name);
+    bool readTexts();
+    bool readAlarms();
 };
 
+/// The panels in the folder, by name.
+QStringList panelsOnDisk(const QString& folder);
 PanelProject loadPanelProject(const projects::Project& project);
-/// Writes only files whose bytes changed.
+/// Write only files whose bytes changed, and none that another program has changed since it was read.
 Result<void> savePanel(const PanelProject& project, const NamedPanel& panel);
 Result<void> saveTexts(const PanelProject& project);
 Result<void> saveAlarms(const PanelProject& project);

@@ -4,10 +4,13 @@
 
 #include <QRegularExpression>
 
+#include <limits>
+#include <optional>
+
 namespace plc::hmi {
 
-Result<TextTable> TextTable::parse(const std::string& bytes, const QString& place) {
-    Result<CsvTable> csv = parseCsv(bytes, place);
+Result<TextTable> TextTable::parse(const std::string& bytes, const QString& place, std::vector<Error>* problems) {
+    Result<CsvTable> csv = problems ? parseDamagedCsv(bytes, place) : parseCsv(bytes, place);
     if (!csv) return csv.error();
     const auto fail = [&](int line, Message message) {
         return Error{std::move(message), (place + u':' + QString::number(line)).toStdString()};
@@ -24,25 +27,51 @@ Result<TextTable> TextTable::parse(const std::string& bytes, const QString& plac
         if (table.columnOf(tag) >= 0) return fail(1, errors::LanguageTwice(toUtf8(tag)));
         table.m_tags += tag;
     }
+    std::vector<Error> found;
+    auto damage = csv->damaged.begin();
+    const auto keepDamageBefore = [&](int line) {
+        for (; damage != csv->damaged.end() && damage->line < line; ++damage) {
+            found.push_back(damage->error);
+            table.m_unread.push_back({table.m_rows.size(), damage->bytes + "\r\n"});
+        }
+    };
     for (size_t i = 1; i < csv->rows.size(); ++i) {
         const QStringList& cells = csv->rows[i];
         const int line = csv->lines[i];
-        if (cells.size() > header.size()) return fail(line, errors::TooManyFields(cells.size(), header.size()));
+        keepDamageBefore(line);
         Row row{cells.value(0).trimmed(), cells.value(1), {}, line};
-        if (row.key.isEmpty()) return fail(line, errors::LineWithoutKey());
-        if (const int other = table.m_index.value(row.key, -1); other >= 0)
-            return fail(line, errors::KeyTwice(toUtf8(row.key), table.m_rows[static_cast<size_t>(other)].line));
+        const int other = table.m_index.value(row.key, -1);
+        std::optional<Error> wrong;
+        if (cells.size() > header.size())
+            wrong = fail(line, errors::TooManyFields(cells.size(), header.size()));
+        else if (row.key.isEmpty())
+            wrong = fail(line, errors::LineWithoutKey());
+        else if (other >= 0)
+            wrong = fail(line, errors::KeyTwice(toUtf8(row.key), table.m_rows[static_cast<size_t>(other)].line));
+        if (wrong) {
+            found.push_back(*wrong);
+            table.m_unread.push_back({table.m_rows.size(), writeCsvRow(cells)});
+            continue;
+        }
         for (qsizetype column = 2; column < header.size(); ++column) row.texts += cells.value(column);
         table.m_index[row.key] = static_cast<int>(table.m_rows.size());
         table.m_rows.push_back(std::move(row));
     }
+    keepDamageBefore(std::numeric_limits<int>::max());
+    if (!found.empty() && !problems) return found.front();
+    if (problems) problems->insert(problems->end(), found.begin(), found.end());
     return table;
 }
 
 std::string TextTable::write() const {
-    std::vector<QStringList> rows{QStringList{QStringLiteral("key"), QStringLiteral("comment")} + m_tags};
-    for (const Row& row : m_rows) rows.push_back(QStringList{row.key, row.comment} + row.texts);
-    return writeCsv(rows);
+    std::string out = writeCsv({QStringList{QStringLiteral("key"), QStringLiteral("comment")} + m_tags});
+    auto unread = m_unread.begin();
+    for (size_t i = 0; i < m_rows.size(); ++i) {
+        for (; unread != m_unread.end() && unread->before <= i; ++unread) out += unread->bytes;
+        out += writeCsvRow(QStringList{m_rows[i].key, m_rows[i].comment} + m_rows[i].texts);
+    }
+    for (; unread != m_unread.end(); ++unread) out += unread->bytes;
+    return out;
 }
 
 int TextTable::columnOf(const QString& tag) const {

@@ -14,8 +14,10 @@ public:
         int line = 0;      // in the file; 0 for a new one
     };
 
-    /// The header is `key,comment,<tag>…`; two rows with one key are refused with both lines.
-    static Result<TextTable> parse(const std::string& bytes, const QString& place);
+    /// The header is `key,comment,<tag>…`; two rows with one key are refused with both lines. With `problems`, such a
+    /// row costs only itself: it is named there and stays in the file.
+    static Result<TextTable> parse(const std::string& bytes, const QString& place,
+                                   std::vector<Error>* problems = nullptr);
     std::string write() const;
 
     const QStringList& tags() const { return m_tags; }
@@ -43,9 +45,14 @@ public:
     QString keyOfText(const QString& tag, const QString& text) const;
 
 private:
+    struct Unread {
+        size_t before = 0; // the row of this number
+        std::string bytes; // with the end of the line
+    };
     void reindex();
     QStringList m_tags;
     std::vector<Row> m_rows;
+    std::vector<Unread> m_unread; // lines of the file that are no rows of ours
     QHash<QString, int> m_index;
 };
 

@@ -252,7 +252,8 @@ void CodeModel::addTestWords(const std::string& pou, std::vector<CompletionItem>
          {std::pair("RUN", "lets time pass: RUN T#1s; RUN 3 SCANS; RUN UNTIL a FOR T#5s"),
           std::pair("ASSERT", "must be TRUE: ASSERT a = b, 'why'"),
           std::pair("FORCE", "holds a value: FORCE a := TRUE"), std::pair("RELEASE", "ends a FORCE"),
-          std::pair("COMPARE", "with a recording: COMPARE 'name'")})
+          std::pair("COMPARE", "with a recording: COMPARE 'name'"),
+          std::pair("POWER_OFF", "the controller's power fails, the plant goes on: POWER_OFF T#5s")})
         items.push_back({word, "", summary, ItemKind::Keyword, 1});
     const auto& program = m_checked.analysis->program;
     if (!program) return;

@@ -75,13 +75,16 @@ void Session::State::run() {
 }
 
 void Session::State::drain() {
-    while (!deferred.empty()) {
-        Command command = std::move(deferred.front());
-        deferred.pop_front();
-        command.run();
-        sharedIsStale = true;
-    }
-    while (std::optional<Command> command = commands.pop()) {
+    leaveAskedAt = 0;
+    for (;;) { // a command may itself defer others
+        std::optional<Command> command;
+        if (!deferred.empty()) {
+            command = std::move(deferred.front());
+            deferred.pop_front();
+        } else {
+            command = commands.pop();
+        }
+        if (!command) break;
         command->run();
         sharedIsStale = true;
     }
@@ -90,6 +93,19 @@ void Session::State::drain() {
         sharedIsStale = true;
     }
     state.store(controller.state(), std::memory_order_relaxed);
+}
+
+bool Session::State::leavesLongScan() {
+    constexpr int64_t kPatience = 200'000'000; // an ordinary scan is over by then
+    if (!isQueueing.load(std::memory_order_relaxed)) return false;
+    bool isAsked = isQuitting.load(std::memory_order_acquire);
+    while (std::optional<Command> command = commands.pop()) {
+        isAsked = isAsked || command->when == When::Leave;
+        deferred.push_back(std::move(*command));
+    }
+    const int64_t now = wallNow();
+    if (isAsked && leaveAskedAt == 0) leaveAskedAt = now;
+    return leaveAskedAt != 0 && now - leaveAskedAt >= kPatience;
 }
 
 void Session::State::anchor(int64_t now) {
@@ -122,7 +138,7 @@ void Session::State::scanFast() {
     const int64_t last = std::max<int64_t>(lastScanNs.load(std::memory_order_relaxed), 100);
     const auto batch = std::clamp<int64_t>(1'000'000 / last, 1, 256);
     int64_t done = 0;
-    while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() &&
+    while (done < batch && controller.state() == PlcState::Running && commands.isEmpty() && deferred.empty() &&
            !isQuitting.load(std::memory_order_relaxed)) {
         if (!writes.isEmpty()) writes.apply(controller, true, newRefusals);
         (void)controller.scan();
@@ -271,6 +287,14 @@ void Session::State::scanFinished(std::span<const std::byte> image, uint64_t sca
     if (settings.record) history.append(image, scan, at, controller.dirtyPages());
     scans.store(scan + 1, std::memory_order_relaxed);
     time.store(at.count(), std::memory_order_relaxed);
+}
+
+void Session::State::outsideActed(const image::Outside& outside) {
+    if (settings.record) history.outsideActed(outside);
+}
+
+void Session::State::actedWhileHalted(std::span<const image::OutsideNote> notes) {
+    if (settings.record) history.actedWhileHalted(notes);
 }
 
 void Session::State::programChanged(std::shared_ptr<const image::CompiledProgram> program) {

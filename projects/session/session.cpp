@@ -3,6 +3,7 @@
 #include "projects/session/session_state.h"
 #include "runtime/base/assert.h"
 #include "runtime/base/messages.h"
+#include "runtime/controller/leave_hook.h"
 #include "runtime/controller/retain.h"
 #include "runtime/debug/frames.h"
 
@@ -17,6 +18,7 @@ Session::State::State(driver::Built first, Settings s)
     : settings(std::move(s)), history(settings.historyBudget), controller(first.program, settings.controller) {
     adopt(std::make_shared<const driver::Built>(std::move(first)));
     loadRetained();
+    controller::setLeaveHook(controller, [this] { return leavesLongScan(); });
     controller.addObserver(*this);
     state.store(controller.state());
 }
@@ -30,7 +32,8 @@ void Session::State::adopt(std::shared_ptr<const driver::Built> built) {
     if (!built->input) return;
     std::vector<std::pair<std::string, std::string>> sources;
     for (const driver::SourceFile& file : built->input->files) sources.emplace_back(file.path, file.text);
-    history.describeProgram(built->program, std::move(sources), driver::recordedSettings(*built->input));
+    history.describeProgram(built->program, std::move(sources), driver::recordedSettings(*built->input),
+                            driver::libraryTexts(*built->input));
 }
 
 void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
@@ -54,7 +57,9 @@ void Session::State::optimise(std::shared_ptr<const driver::Built> built) {
 Session::Session(driver::Built built, Settings settings)
     : m(std::make_unique<State>(std::move(built), std::move(settings))) {}
 
-Session::~Session() {
+Session::~Session() { end(); }
+
+void Session::end() {
     m->isQuitting.store(true, std::memory_order_release);
     m->wakeUp.signal();
     if (m->thread.joinable()) m->thread.join();
@@ -62,6 +67,7 @@ Session::~Session() {
     if (const auto work = optimising()) work->cancel();
     m->worker.reset();
     if (m->lastRetainScan != m->controller.nextScan() && !m->settings.retainFile.empty()) (void)saveRetained();
+    m->settings.retainFile.clear(); // another session writes it from now on
 }
 
 const driver::Built& Session::built() const { return *m->current.load(std::memory_order_acquire); }
@@ -192,17 +198,18 @@ void Session::reset(controller::ResetKind kind) {
     m->post(When::Leave, [s = m.get(), kind] { s->controller.reset(kind); });
 }
 
-void Session::write(std::string path, types::Value value) {
-    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)]() mutable {
-        s->writes.write(std::move(path), std::move(value));
-        if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
-    });
+void Session::write(std::string path, types::Value value, std::string origin) {
+    m->post(When::Now,
+            [s = m.get(), path = std::move(path), value = std::move(value), origin = std::move(origin)]() mutable {
+                s->writes.write(std::move(path), std::move(value), std::move(origin));
+                if (!s->isQueueing.load()) s->writes.apply(s->controller, false, s->newRefusals);
+            });
 }
 
-void Session::press(std::string path, types::Value pressed, types::Value released) {
+void Session::press(std::string path, types::Value pressed, types::Value released, std::string origin) {
     m->post(When::Now, [s = m.get(), path = std::move(path), pressed = std::move(pressed),
-                        released = std::move(released)]() mutable {
-        s->writes.press(std::move(path), std::move(pressed), std::move(released));
+                        released = std::move(released), origin = std::move(origin)]() mutable {
+        s->writes.press(std::move(path), std::move(pressed), std::move(released), std::move(origin));
         if (!s->isQueueing.load())
             s->writes.apply(s->controller, s->controller.state() == PlcState::Running, s->newRefusals);
     });
@@ -216,9 +223,11 @@ void Session::release(std::string path) {
     });
 }
 
-void Session::force(std::string path, types::Value value) {
-    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value)] {
+void Session::force(std::string path, types::Value value, std::string origin) {
+    m->post(When::Now, [s = m.get(), path = std::move(path), value = std::move(value), origin = std::move(origin)] {
+        s->controller.actFor(origin);
         if (const Result<void> done = s->controller.force(path, value); !done) s->newRefusals.push_back(done.error());
+        s->controller.actFor({});
     });
 }
 

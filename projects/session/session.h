@@ -58,7 +58,9 @@ struct Settings {
 class Session {
 public:
     explicit Session(driver::Built built, Settings settings = {});
-    ~Session(); // stops the scan thread
+    ~Session(); // ends it
+    /// Stops the scan thread and writes what is retained; what was recorded can still be read. It cannot run again.
+    void end();
 
     [[nodiscard]] const driver::Built& built() const;
     [[nodiscard]] std::shared_ptr<const image::CompiledProgram> program() const;
@@ -82,11 +84,12 @@ public:
     void singleScan();
     void stop();
     void reset(controller::ResetKind kind);
-    void write(std::string path, types::Value value);
+    /// `origin`: who it comes from, in words ("panel Main, button Start"); the journal keeps it.
+    void write(std::string path, types::Value value, std::string origin = {});
     /// Momentary button: released no earlier than after every cyclic task ran once with the press.
-    void press(std::string path, types::Value pressed, types::Value released);
+    void press(std::string path, types::Value pressed, types::Value released, std::string origin = {});
     void release(std::string path);
-    void force(std::string path, types::Value value);
+    void force(std::string path, types::Value value, std::string origin = {});
     void unforce(std::string path);
     void unforceAll();
     [[nodiscard]] std::vector<controller::Forced> forces() const;

@@ -73,7 +73,8 @@ struct Session::State final : controller::ScanObserver {
     std::vector<debug::Breakpoint> breakpoints; // as last set
     std::unique_ptr<debug::Debugger> debugger;
     WriteQueue writes;
-    std::deque<Command> deferred; // posted while halted, for the boundary
+    std::deque<Command> deferred; // posted while halted or in a long scan, for the boundary
+    int64_t leaveAskedAt = 0;     // in a long scan: since when a stop is waiting; 0 = none is
     RunMode mode;
     int64_t wallAnchor = 0, plcAnchor = 0; // real time: this wall time is that PLC time
     double anchoredFactor = 0;
@@ -96,6 +97,8 @@ struct Session::State final : controller::ScanObserver {
 
     void run();
     void drain();
+    /// Asked in the middle of a long scan: whether a stop, reset or the end has waited long enough for its end.
+    [[nodiscard]] bool leavesLongScan();
     void scanInRealTime(int64_t now, double factor);
     void scanFast();
     void afterScans(int64_t begin, int64_t end);
@@ -118,6 +121,8 @@ struct Session::State final : controller::ScanObserver {
     void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) override;
     void programChanged(std::shared_ptr<const image::CompiledProgram> program) override;
     void eventHappened(const controller::Event& event) override;
+    void outsideActed(const image::Outside& outside) override;
+    void actedWhileHalted(std::span<const image::OutsideNote> notes) override;
 
     int64_t lastRetainSave = 0; // worker
     uint64_t lastRetainScan = 0;

@@ -8,6 +8,14 @@ namespace {
 constexpr size_t kKeptVersions = 4, kCachedExpressions = 4096;
 }
 
+driver::BuildInput recordedInput(const history::History::Sources& sources) {
+    driver::BuildInput input;
+    for (const auto& [path, text] : sources.files) input.files.push_back({path, text});
+    driver::setRecordedSettings(input, sources.libraries);
+    input.libraryTexts = sources.libraryTexts;
+    return input;
+}
+
 void Versions::add(std::shared_ptr<const driver::Built> built) {
     const std::lock_guard lock(m_mutex);
     m_versions.push_back(std::move(built));

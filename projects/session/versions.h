@@ -10,6 +10,9 @@
 
 namespace plc::session {
 
+/// What a program of a recording is built from: the recorded texts, the libraries' included (D19).
+[[nodiscard]] driver::BuildInput recordedInput(const history::History::Sources& sources);
+
 class Versions {
 public:
     void add(std::shared_ptr<const driver::Built> built);

@@ -77,13 +77,16 @@ bool WriteQueue::carryOut(Request& request, controller::Controller& controller, 
         if (held == m_held.end()) return true; // the press was refused
         if (areScansComing && !allRanSince(held->runs, controller.cyclicRuns())) return false;
         value = held->released;
+        request.origin = held->origin;
     }
     if (held != m_held.end()) m_held.erase(held);
+    controller.actFor(request.origin);
     const Result<void> done = controller.write(request.path, value);
+    controller.actFor({});
     if (!done)
         refusals.push_back(done.error());
     else if (request.kind == Kind::Press)
-        m_held.push_back({request.path, request.place, request.released, controller.cyclicRuns()});
+        m_held.push_back({request.path, request.place, request.released, request.origin, controller.cyclicRuns()});
     return true;
 }
 

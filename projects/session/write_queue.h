@@ -9,13 +9,14 @@ namespace plc::session {
 
 class WriteQueue {
 public:
-    void write(std::string path, types::Value value) {
-        m_fresh.push_back({Kind::Write, std::move(path), {}, std::move(value), {}});
+    void write(std::string path, types::Value value, std::string origin = {}) {
+        m_fresh.push_back({Kind::Write, std::move(path), {}, std::move(value), {}, std::move(origin)});
     }
-    void press(std::string path, types::Value pressed, types::Value released) {
-        m_fresh.push_back({Kind::Press, std::move(path), {}, std::move(pressed), std::move(released)});
+    void press(std::string path, types::Value pressed, types::Value released, std::string origin = {}) {
+        m_fresh.push_back(
+            {Kind::Press, std::move(path), {}, std::move(pressed), std::move(released), std::move(origin)});
     }
-    void release(std::string path) { m_fresh.push_back({Kind::Release, std::move(path), {}, {}, {}}); }
+    void release(std::string path) { m_fresh.push_back({Kind::Release, std::move(path), {}, {}, {}, {}}); }
     [[nodiscard]] bool isEmpty() const { return m_fresh.empty() && m_lanes.empty(); }
     /// At a scan boundary: carries out what may be. `areScansComing`: else nothing has to wait. Refusals go to
     /// `refusals`.
@@ -28,6 +29,7 @@ private:
         std::string path;
         image::Place place;
         types::Value value, released;
+        std::string origin;
     };
     /// Requests to one variable, or to variables that share bytes.
     struct Lane {
@@ -39,6 +41,7 @@ private:
         std::string path;
         image::Place place;
         types::Value released;
+        std::string origin;
         std::vector<uint64_t> runs; // of the cyclic tasks at the press
     };
     void sortIn(const image::Layout& layout, Request request, std::vector<Error>& refusals);

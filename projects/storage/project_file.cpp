@@ -1,5 +1,6 @@
 #include "projects/storage/project_file.h"
 
+#include "projects/storage/leftovers.h"
 #include "runtime/base/messages.h"
 #include "runtime/base/read_json.h"
 #include "runtime/base/text.h"
@@ -42,7 +43,7 @@ Result<void> writeFileAtomically(const std::string& path, std::string_view conte
     // A link is followed, so that the file it names is exchanged and the link stays.
     std::error_code ignored;
     const fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : fs::path(path);
-    const std::string temporary = target.string() + ".saving-" + std::to_string(::getpid());
+    const std::string temporary = nameWhileSaving(target.string());
     const auto fail = [&](const auto& what) -> Error {
         const int code = errno;
         ::unlink(temporary.c_str());
@@ -168,6 +169,7 @@ std::vector<std::string> readCompanions(const std::string& folder) {
 namespace {
 
 Result<Project> openFolder(const fs::path& folder) {
+    removeLeftovers(folder.string());
     Project project;
     project.folder = fs::absolute(folder).lexically_normal().string();
     if (project.folder.size() > 1 && project.folder.ends_with('/')) project.folder.pop_back();

@@ -1,4 +1,5 @@
 #include "projects/testing/interpreter.h"
+#include "projects/session/versions.h"
 
 #include "runtime/base/messages.h"
 #include "runtime/base/text.h"
@@ -60,6 +61,15 @@ std::optional<Value> Interpreter::evaluate(const Expr* expression, const Stmt& a
     return outcome.value;
 }
 
+std::optional<int64_t> Interpreter::wholeNumber(const Expr* expression, const Stmt& at,
+                                                const messages::TypedForm<messages::Name>& otherwise) {
+    const auto value = evaluate(expression, at);
+    if (!value) return std::nullopt;
+    if (const auto* number = std::get_if<int64_t>(&value->data)) return *number;
+    fail(at, otherwise(std::string(textOf(expression))));
+    return std::nullopt;
+}
+
 std::optional<bool> Interpreter::condition(const Expr* expression, const Stmt& at) {
     const auto value = evaluate(expression, at);
     if (!value) return std::nullopt;
@@ -107,6 +117,8 @@ Interpreter::Flow Interpreter::statement(const Stmt& at) {
         return runScans(at);
     case StmtKind::Compare:
         return compare(at);
+    case StmtKind::PowerOff:
+        return powerOff(at);
     case StmtKind::If:
         return branches(at);
     case StmtKind::Case:
@@ -216,18 +228,19 @@ Interpreter::Flow Interpreter::loop(const Stmt& at) {
 Interpreter::Flow Interpreter::countedLoop(const Stmt& at) {
     controller::Controller& controller = m_session.controller();
     const std::string path = pathOf(textOf(at.target));
-    const auto from = evaluate(at.from, at), to = evaluate(at.to, at);
+    const auto from = wholeNumber(at.from, at, errors::NotAWholeNumber),
+               to = wholeNumber(at.to, at, errors::NotAWholeNumber);
     if (!from || !to) return Flow::Stop;
     int64_t step = 1;
     if (at.by) {
-        const auto by = evaluate(at.by, at);
+        const auto by = wholeNumber(at.by, at, errors::NotAWholeNumber);
         if (!by) return Flow::Stop;
-        step = by->integer();
+        step = *by;
     }
     if (step == 0) return fail(at, errors::LoopStepZero());
     const auto place = controller.program().layout.find(path);
     if (!place) return fail(at, place.error().message);
-    for (int64_t i = from->integer(); step > 0 ? i <= to->integer() : i >= to->integer(); i += step) {
+    for (int64_t i = *from; step > 0 ? i <= *to : i >= *to; i += step) {
         if (auto written = controller.write(path, Value{place->type, i}); !written)
             return fail(at, written.error().message);
         const Flow flow = block(at.body);
@@ -259,15 +272,15 @@ bool Interpreter::oneScan(const Stmt& at) {
 Interpreter::Flow Interpreter::runScans(const Stmt& at) {
     controller::Controller& controller = m_session.controller();
     if (at.countsScans) {
-        const auto count = evaluate(at.to, at);
+        const auto count = wholeNumber(at.to, at, errors::NotAScanCount);
         if (!count) return Flow::Stop;
-        for (int64_t i = 0; i < count->integer(); ++i)
+        for (int64_t i = 0; i < *count; ++i)
             if (!oneScan(at)) return Flow::Stop;
         return Flow::Next;
     }
-    const auto length = evaluate(at.to, at);
+    const auto length = wholeNumber(at.to, at, errors::NotATime);
     if (!length) return Flow::Stop;
-    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(length->integer());
+    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(*length);
     if (!at.value) {
         while (controller.nextDue() < end)
             if (!oneScan(at)) return Flow::Stop;
@@ -279,8 +292,22 @@ Interpreter::Flow Interpreter::runScans(const Stmt& at) {
         if (!oneScan(at)) return Flow::Stop;
         if (until->isTrue(controller.image())) return Flow::Next;
     }
-    return fail(at, errors::NotTrueWithin(textOf(at.value), types::durationText(length->integer())),
-                explain(*at.value));
+    return fail(at, errors::NotTrueWithin(textOf(at.value), types::durationText(*length)), explain(*at.value));
+}
+
+/// The controller is without power for a time: its outputs fall, the plant goes on, and retained variables are what is
+/// left when it starts again. (The test's own variables are retained.)
+Interpreter::Flow Interpreter::powerOff(const Stmt& at) {
+    controller::Controller& controller = m_session.controller();
+    const auto length = wholeNumber(at.to, at, errors::NotATime);
+    if (!length) return Flow::Stop;
+    controller.stop();
+    const controller::Nanoseconds end = controller.nextDue() + controller::Nanoseconds(*length);
+    while (controller.nextDue() < end)
+        if (!oneScan(at)) return Flow::Stop;
+    controller.reset(controller::ResetKind::Warm);
+    controller.start();
+    return Flow::Next;
 }
 
 /// "Main.n is 3, expected 5" for a comparison, the operands' values for anything else.
@@ -335,13 +362,8 @@ Interpreter::Flow Interpreter::compare(const Stmt& at) {
     if (m_project.folder.empty()) // beside the loose file
         file = (std::filesystem::path(m_program.testSources()[at.range.file].path()).parent_path() / name).string();
     if (!file.ends_with(".rec")) file += ".rec";
-    const auto rebuild =
-        [](const std::vector<std::pair<std::string, std::string>>& sources,
-           const std::vector<std::string>& libraries) -> std::shared_ptr<const image::CompiledProgram> {
-        driver::BuildInput input;
-        for (const auto& [path, text] : sources) input.files.push_back({path, text});
-        driver::setRecordedSettings(input, libraries);
-        return driver::build(input).program;
+    const auto rebuild = [](const history::History::Sources& sources) -> std::shared_ptr<const image::CompiledProgram> {
+        return driver::build(session::recordedInput(sources)).program;
     };
     const auto loaded = history::History::load(file, rebuild);
     if (!loaded) return fail(at, errors::withPlace(loaded.error()));

@@ -1,5 +1,5 @@
-// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE and RELEASE act, everything else runs as
-// compiled code. One thread; one object per test.
+// Carries out one TEST: RUN moves the virtual clock, ASSERT looks, FORCE, RELEASE and POWER_OFF act, everything else
+// runs as compiled code. One thread; one object per test.
 #pragma once
 #include "projects/session/session.h"
 #include "projects/testing/test_program.h"
@@ -30,11 +30,15 @@ private:
     Flow assign(const syntax::Stmt& statement, bool isForce);
     Flow releaseForce(const syntax::Stmt& statement);
     Flow compare(const syntax::Stmt& statement);
+    Flow powerOff(const syntax::Stmt& statement);
 
     [[nodiscard]] std::string_view textOf(const syntax::Expr* expression) const;
     /// Compiles and evaluates; a failure of the test when there is no value.
     [[nodiscard]] std::optional<types::Value> evaluate(const syntax::Expr* expression, const syntax::Stmt& at);
     [[nodiscard]] Result<expression::Expression> compile(std::string_view text);
+    /// As evaluate; when it is not an integer or time, the test fails with what `otherwise` says.
+    [[nodiscard]] std::optional<int64_t> wholeNumber(const syntax::Expr* expression, const syntax::Stmt& at,
+                                                     const messages::TypedForm<messages::Name>& otherwise);
     [[nodiscard]] std::optional<bool> condition(const syntax::Expr* expression, const syntax::Stmt& at);
     [[nodiscard]] std::string
     pathOf(std::string_view target) const; // a variable of the test gets its instance in front

@@ -43,6 +43,7 @@ bool isCarriedOutHere(const Stmt& statement) {
     case StmtKind::Force:
     case StmtKind::Release:
     case StmtKind::Compare:
+    case StmtKind::PowerOff:
         return true;
     case StmtKind::Assign:
         return statement.op == lex::TokenKind::Assign && isPlainPath(statement.target) && !needsCode(statement.value) &&
@@ -132,7 +133,7 @@ void TestProgram::planTest(const syntax::TestDecl& test, size_t file) {
     text += "END_FUNCTION_BLOCK\n";
     m_assertions = 0;
     planStatements(test.body, text, planned.block, file);
-    text += "VAR_GLOBAL {attribute 'hide'} " + planned.instance + " : " + planned.block + "; END_VAR\n";
+    text += "VAR_GLOBAL RETAIN {attribute 'hide'} " + planned.instance + " : " + planned.block + "; END_VAR\n";
     m_tests.push_back(planned);
 }
 

@@ -102,6 +102,9 @@ Result<Report> runTests(const projects::Project& project, const Options& options
     for (const PlannedTest& test : program.tests()) {
         if (!goesOn(options.watched, begun++ / static_cast<double>(program.tests().size()))) break;
         if (!isWanted(test.title, options.filter)) continue;
+        if (!options.titles.empty() &&
+            std::find(options.titles.begin(), options.titles.end(), test.title) == options.titles.end())
+            continue;
         const auto begin = std::chrono::steady_clock::now();
         session::Session session(built, {});
         if (options.coverage) coverage.attach(session.controller());

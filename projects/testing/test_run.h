@@ -54,7 +54,8 @@ struct Report {
 };
 
 struct Options {
-    std::string filter; // substring of the title, without case; * and ? as in file names
+    std::string filter;              // substring of the title, without case; * and ? as in file names
+    std::vector<std::string> titles; // only those; empty = all
     bool coverage = false;
     bool colours = false;
     std::string recordingFolder; // where a failing test leaves its recording; empty = none

@@ -14,20 +14,13 @@ Controller::Controller(std::shared_ptr<const image::CompiledProgram> program, Se
     : m(std::make_unique<State_>(settings)) {
     State_* state = m.get();
     m->exit.self = state;
-    m->exit.refill = [](void* self) {
-        auto& s = *static_cast<State_*>(self);
-        // Virtual time: the budget of the whole task run was given at once. Real time: look at the clock every now and
-        // then.
-        if (!s.isRealTime || s.clock->nowNs() - s.taskStart >
-                                 s.watchdogNs() * std::max<uint32_t>(1, s.task ? s.task->watchdogSensitivity : 1))
-            return false;
-        s.context->loopBudget = 100'000;
-        return true;
-    };
+    m->exit.refill = [](void* self) { return static_cast<State_*>(self)->refill(); };
     m->exit.atSite = [](void* self, uint32_t site, uint32_t instance, uint32_t frame) {
         auto& s = *static_cast<State_*>(self);
         if (!s.hook) return true;
         const int64_t begin = s.clock->nowNs();
+        s.siteNow = site;
+        s.instanceNow = instance;
         s.hook(site, instance, frame);
         s.taskStart += s.clock->nowNs() - begin; // standing at a breakpoint is not the task's time
         return !s.wantsAbandon;
@@ -83,10 +76,10 @@ void Controller::State_::setProgram(std::shared_ptr<const image::CompiledProgram
     isAllDirty = true;
     schedule.setTasks(program->tasks, settings.freewheelingInterval);
     schedule.rebase(time);
-    prepareContext(image.get());
+    prepareContext(image.get(), settings.loopBudgetPerScan);
 }
 
-void Controller::State_::prepareContext(std::byte* bytes) {
+void Controller::State_::prepareContext(std::byte* bytes, int64_t units) {
     context->image = bytes;
     context->dataBegin = sizeof(image::ImageHeader);
     context->dataEnd = program->layout.dataEnd;
@@ -98,16 +91,47 @@ void Controller::State_::prepareContext(std::byte* bytes) {
     context->currentSite = 0;
     context->fault = image::FaultCode::None;
     context->faultSite = 0;
-    context->loopBudget = isRealTime ? 100'000 : settings.loopBudgetPerScan;
+    context->loopBudget = 0;
+    budget = budgetLeft = units;
+    takePortion();
+}
+
+void Controller::State_::takePortion() {
+    constexpr int64_t kPortion = 100'000; // some milliseconds at most
+    const int64_t portion = isRealTime ? kPortion : std::min(kPortion, budgetLeft);
+    budgetLeft -= portion;
+    context->loopBudget += portion;
+}
+
+/// In virtual time all portions together are the budget, so that the watchdog comes at the same place on each machine;
+/// in real time the clock decides.
+FaultExit::Refill Controller::State_::refill() {
+    if (exit.wantsToLeave && exit.wantsToLeave()) {
+        wantsAbandon = true;
+        return FaultExit::Refill::Leave;
+    }
+    if (isRealTime) {
+        if (clock->nowNs() - taskStart > watchdogNs() * std::max<uint32_t>(1, task ? task->watchdogSensitivity : 1))
+            return FaultExit::Refill::UsedUp;
+        context->loopBudget = 0;
+        takePortion();
+        return FaultExit::Refill::GoOn;
+    }
+    while (context->loopBudget < 0 && budgetLeft > 0) takePortion();
+    return context->loopBudget < 0 ? FaultExit::Refill::UsedUp : FaultExit::Refill::GoOn;
 }
 
 const image::Code* Controller::State_::currentCode() const {
+    if (rerunCode) return rerunCode.get();
     if (!wantsQuick || !program->quick)
         if (const image::Code* optimised = program->optimised.load(std::memory_order_acquire)) return optimised;
     return program->quick.get();
 }
 
 namespace {
+
+/// Units of work for initial values: less than a scan has, because they are computed where nobody can stop them.
+constexpr int64_t kInitialBudget = 20'000'000;
 
 struct InitialiserCall {
     image::RuntimeContext* context;
@@ -159,9 +183,9 @@ bool Controller::State_::initialise(std::span<std::byte> bytes) {
         return true;
     isRealTime = false;
     task = nullptr;
-    prepareContext(bytes.data());
+    prepareContext(bytes.data(), std::min(kInitialBudget, settings.loopBudgetPerScan));
     entry = image::CallRecord{0, program->initializer, 0, program->layout.frameBegin};
-    InitialiserCall call{context.get(), start->entries[program->initializer]};
+    InitialiserCall call{context, start->entries[program->initializer]};
     const bool good = exit.run(&callInitialiser, &call);
     context->image = image.get();
     return good;
@@ -188,9 +212,11 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
     if (!has(code)) return false;
     m->isRealTime = false;
     m->task = nullptr;
-    m->prepareContext(m->image.get());
+    m->isAllDirty = true;
+    m->touch(image::OutsideKind::Function, m->program->functions[function].name);
+    m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
     m->entry = image::CallRecord{0, function, instance, m->layout().frameBegin};
-    InitialiserCall call{m->context.get(), code->entries[function], instance};
+    InitialiserCall call{m->context, code->entries[function], instance};
     if (m->exit.run(&callInitialiser, &call)) return true;
     m->enterFault(false);
     return false;
@@ -201,6 +227,7 @@ bool Controller::runFunction(uint32_t function, uint32_t instance) {
 void Controller::start() {
     if (m->state == State::Fault || m->state == State::Running) return;
     if (m->state == State::Stopped) m->firstPending = true;
+    if (!m->plcRuns()) m->touch(image::OutsideKind::Started);
     m->state = State::Running;
     m->report(EventKind::Started, {});
 }
@@ -214,6 +241,7 @@ void Controller::pause() {
 void Controller::stop() {
     if (m->state == State::Stopped || m->state == State::Fault) return;
     m->state = State::Stopped;
+    m->touch(image::OutsideKind::Stopped);
     m->makeOutputsSafe();
     m->report(EventKind::Stopped, {});
 }
@@ -258,6 +286,8 @@ void Controller::reset(ResetKind kind) {
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
     m->schedule.skip(false);
+    m->isAllDirty = true;
+    m->touch(image::OutsideKind::Reset, kind == ResetKind::Warm ? "warm" : kind == ResetKind::Cold ? "cold" : "origin");
     m->report(EventKind::Reset, kind == ResetKind::Warm   ? errors::Warm()
                                 : kind == ResetKind::Cold ? errors::Cold()
                                                           : errors::Origin());
@@ -273,55 +303,65 @@ bool Controller::scan(std::optional<Nanoseconds> at) {
         if (at->count() < instant) return true;
         instant = s.schedule.lastInstant(at->count());
     }
-    s.code = s.currentCode();
-    if (!s.code) return true;
-    s.wantsAbandon = false;
-    s.isAllDirty = s.isAllDirty || !s.code->marksWrites;
-    const bool plcRuns = s.plcRuns();
-    const bool isFirst = s.firstPending && plcRuns;
-    const uint64_t skipped = s.schedule.begin(instant, at ? at->count() : instant, isFirst);
-    if (plcRuns && !isFirst) s.skipped += skipped;
+    return s.scanAt(instant, at ? at->count() : instant);
+}
 
-    image::ImageHeader& header = s.header();
-    header.timeNs = instant;
-    header.calendarNs = s.settings.calendarStartNs + instant;
-    header.scan = s.scan;
+bool Controller::State_::scanAt(int64_t instant, int64_t at) {
+    code = currentCode();
+    if (!code) return true;
+    if (isTouched) [[unlikely]]
+        tellOutside();
+    isScanning = true;
+    wantsAbandon = false;
+    isAllDirty = isAllDirty || !code->marksWrites;
+    const bool isRunning = plcRuns();
+    const bool isFirst = firstPending && isRunning;
+    const uint64_t skipped = schedule.begin(instant, at, isFirst);
+    if (isRunning && !isFirst) this->skipped += skipped;
 
-    if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
-    if (s.schedule.hasSimulation() && !s.simulationFault) {
-        header.firstScan = s.simulationFirstPending ? 1 : 0;
-        s.simulationFirstPending = false;
-        if (!s.runTasks(true)) {
-            if (s.wantsAbandon) return s.finishScan(-1), false;
-            s.enterFault(true);
+    image::ImageHeader& head = header();
+    head.timeNs = instant - clockBack;
+    head.calendarNs = settings.calendarStartNs + instant - clockBack;
+    head.scan = scan;
+
+    if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), isRunning);
+    if (schedule.hasSimulation() && !simulationFault) {
+        head.firstScan = simulationFirstPending ? 1 : 0;
+        simulationFirstPending = false;
+        if (!runTasks(true)) {
+            if (wantsAbandon) return finishScan(-1), false;
+            enterFault(true);
         }
-    } else if (s.schedule.hasSimulation()) {
-        s.schedule.skip(true);
+    } else if (schedule.hasSimulation()) {
+        schedule.skip(true);
     }
-    s.applyForces();
+    applyForces();
     bool good = true;
-    if (plcRuns) {
-        header.firstScan = s.firstPending ? 1 : 0;
-        s.firstPending = false;
-        if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
-        good = s.runTasks(false);
-        if (!good && s.wantsAbandon) return s.finishScan(-1), false;
-        if (good) s.applyForces();
+    if (isRunning) {
+        head.firstScan = firstPending ? 1 : 0;
+        firstPending = false;
+        if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), isRunning);
+        good = runTasks(false);
+        if (!good && wantsAbandon) return finishScan(-1), false;
+        if (good) applyForces();
     } else {
-        s.schedule.skip(false);
+        schedule.skip(false);
     }
-    if (s.schedule.hasEvents()) s.schedule.sampleTriggers(s.image.get(), plcRuns);
-    s.finishScan(instant);
-    if (!good) s.enterFault(false);
+    if (schedule.hasEvents()) schedule.sampleTriggers(image.get(), isRunning);
+    finishScan(instant);
+    if (!good) enterFault(false);
     return good;
 }
 
 /// Records the scan; instant < 0: it was abandoned and does not count.
 void Controller::State_::finishScan(int64_t instant) {
+    isScanning = false;
     if (instant < 0) {
         state = State::Stopped;
         isHalted = false;
         schedule.rebase(time);
+        notesWhileHalted.clear(); // with the scan
+        touch(image::OutsideKind::Stopped, "in the middle of a scan");
         makeOutputsSafe();
         report(EventKind::Stopped, errors::InTheMiddleOfAScan());
         return;
@@ -332,6 +372,10 @@ void Controller::State_::finishScan(int64_t instant) {
     const uint64_t number = scan++;
     time = instant;
     const std::span<const std::byte> bytes = image.span();
+    if (!notesWhileHalted.empty()) {
+        for (ScanObserver* observer : observers) observer->actedWhileHalted(notesWhileHalted);
+        notesWhileHalted.clear();
+    }
     for (ScanObserver* observer : observers) observer->scanFinished(bytes, number, Nanoseconds(instant));
     std::fill(dirtyPages.begin(), dirtyPages.end(), uint8_t(0));
     isAllDirty = false;
@@ -361,8 +405,8 @@ bool Controller::State_::runTasks(bool isSimulation) {
 bool Controller::State_::runTask(TaskRun& run) {
     task = run.task;
     header().taskPeriodNs = static_cast<uint64_t>(run.interval);
-    prepareContext(image.get());
-    TaskCall call{context.get(), code, program.get(), task, &entry};
+    prepareContext(image.get(), settings.loopBudgetPerScan);
+    TaskCall call{context, code, program.get(), task, &entry};
     return exit.run(&callTask, &call);
 }
 
@@ -374,7 +418,7 @@ Fault Controller::State_::describeFault(bool isSimulation) const {
         if (isRealTime)
             f.message = errors::TaskOverWatchdog(types::durationText(watchdogNs()));
         else
-            f.message = errors::LoopBudgetExceeded(settings.loopBudgetPerScan);
+            f.message = errors::LoopBudgetExceeded(budget);
     }
     f.task = task ? task->name : std::string();
     f.calls = callPathOf(*program, *context, context->faultSite, entry);
@@ -389,6 +433,7 @@ void Controller::State_::enterFault(bool isSimulation) {
     Fault f = describeFault(isSimulation);
     if (!isSimulation) f.scan = scan - 1; // it was recorded as the last scan
     Message text = isSimulation ? errors::InSimulation(f.message) : f.message;
+    touch(image::OutsideKind::Fault, isSimulation ? "simulation" : "");
     if (isSimulation) {
         simulationFault = std::move(f);
     } else {

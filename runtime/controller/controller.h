@@ -9,6 +9,7 @@
 #include "runtime/controller/online_change_report.h"
 #include "runtime/controller/task_statistics.h"
 #include "runtime/expression/expression.h"
+#include "runtime/image/journal.h"
 #include "runtime/image/program.h"
 
 #include <chrono>
@@ -34,6 +35,10 @@ public:
     virtual void scanFinished(std::span<const std::byte> image, uint64_t scan, Nanoseconds time) = 0;
     virtual void programChanged(std::shared_ptr<const image::CompiledProgram> program) = 0;
     virtual void eventHappened(const Event& event) = 0;
+    /// Before a scan that something from outside acted on since the one before; seldom, may allocate.
+    virtual void outsideActed(const image::Outside&) {}
+    /// Before scanFinished of a scan that was written to while it stood at a breakpoint.
+    virtual void actedWhileHalted(std::span<const image::OutsideNote>) {}
 };
 
 struct Settings {
@@ -42,6 +47,23 @@ struct Settings {
     int64_t loopBudgetPerScan = 200'000'000;           // virtual time: loop passes and calls of one task run
     int64_t calendarStartNs = 946'684'800'000'000'000; // DT#2000-01-01-00:00:00
     Clock* clock = nullptr; // measures tasks and the watchdog of real time; nullptr = the machine's steady clock
+};
+
+/// A recorded scan to be made again: what it began from. `image` may be shorter than the program's (no frames).
+struct Rerun {
+    std::span<const std::byte> image;
+    const image::ScanStart* start = nullptr;
+    uint64_t scan = 0;
+    Nanoseconds instant{};
+    int64_t calendarStartNs = 0;
+    std::shared_ptr<const image::Code> code; // null: the program's own
+    /// `start` says only what does not lie in the image.
+    bool startIsPartial = false;
+    /// What acted while the scan stood at a breakpoint: carried out when the code comes to its statement for the
+    /// `occurrence`-th time (from 0). Needs code with sites.
+    std::span<const image::OutsideNote> notes;
+    uint32_t occurrence = 0;
+    Nanoseconds clockBack{}; // the program sees its clock that much earlier (what if)
 };
 
 class Controller {
@@ -118,6 +140,11 @@ public:
     /// The calls that are live now (halted or faulted), innermost first; `site` is the statement that is about to run.
     [[nodiscard]] std::vector<FaultFrame> callPath(uint32_t site) const;
     void report(EventKind kind, Message text);
+    /// Who the writes and forces that follow come from ("panel Main, button Start"), for the journal.
+    void actFor(std::string origin);
+
+    /// Makes a recorded scan again (D13), on a controller that is used for nothing else; false when it faulted.
+    bool rerun(const Rerun& rerun);
 
 private:
     struct State_;

@@ -4,6 +4,7 @@
 #include "runtime/controller/fault_exit.h"
 #include "runtime/controller/forces.h"
 #include "runtime/controller/schedule.h"
+#include "runtime/image/watch.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -30,8 +31,7 @@ private:
 };
 
 struct Controller::State_ {
-    explicit State_(Settings s)
-        : settings(s), clock(s.clock ? s.clock : &steadyClock), context(std::make_unique<image::RuntimeContext>()) {}
+    explicit State_(Settings s) : settings(s), clock(s.clock ? s.clock : &steadyClock) {}
 
     Settings settings;
     SteadyClock steadyClock;
@@ -39,7 +39,8 @@ struct Controller::State_ {
     std::shared_ptr<const image::CompiledProgram> program;
     ImageBuffer image;
     std::vector<std::byte> safeOutputs;
-    std::unique_ptr<image::RuntimeContext> context;
+    image::WatchedContext watchedContext; // watched code finds its report behind the context
+    image::RuntimeContext* context = &watchedContext.base;
     FaultExit exit;
     std::vector<uint8_t> siteFlags;
     std::vector<uint8_t> dirtyPages; // of the image, and one behind
@@ -61,18 +62,31 @@ struct Controller::State_ {
     bool wantsAbandon = false;
     bool isRealTime = false; // of this scan
 
+    // The journal: what acted from outside since the scan before.
+    bool isTouched = true;
+    bool isScanning = false;
+    uint32_t siteNow = 0, instanceNow = 0; // where the scan stands
+    std::string origin;
+    std::vector<image::OutsideNote> notes, notesWhileHalted;
+    std::shared_ptr<const image::Code> rerunCode;
+    int64_t clockBack = 0; // of a scan that is made again
+
     // The task part that runs now.
     const image::Code* code = nullptr;
     const image::Task* task = nullptr;
     image::CallRecord entry;
     int64_t taskStart = 0;
+    int64_t budget = 0, budgetLeft = 0; // units of work of this run, and behind the portion that generated code has
 
     [[nodiscard]] image::ImageHeader& header() const { return *reinterpret_cast<image::ImageHeader*>(image.get()); }
     [[nodiscard]] const image::Layout& layout() const { return program->layout; }
     [[nodiscard]] bool plcRuns() const { return state == State::Running || state == State::Paused; }
 
     void setProgram(std::shared_ptr<const image::CompiledProgram> next);
-    void prepareContext(std::byte* bytes);
+    void prepareContext(std::byte* bytes, int64_t units);
+    void takePortion();
+    /// Gives the task its next portion of work.
+    [[nodiscard]] FaultExit::Refill refill();
     /// Initial values into `bytes`; false when their code faulted (`fault` then says where).
     [[nodiscard]] bool initialise(std::span<std::byte> bytes);
     void keepSafeOutputs();
@@ -83,9 +97,19 @@ struct Controller::State_ {
     /// Runs the due tasks of plant or PLC; false when one faulted.
     [[nodiscard]] bool runTasks(bool isSimulation);
     [[nodiscard]] bool runTask(TaskRun& run);
+    /// One scan at `instant`; `at`: what the clock says.
+    bool scanAt(int64_t instant, int64_t at);
     void finishScan(int64_t instant);
     void enterFault(bool isSimulation);
     void report(EventKind kind, Message text);
+    /// Something from outside acts now.
+    void touch(image::OutsideKind kind, std::string text = {});
+    void touch(image::OutsideKind kind, const image::Place& place, std::string text = {});
+    /// Tells the observers what the scan to come begins from.
+    void tellOutside();
+    [[nodiscard]] image::ScanStart scanStart() const;
+    void actAtSites(const Rerun& wanted);
+    void act(const image::OutsideNote& note);
     void applyForces() { forces.apply(image.get(), dirtyPages); }
 
     [[nodiscard]] int64_t watchdogNs() const {

@@ -1,6 +1,7 @@
 #include "runtime/controller/fault_exit.h"
 
 #include "runtime/controller/controller.h"
+#include "runtime/controller/leave_hook.h"
 
 namespace plc::controller {
 
@@ -20,8 +21,9 @@ void fault(image::RuntimeContext* context) { exitOf(context).leave(); }
 
 void budgetUsedUp(image::RuntimeContext* context) {
     FaultExit& exit = exitOf(context);
-    if (exit.refill(exit.self)) return;
-    context->fault = image::FaultCode::Watchdog;
+    const FaultExit::Refill done = exit.refill(exit.self);
+    if (done == FaultExit::Refill::GoOn) return;
+    context->fault = done == FaultExit::Refill::Leave ? image::FaultCode::Stopped : image::FaultCode::Watchdog;
     if (context->faultSite == 0) context->faultSite = context->currentSite;
     exit.leave();
 }
@@ -35,6 +37,10 @@ void atSite(image::RuntimeContext* context, uint32_t site, uint32_t instance, ui
 }
 
 } // namespace
+
+void setLeaveHook(Controller& controller, std::function<bool()> wantsToLeave) {
+    exitOf(&controller.context()).wantsToLeave = std::move(wantsToLeave);
+}
 
 image::RuntimeSymbols runtimeSymbols() { return {&fault, &budgetUsedUp, &atSite}; }
 

@@ -4,6 +4,7 @@
 #include "runtime/image/runtime_context.h"
 
 #include <csetjmp>
+#include <functional>
 
 namespace plc::controller {
 
@@ -14,9 +15,12 @@ public:
     /// Jumps back to the innermost run().
     [[noreturn]] void leave();
 
-    void* self = nullptr; // handed to the two callbacks
-    /// Called when the loop budget is used up: true = refilled, go on.
-    bool (*refill)(void* self) = nullptr;
+    void* self = nullptr;               // handed to the callbacks
+    std::function<bool()> wantsToLeave; // asked before each refill; may be empty
+    enum class Refill : uint8_t { GoOn, UsedUp, Leave };
+    /// Called when the portion of the budget is used up: refilled, or not because there is no more or because the scan
+    /// is to be left.
+    Refill (*refill)(void* self) = nullptr;
     /// Called at a flagged statement: false = leave the scan.
     bool (*atSite)(void* self, uint32_t site, uint32_t instance, uint32_t frame) = nullptr;
 

@@ -54,6 +54,33 @@ void Forces::clear() {
     m_bytes.clear();
 }
 
+std::vector<image::ForcedBytes> Forces::patches() const {
+    std::vector<image::ForcedBytes> all;
+    for (const Patch& patch : m_patches) {
+        const std::byte* first = m_bytes.data() + patch.begin;
+        all.push_back({patch.offset,
+                       patch.size,
+                       static_cast<int16_t>(patch.bit),
+                       {},
+                       std::vector<std::byte>(first, first + patch.size)});
+    }
+    return all;
+}
+
+std::vector<image::ForcedBytes> Forces::bytes() const {
+    std::vector<image::ForcedBytes> all = patches();
+    for (size_t i = 0; i < all.size() && i < m_list.size(); ++i) all[i].path = m_list[i].path;
+    return all;
+}
+
+void Forces::setBytes(const std::vector<image::ForcedBytes>& forces) {
+    clear();
+    for (const image::ForcedBytes& forced : forces) {
+        m_patches.push_back({forced.offset, forced.size, static_cast<uint32_t>(m_bytes.size()), forced.bit});
+        m_bytes.insert(m_bytes.end(), forced.bytes.begin(), forced.bytes.end());
+    }
+}
+
 void markWritten(std::span<uint8_t> dirtyPages, uint32_t offset, uint32_t size) {
     const uint32_t last = (offset + std::max(1u, size) - 1) / image::kDirtyPage;
     for (uint32_t page = offset / image::kDirtyPage; page <= last && page < dirtyPages.size(); ++page)

@@ -1,6 +1,7 @@
 // The list of forced variables and their bytes, applied twice in each scan. Scan thread only.
 #pragma once
 #include "runtime/controller/forced.h"
+#include "runtime/image/journal.h"
 
 namespace plc::controller {
 
@@ -16,6 +17,10 @@ public:
     void set(const types::TypeTable& types, Forced forced);
     bool remove(const image::Place& place);
     void clear();
+    /// The bytes that are held, for the journal; and only those, for a scan made again from it.
+    [[nodiscard]] std::vector<image::ForcedBytes> bytes() const;
+    [[nodiscard]] std::vector<image::ForcedBytes> patches() const; // the same without paths
+    void setBytes(const std::vector<image::ForcedBytes>& forces);
     void apply(std::byte* image, std::span<uint8_t> dirtyPages) const;
     /// Finds the variables again in another program; returns the paths that are gone there.
     std::vector<std::string> rebind(const image::Layout& layout);

@@ -166,6 +166,28 @@ void Schedule::storePending(image::ImageHeader& header) const {
     }
 }
 
+Schedule::Triggers Schedule::triggers() const {
+    Triggers all;
+    uint64_t bit = 1;
+    for (const TaskRun& run : m_runs) {
+        if (!isEvent(run)) continue;
+        if (run.isPending) all.pending |= bit;
+        if (run.triggerBefore) all.before |= bit;
+        bit <<= 1;
+    }
+    return all;
+}
+
+void Schedule::setTriggers(Triggers triggers) {
+    uint64_t bit = 1;
+    for (TaskRun& run : m_runs) {
+        if (!isEvent(run)) continue;
+        run.isPending = (triggers.pending & bit) != 0;
+        run.triggerBefore = (triggers.before & bit) != 0;
+        bit <<= 1;
+    }
+}
+
 void addRun(TaskRun& run, int64_t elapsedNs) {
     TaskStatistics& s = run.statistics;
     s.lastNs = elapsedNs;

@@ -45,6 +45,12 @@ public:
     void sampleTriggers(const std::byte* image, bool plcRuns);
     void restoreTriggers(const std::byte* image); // values and pending edges of a recorded image
     void storePending(image::ImageHeader& header) const;
+    /// The same beside an image: the pending edges and the values last looked at, a bit for each event task.
+    struct Triggers {
+        uint64_t pending = 0, before = 0;
+    };
+    [[nodiscard]] Triggers triggers() const;
+    void setTriggers(Triggers triggers);
 
     [[nodiscard]] std::vector<TaskRun>& runs() { return m_runs; }
     [[nodiscard]] const std::vector<TaskRun>& runs() const { return m_runs; }

@@ -47,6 +47,7 @@ Result<void> Controller::write(image::Place place, const types::Value& value) {
     if (!fit) return fit.error();
     types::writeValue(types, place.type, *fit, m->image.span().subspan(place.offset), place.bit);
     markWritten(m->dirtyPages, place.offset, place.bit >= 0 ? 1 : types[place.type].size);
+    m->touch(image::OutsideKind::Write, place);
     return {};
 }
 
@@ -60,6 +61,7 @@ Result<void> Controller::force(std::string_view path, const types::Value& value)
     Message text = shownWrite(m->layout(), path, *fit);
     m->forces.set(types, Forced{std::string(path), *place, std::move(*fit)});
     m->applyForces();
+    m->touch(image::OutsideKind::Force, *place);
     m->report(EventKind::Force, std::move(text));
     return {};
 }
@@ -68,6 +70,7 @@ Result<void> Controller::release(std::string_view path) {
     const Result<image::Place> place = m->layout().find(path);
     if (!place) return place.error();
     if (!m->forces.remove(*place)) return Error{errors::NotForced(), std::string(path)};
+    m->touch(image::OutsideKind::Release, *place);
     m->report(EventKind::Release, errors::Plainly(path));
     return {};
 }
@@ -75,6 +78,7 @@ Result<void> Controller::release(std::string_view path) {
 void Controller::releaseAll() {
     if (m->forces.isEmpty()) return;
     m->forces.clear();
+    m->touch(image::OutsideKind::ReleaseAll);
     m->report(EventKind::Release, {});
 }
 
@@ -99,7 +103,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
         result.refusal = errors::InitialValuesFault(why.message);
         m->setProgram(oldProgram);
         m->image = std::move(old);
-        m->prepareContext(m->image.get());
+        m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
         m->schedule.restoreTriggers(m->image.get());
         return result;
     }
@@ -112,6 +116,7 @@ OnlineChangeReport Controller::changeProgram(std::shared_ptr<const image::Compil
     for (TaskRun& run : m->schedule.runs())
         run.isPending = std::find(pending.begin(), pending.end(), run.task->name) != pending.end();
     m->simulationFault.reset(); // the plant may be what was mended
+    m->touch(image::OutsideKind::OnlineChange);
     for (ScanObserver* observer : m->observers) observer->programChanged(m->program);
     m->report(EventKind::OnlineChange, {});
     return result;
@@ -131,7 +136,7 @@ void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> progra
     const size_t size = std::min<size_t>(image.size(), m->layout().dataEnd);
     std::memcpy(m->image.get(), image.data(), size);
     std::memset(m->image.get() + size, 0, m->image.span().size() - size);
-    m->prepareContext(m->image.get());
+    m->prepareContext(m->image.get(), m->settings.loopBudgetPerScan);
     m->firstPending = (m->header().reserved[2] & kFirstScanPending) != 0;
     m->simulationFirstPending = (m->header().reserved[2] & kSimulationFirstPending) != 0;
     m->fault.reset();
@@ -145,6 +150,7 @@ void Controller::resumeFrom(std::shared_ptr<const image::CompiledProgram> progra
     m->applyForces();
     m->schedule.rebase(m->time);
     m->schedule.restoreTriggers(m->image.get());
+    m->touch(image::OutsideKind::Resumed);
     m->report(EventKind::WentBack, {});
 }
 
@@ -183,6 +189,7 @@ size_t Controller::restoreRetained(std::span<const std::pair<std::string, types:
     }
     m->applyForces();
     m->schedule.restoreTriggers(m->image.get());
+    if (restored > 0) m->touch(image::OutsideKind::Retain);
     return restored;
 }
 

@@ -37,7 +37,7 @@ History::State::~State() {
 
 // ---------------------------------------------------------------- the scan thread
 
-Segment& History::State::beginSegment(uint32_t dataEnd) {
+Segment& History::State::beginSegment(uint32_t dataEnd, uint32_t journalPages) {
     auto fresh = std::make_unique<Segment>();
     fresh->number = endSegment.load(std::memory_order_relaxed);
     fresh->first = end.load(std::memory_order_relaxed);
@@ -46,10 +46,10 @@ Segment& History::State::beginSegment(uint32_t dataEnd) {
     fresh->program = program;
     fresh->calendarOffset = calendarOffset;
     fresh->keyframe = std::make_unique<std::byte[]>(size_t(fresh->blocks) * kBlock);
-    fresh->heads = std::make_unique<std::atomic<uint32_t>[]>(fresh->blocks + 1);
+    fresh->heads = std::make_unique<std::atomic<uint32_t>[]>(fresh->blocks + 2);
     const uint32_t limit = pageLimitFor(budget.load(std::memory_order_relaxed), fresh->blocks);
     writer.setPageLimit(limit);
-    fresh->pageCapacity = limit + fresh->blocks / 15 + 4; // one more scan may change every block
+    fresh->pageCapacity = limit + fresh->blocks / 15 + 6 + journalPages; // one more scan may change every block
     fresh->pages = std::make_unique<PageBytes[]>(fresh->pageCapacity);
     accountedPages = 0;
     programChanged = false;
@@ -120,7 +120,7 @@ void History::beginProgram(std::shared_ptr<const image::CompiledProgram> program
     const std::lock_guard lock(m->mutex);
     const auto known = std::find_if(m->origins.begin(), m->origins.end(),
                                     [&](const ProgramOrigin& o) { return o.program == m->program; });
-    if (known == m->origins.end()) m->origins.push_back({m->program, {}, {}});
+    if (known == m->origins.end()) m->origins.push_back({m->program, {}, {}, {}});
 }
 
 void History::beginBranch(Position parent) { m->pendingBranch = parent; }
@@ -141,11 +141,16 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
     const Position position = s.end.load(std::memory_order_relaxed);
     // The PLC's clock went back without a word: it was reset to its origin.
     if (!s.pendingBranch && s.lastTime >= now && position > 0) s.pendingBranch = kNoParent;
-    if (s.pendingBranch || s.programChanged || !s.current || calendar != s.calendarOffset || s.writer.isFull())
-        [[unlikely]] {
+    bool beginsSegment = s.isNewBeginning() || calendar != s.calendarOffset || s.writer.isFull();
+    if (!s.pendingJournal.isEmpty()) [[unlikely]] {
+        s.takeJournal(true);
+        beginsSegment = beginsSegment || s.writer.lacksRoom(State::pagesFor(s.journalBytes.size()));
+    }
+    if (beginsSegment) [[unlikely]] {
+        if (s.journalBytes.empty()) s.takeJournal(true);
         if (s.pendingBranch) s.openBranch();
         s.calendarOffset = calendar;
-        Segment& fresh = s.beginSegment(dataEnd);
+        Segment& fresh = s.beginSegment(dataEnd, State::pagesFor(s.journalBytes.size()));
         if (size_t(fresh.blocks) * kBlock > image.size()) {
             std::vector<std::byte> padded(size_t(fresh.blocks) * kBlock);
             std::memcpy(padded.data(), image.data(), std::min<size_t>(image.size(), padded.size()));
@@ -153,10 +158,14 @@ void History::append(std::span<const std::byte> image, uint64_t scan, Nanosecond
         } else {
             s.writer.begin(fresh, image.data(), scan, now);
         }
+        if (!s.journalBytes.empty()) s.writer.addJournal(0, s.journalBytes);
         s.publishSegment();
     } else {
+        if (!s.journalBytes.empty()) [[unlikely]]
+            s.writer.addJournal(s.current->count.load(std::memory_order_relaxed), s.journalBytes);
         (void)s.writer.append(image.data(), static_cast<uint32_t>(image.size()), scan, now, dirtyPages);
     }
+    s.journalBytes.clear();
     s.lastTime = now;
     s.end.store(position + 1, std::memory_order_release);
     s.account();
@@ -173,15 +182,17 @@ void History::mark(int kind, Message text, Nanoseconds time) {
 
 void History::describeProgram(std::shared_ptr<const image::CompiledProgram> program,
                               std::vector<std::pair<std::string, std::string>> sources,
-                              std::vector<std::string> libraries) {
+                              std::vector<std::string> libraries,
+                              std::vector<std::pair<std::string, std::string>> libraryTexts) {
     const std::lock_guard lock(m->mutex);
     for (ProgramOrigin& origin : m->origins) {
         if (origin.program != program) continue;
         origin.sources = std::move(sources);
         origin.libraries = std::move(libraries);
+        origin.libraryTexts = std::move(libraryTexts);
         return;
     }
-    m->origins.push_back({std::move(program), std::move(sources), std::move(libraries)});
+    m->origins.push_back({std::move(program), std::move(sources), std::move(libraries), std::move(libraryTexts)});
 }
 
 void History::setBudget(size_t bytes) { m->budget.store(bytes, std::memory_order_relaxed); }

@@ -4,9 +4,11 @@
 #pragma once
 #include "runtime/base/progress.h"
 #include "runtime/expression/expression.h"
+#include "runtime/history/journal.h"
 #include "runtime/image/program.h"
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -69,6 +71,19 @@ struct Statistics {
 /// gap.
 using Recompile = std::function<expression::Expression(const image::CompiledProgram&)>;
 
+/// What a recorded scan began from: enough to make it again (D13).
+struct ScanInput {
+    std::shared_ptr<const image::CompiledProgram> program;
+    std::vector<std::byte> image; // as long as the program's, without frames
+    image::ScanStart start;
+    /// Not all of `start` is said: pending events and first-scan flags follow from the image.
+    bool startIsPartial = true;
+    std::vector<image::OutsideNote> notes;
+    ScanStamp stamp; // of the scan itself
+    int64_t calendarStartNs = 0;
+    bool hasJournal = false; // recordings of earlier versions have none
+};
+
 class History {
 public:
     explicit History(size_t budgetBytes = size_t(256) << 20);
@@ -82,11 +97,15 @@ public:
     void append(std::span<const std::byte> image, uint64_t scan, Nanoseconds time,
                 std::span<const uint8_t> dirtyPages = {});
     void mark(int kind, Message text, Nanoseconds time);
+    /// What acted since the last scan on the one to come; before its append.
+    void outsideActed(const image::Outside& outside);
+    void actedWhileHalted(std::span<const image::OutsideNote> notes);
 
     // --- any thread
     /// What the program was built from; saved with a recording. Told before beginProgram().
     void describeProgram(std::shared_ptr<const image::CompiledProgram> program,
-                         std::vector<std::pair<std::string, std::string>> sources, std::vector<std::string> libraries);
+                         std::vector<std::pair<std::string, std::string>> sources, std::vector<std::string> libraries,
+                         std::vector<std::pair<std::string, std::string>> libraryTexts = {});
     void setBudget(size_t bytes);
     /// Versions of the program that recorded scans were made by, oldest first.
     [[nodiscard]] std::vector<std::shared_ptr<const image::CompiledProgram>> programs() const;
@@ -98,6 +117,11 @@ public:
     [[nodiscard]] std::vector<std::byte> seek(Position position,
                                               std::shared_ptr<const image::CompiledProgram>* program = nullptr) const;
     [[nodiscard]] std::optional<ScanStamp> stamp(Position position) const;
+    /// What the scan began from; an error says why that is not known any more.
+    [[nodiscard]] Result<ScanInput> inputOf(Position position) const;
+    /// The journals in [from, to), oldest first, without those that only repeat what is in force; false to stop.
+    void forEachJournal(Position from, Position to,
+                        const std::function<bool(Position, const JournalEntry&)>& visit) const;
     /// The last position at or before that PLC time on the newest branch (what was recorded between a branch's parent
     /// and its first scan does not belong to it).
     [[nodiscard]] std::optional<Position> positionAt(Nanoseconds time) const;
@@ -123,8 +147,13 @@ public:
     /// the file is as it was.
     Result<void> save(const std::string& path, Progress* progress = nullptr) const;
     /// `rebuild` compiles the sources the file holds (the history does not know the compiler).
-    using Rebuild = std::function<std::shared_ptr<const image::CompiledProgram>(
-        const std::vector<std::pair<std::string, std::string>>& sources, const std::vector<std::string>& libraries)>;
+    /// `libraryTexts` are empty in recordings of earlier versions: then those of this studio serve.
+    struct Sources {
+        std::vector<std::pair<std::string, std::string>> files; // path, text
+        std::vector<std::string> libraries;
+        std::vector<std::pair<std::string, std::string>> libraryTexts; // "toolbox/valves.st", text
+    };
+    using Rebuild = std::function<std::shared_ptr<const image::CompiledProgram>(const Sources& sources)>;
     [[nodiscard]] static Result<std::unique_ptr<History>> load(const std::string& path, const Rebuild& rebuild,
                                                                Progress* progress = nullptr);
 

@@ -2,6 +2,7 @@
 // branches, marks and the descriptions of programs change seldom and lie behind a mutex that append() never takes.
 #pragma once
 #include "runtime/base/epoch.h"
+#include "runtime/history/journal.h"
 #include "runtime/history/segment.h"
 
 #include <mutex>
@@ -14,6 +15,7 @@ struct ProgramOrigin {
     std::shared_ptr<const image::CompiledProgram> program;
     std::vector<std::pair<std::string, std::string>> sources;
     std::vector<std::string> libraries;
+    std::vector<std::pair<std::string, std::string>> libraryTexts; // "toolbox/valves.st"
 };
 
 struct History::State {
@@ -47,9 +49,18 @@ struct History::State {
         std::unique_ptr<Segment> segment;
     };
     std::vector<Retired> retired;
-    uint32_t accountedPages = 0; // of the current segment, in `bytes`
+    JournalEntry pendingJournal; // of the scan to come
+    std::optional<image::ScanStart> lastStart;
+    std::vector<std::byte> journalBytes; // of the scan that is appended
+    uint32_t accountedPages = 0;         // of the current segment, in `bytes`
 
-    Segment& beginSegment(uint32_t dataEnd);
+    Segment& beginSegment(uint32_t dataEnd, uint32_t journalPages = 0);
+    /// Pages that the journal of a scan may take.
+    [[nodiscard]] static uint32_t pagesFor(size_t journalBytes) {
+        return journalBytes == 0 ? 0 : static_cast<uint32_t>(journalBytes / (kPage / 2)) + 1;
+    }
+    [[nodiscard]] bool isNewBeginning() const { return pendingBranch || programChanged || !current; }
+    void takeJournal(bool beginsSegment);
     void publishSegment();
     void account();
     void evictOver(size_t limit);
@@ -68,6 +79,10 @@ struct History::State {
     [[nodiscard]] Position oldest() const;
     /// Replays the segment up to scan `index` into `image` (at least dataEnd bytes).
     static void restore(const Segment& segment, uint32_t index, std::byte* image);
+
+    /// The journal of scan `index`, and what was in force there.
+    [[nodiscard]] static JournalEntry journalAt(const Segment& segment, uint32_t index,
+                                                std::optional<image::ScanStart>& inForce);
 
     [[nodiscard]] std::vector<Branch> branchList() const {
         const std::lock_guard lock(mutex);

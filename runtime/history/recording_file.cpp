@@ -15,7 +15,9 @@ namespace plc::history {
 
 namespace {
 
-constexpr char kMagic[8] = {'S', 'T', 'W', 'R', 'E', 'C', '0', '1'};
+/// 01: without journal and library texts; still read.
+constexpr char kMagic[8] = {'S', 'T', 'W', 'R', 'E', 'C', '0', '2'};
+constexpr char kMagicBefore[8] = {'S', 'T', 'W', 'R', 'E', 'C', '0', '1'};
 
 uint64_t mix(uint64_t hash, const void* bytes, size_t size) {
     const auto* at = static_cast<const unsigned char*>(bytes);
@@ -120,22 +122,38 @@ private:
     bool m_isGood = true;
 };
 
+/// Index and size of the entry at `at` of that log; false when `room` bytes are too few for one.
+bool measure(const Segment& s, uint32_t log, const std::byte* at, size_t room, uint32_t& index, uint32_t& size) {
+    const auto head = [&](auto& value) {
+        if (room < sizeof value) return false;
+        std::memcpy(&value, at, sizeof value);
+        index = value.index;
+        return true;
+    };
+    if (log == s.blocks) {
+        StampEntry stamp;
+        size = sizeof stamp;
+        return head(stamp);
+    }
+    if (log == s.blocks + 1) {
+        JournalHead part;
+        if (!head(part)) return false;
+        size = static_cast<uint32_t>(sizeof part) + part.size;
+        return size <= room && part.size <= kJournalPart;
+    }
+    EntryHead change;
+    if (!head(change)) return false;
+    size = static_cast<uint32_t>(sizeof change + 4 * std::popcount(change.mask));
+    return size <= room;
+}
+
 /// A log's complete entries that lie before `count`, in one piece.
 void collectLog(const Segment& s, uint32_t log, uint32_t count, std::vector<std::byte>& out) {
     out.clear();
     LogCursor cursor(s, log);
     while (const std::byte* entry = cursor.peek()) {
-        uint32_t index = 0, size = sizeof(StampEntry);
-        if (log == s.blocks) {
-            StampEntry stamp;
-            std::memcpy(&stamp, entry, sizeof stamp);
-            index = stamp.index;
-        } else {
-            EntryHead head;
-            std::memcpy(&head, entry, sizeof head);
-            index = head.index;
-            size = static_cast<uint32_t>(sizeof head + 4 * std::popcount(head.mask));
-        }
+        uint32_t index = 0, size = 0;
+        (void)measure(s, log, entry, kPage, index, size);
         if (index >= count) return;
         out.insert(out.end(), entry, entry + size);
         cursor.skip(size);
@@ -152,7 +170,7 @@ bool writeSegment(Writer& out, const Segment& s, uint64_t program, const Progres
     out.number(s.calendarOffset);
     out.bytes(s.keyframe.get(), size_t(s.blocks) * kBlock);
     std::vector<std::byte> log;
-    for (uint32_t i = 0; i <= s.blocks; ++i) {
+    for (uint32_t i = 0; i <= s.blocks + 1; ++i) {
         if (isCancelled(progress)) return false;
         collectLog(s, i, count, log);
         out.number(static_cast<uint64_t>(log.size()));
@@ -196,6 +214,11 @@ Result<void> History::save(const std::string& path, Progress* progress) const {
         }
         out.number(static_cast<uint64_t>(origin.libraries.size()));
         for (const std::string& library : origin.libraries) out.text(library);
+        out.number(static_cast<uint64_t>(origin.libraryTexts.size()));
+        for (const auto& [name, text] : origin.libraryTexts) {
+            out.text(name);
+            out.text(text);
+        }
     }
     out.number(static_cast<uint64_t>(branches.size()));
     for (const Branch& branch : branches) {
@@ -239,23 +262,12 @@ bool restoreLog(SegmentWriter& writer, const Segment& s, uint32_t log, uint32_t 
     size_t at = 0;
     uint32_t before = 0;
     while (at < bytes.size()) {
-        uint32_t index = 0, size = sizeof(StampEntry);
-        if (log == s.blocks) {
-            if (bytes.size() - at < sizeof(StampEntry)) return false;
-            StampEntry stamp;
-            std::memcpy(&stamp, bytes.data() + at, sizeof stamp);
-            index = stamp.index;
-            if (at > 0) writer.addEntry(log, bytes.data() + at, size); // the first one was made by begin()
-        } else {
-            if (bytes.size() - at < sizeof(EntryHead)) return false;
-            EntryHead head;
-            std::memcpy(&head, bytes.data() + at, sizeof head);
-            index = head.index;
-            size = static_cast<uint32_t>(sizeof head + 4 * std::popcount(head.mask));
-            if (bytes.size() - at < size) return false;
-            writer.addEntry(log, bytes.data() + at, size);
-        }
-        if (index >= count || (at > 0 && index <= before)) return false;
+        uint32_t index = 0, size = 0;
+        if (!measure(s, log, bytes.data() + at, bytes.size() - at, index, size)) return false;
+        const bool isJournal = log == s.blocks + 1;
+        // The first stamp was made by begin().
+        if (log != s.blocks || at > 0) writer.addEntry(log, bytes.data() + at, size);
+        if (index >= count || (at > 0 && (isJournal ? index < before : index <= before))) return false;
         before = index;
         at += size;
     }
@@ -272,7 +284,9 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
     const Error cancelled{errors::Cancelled(), path}, damaged{errors::RecordingDamaged(), path};
     Reader in(file);
     char magic[sizeof kMagic];
-    if (!in.bytes(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0) return damaged;
+    if (!in.bytes(magic, sizeof magic)) return damaged;
+    const bool hasJournal = std::memcmp(magic, kMagic, sizeof magic) == 0;
+    if (!hasJournal && std::memcmp(magic, kMagicBefore, sizeof magic) != 0) return damaged;
     auto history = std::make_unique<History>(std::max<size_t>(size * 4, size_t(256) << 20));
     State& state = *history->m;
     std::vector<std::shared_ptr<const image::CompiledProgram>> programs;
@@ -289,8 +303,12 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
             origin.sources.emplace_back(std::move(name), in.text(size));
         }
         for (uint64_t i = in.count(size); i > 0 && in.isGood(); --i) origin.libraries.push_back(in.text(size));
+        for (uint64_t i = hasJournal ? in.count(size) : 0; i > 0 && in.isGood(); --i) {
+            std::string name = in.text(size);
+            origin.libraryTexts.emplace_back(std::move(name), in.text(size));
+        }
         if (!in.isGood()) return damaged;
-        origin.program = rebuild(origin.sources, origin.libraries);
+        origin.program = rebuild({origin.sources, origin.libraries, origin.libraryTexts});
         if (isCancelled(progress)) return cancelled;
         if (!origin.program) return Error{errors::RecordingNotBuilt(), path};
         if (layoutPrint(origin.program->layout) != print) return Error{errors::RecordingLayoutDiffers(), path};
@@ -329,7 +347,7 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
         state.end.store(first);
         std::vector<std::byte> keyframe((size_t(dataEnd) + kBlock - 1) / kBlock * kBlock);
         if (!in.bytes(keyframe.data(), keyframe.size())) return damaged;
-        std::vector<std::vector<std::byte>> logs(keyframe.size() / kBlock + 1);
+        std::vector<std::vector<std::byte>> logs(keyframe.size() / kBlock + (hasJournal ? 2 : 1));
         size_t total = 0;
         for (std::vector<std::byte>& log : logs) {
             log.resize(in.count(size));
@@ -337,8 +355,9 @@ Result<std::unique_ptr<History>> History::load(const std::string& path, const Re
             total += log.size();
         }
         StampEntry stamp{};
-        if (logs.back().size() < sizeof stamp) return damaged;
-        std::memcpy(&stamp, logs.back().data(), sizeof stamp);
+        const std::vector<std::byte>& stamps = logs[keyframe.size() / kBlock];
+        if (stamps.size() < sizeof stamp) return damaged;
+        std::memcpy(&stamp, stamps.data(), sizeof stamp);
         Segment& s = state.beginSegment(dataEnd);
         const auto pages = static_cast<uint32_t>(total / (kPage / 2) + s.blocks / 15 + 8);
         if (pages > s.pageCapacity) {

@@ -58,7 +58,7 @@ void SegmentWriter::begin(Segment& segment, const std::byte* bytes, uint64_t sca
     }
     if (bytes != m_shadow.get()) std::memcpy(m_shadow.get(), bytes, size);
     std::memcpy(segment.keyframe.get(), m_shadow.get(), size);
-    m_tails.assign(segment.blocks + 1, Tail{});
+    m_tails.assign(segment.blocks + 2, Tail{});
     m_pageUsed = kPage;
     segment.firstTime = time;
     m_stampIndex = kScansPerSegment; // the first stamp is always written
@@ -148,6 +148,18 @@ void SegmentWriter::stamp(uint32_t index, uint64_t scan, int64_t time) {
 void SegmentWriter::addEntry(uint32_t log, const void* bytes, uint32_t size) {
     std::memcpy(room(log, size), bytes, size);
     publish(log, size);
+}
+
+void SegmentWriter::addJournal(uint32_t index, std::span<const std::byte> entry) {
+    std::byte part[sizeof(JournalHead) + kJournalPart];
+    do {
+        const size_t size = std::min<size_t>(entry.size(), kJournalPart);
+        const JournalHead head{index, static_cast<uint16_t>(size), size == entry.size()};
+        std::memcpy(part, &head, sizeof head);
+        std::memcpy(part + sizeof head, entry.data(), size);
+        addEntry(m_segment->blocks + 1, part, static_cast<uint32_t>(sizeof head + size));
+        entry = entry.subspan(size);
+    } while (!entry.empty());
 }
 
 void SegmentWriter::replaceFirstStamp(const StampEntry& stamp) {

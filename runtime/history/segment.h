@@ -50,6 +50,14 @@ struct StampEntry {
     uint32_t unused;
 };
 
+/// A part of the journal of scan `index`, in a log of its own behind the stamps; `size` bytes follow.
+struct JournalHead {
+    uint32_t index;
+    uint16_t size;
+    uint16_t isLast;
+};
+inline constexpr uint32_t kJournalPart = 4000;
+
 struct Segment {
     uint64_t number = 0;
     Position first = 0;
@@ -57,7 +65,7 @@ struct Segment {
     int64_t firstTime = 0, calendarOffset = 0;
     std::shared_ptr<const image::CompiledProgram> program;
     std::unique_ptr<std::byte[]> keyframe;          // blocks × 64 bytes
-    std::unique_ptr<std::atomic<uint32_t>[]> heads; // first chunk of each block's log; [blocks]: the stamps
+    std::unique_ptr<std::atomic<uint32_t>[]> heads; // first chunk of each block's log; then stamps, journal
     std::unique_ptr<PageBytes[]> pages;
     uint32_t pageCapacity = 0;
     uint32_t pageCount = 0;         // writer
@@ -78,7 +86,13 @@ public:
     [[nodiscard]] bool append(const std::byte* image, uint32_t imageSize, uint64_t scan, int64_t time,
                               std::span<const uint8_t> dirtyPages);
     [[nodiscard]] bool isFull() const;
+    /// A journal of so many pages could not be kept behind what a scan may change.
+    [[nodiscard]] bool lacksRoom(uint32_t journalPages) const {
+        return m_segment->pageCount + journalPages + m_segment->blocks / 15 + 4 > m_segment->pageCapacity;
+    }
     void setPageLimit(uint32_t pages) { m_pageLimit = pages; }
+    /// The journal of scan `index`, before that scan is published.
+    void addJournal(uint32_t index, std::span<const std::byte> entry);
     /// For loading: one entry as it was written.
     void addEntry(uint32_t log, const void* bytes, uint32_t size);
     /// For loading, before anyone reads: begin() had to guess the step of the clock.

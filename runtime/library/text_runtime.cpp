@@ -8,6 +8,7 @@
 #include <cstring>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace plc::library {
 namespace {
@@ -152,9 +153,25 @@ uint8_t replace(C* to, uint32_t capacity, View<C> a, View<C> b, int64_t length, 
     return spot.isInside;
 }
 
+/// Knuth, Morris and Pratt: no longer than both texts together, whatever they hold.
+template <class C> size_t findInLong(View<C> a, View<C> b) {
+    std::vector<uint32_t> matched(b.size(), 0); // characters of b that are known to stand before a mismatch
+    for (uint32_t i = 1, known = 0; i < b.size(); ++i) {
+        while (known > 0 && b[i] != b[known]) known = matched[known - 1];
+        matched[i] = known += b[i] == b[known] ? 1 : 0;
+    }
+    for (size_t i = 0, known = 0; i < a.size(); ++i) {
+        while (known > 0 && a[i] != b[known]) known = matched[known - 1];
+        if (a[i] == b[known]) ++known;
+        if (known == b.size()) return i + 1 - known;
+    }
+    return View<C>::npos;
+}
+
 template <class C> uint32_t find(View<C> a, View<C> b) {
-    if (b.empty()) return 0;
-    const size_t at = a.find(b);
+    constexpr size_t kShort = 1 << 16; // comparisons at the worst
+    if (b.empty() || b.size() > a.size()) return 0;
+    const size_t at = a.size() * b.size() <= kShort ? a.find(b) : findInLong(a, b);
     return at == View<C>::npos ? 0 : static_cast<uint32_t>(at + 1);
 }
 

@@ -1,7 +1,7 @@
 // Text functions on the bytes of the image, for generated code and as the one implementation behind the evaluator:
 // STRING is Latin-1, WSTRING UTF-16; a text lies in `capacity + 1` characters and ends at the first 0 or at its
-// capacity. Nothing allocates but the rare call whose result overlaps an operand and has over 1,000 characters. Pure
-// functions on their arguments, any thread.
+// capacity. Nothing allocates but the rare call whose result overlaps an operand and has over 1,000 characters, and
+// FIND in long texts; none takes longer than its texts are. Pure functions on their arguments, any thread.
 //
 // What is impossible gives ENO FALSE (the functions return 0): a length below 0 or a position before 1 gives ''. A
 // position behind the end takes the end: MID gives '', INSERT and REPLACE append, DELETE removes nothing. Lengths

@@ -11,7 +11,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
-#include <QInputDialog>
+#include <QDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -66,8 +66,8 @@ TEST_F(AuditTest, ARenameOverFilesTestsIncludedIsTakenBackByOneUndo) {
     StEditor& here = open("src/motor.st"); // the others stay closed
     here.goTo(place("src/motor.st", "run : BOOL"));
     QTimer::singleShot(150, qApp, [] {
-        if (auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) {
-            dialog->setTextValue("go");
+        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+            dialog->findChild<QLineEdit*>()->setText("go");
             dialog->accept();
         }
     });
@@ -287,8 +287,8 @@ TEST_F(AuditTest, TheTreeIsArrangedByFileAndShowsWhatLibrariesHold) {
     tree().setCurrentItem(item("motor.st"));
     tree().setFocus();
     QTimer::singleShot(150, qApp, [] {
-        if (auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) {
-            dialog->setTextValue("drives");
+        if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+            dialog->findChild<QLineEdit*>()->setText("drives");
             dialog->accept();
         }
     });

@@ -44,6 +44,7 @@ public:
             const auto opened = projects::openProject({plc::sourceDir() + "/projects/examples/" + example});
             m_panels.push_back(hmi::loadPanelProject(*opened));
             m_panels.back().folder = folder;
+            m_panels.back().disk.reset(); // two forms take turns, each over the other
         }
         for (int scans : {200, 300}) {
             session::Settings settings;

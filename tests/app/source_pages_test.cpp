@@ -7,7 +7,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
-#include <QInputDialog>
+#include <QDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
@@ -59,8 +59,8 @@ protected:
     }
     static void type(const QString& name) {
         QTimer::singleShot(150, qApp, [name] {
-            if (auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) {
-                dialog->setTextValue(name);
+            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+                dialog->findChild<QLineEdit*>()->setText(name);
                 dialog->accept();
             }
         });

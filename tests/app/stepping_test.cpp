@@ -4,6 +4,7 @@
 #include "tests/app/studio_fixture.h"
 
 #include <QAction>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -296,6 +297,40 @@ TEST_F(SteppingTest, TheFaultIsALinkAndItsCallPathHasValues) {
     EXPECT_EQ(textOfLine(line + 1), "counter := counter / divisor;");
     ASSERT_EQ(frames(), "Main");
     EXPECT_EQ(frameValue("divisor"), "0");
+}
+
+TEST_F(SteppingTest, AFaultTakesTheEditorToItsLineAndTheLogSaysWhere) {
+    window->action("run.start")->trigger();
+    ASSERT_TRUE(waitFor([&] { return window->control().value("Main.counter").text.toInt() > 2; }));
+    editor().goTo(0);
+    (void)window->control().write("Main.divisor", "0");
+    ASSERT_TRUE(waitFor([&] { return window->control().status().state == controller::State::Fault; }));
+    const int wanted = lineOf("counter := counter / divisor");
+    EXPECT_TRUE(waitFor([&] { return editor().markerFindNext(0, 1U << 9) + 1 == wanted; })) << "marked";
+    int line = 0, column = 0;
+    editor().getCursorPosition(&line, &column);
+    EXPECT_EQ(line + 1, wanted) << "one need not look for it";
+    EXPECT_TRUE(waitFor([&] { return window->log().shownText().contains(QString("src/main.st:%1").arg(wanted)); }))
+        << window->log().shownText().toStdString();
+    (void)window->control().write("Main.divisor", "1");
+    window->action("run.resetCold")->trigger();
+    EXPECT_TRUE(waitFor([&] { return editor().markerFindNext(0, 1U << 9) < 0; })) << "and no more";
+}
+
+TEST_F(SteppingTest, TheLogTellsStepsFromBreakpointsAndStaysAtItsEnd) {
+    haltAt("a(target := counter)");
+    stepTo(Qt::Key_F10, Qt::NoModifier, "b(target := Half");
+    const QString text = window->log().shownText();
+    EXPECT_TRUE(text.contains(QString("Breakpoint: Main at src/main.st:%1").arg(lineOf("a(target := counter)"))))
+        << text.toStdString();
+    EXPECT_TRUE(text.contains("Step: Main at src/main.st:")) << text.toStdString();
+    for (int i = 0; i < 200; ++i) window->log().addMessage("line", false); // while it is hidden
+    window->showDock("log");
+    const auto* tree = window->log().findChild<QTreeWidget*>();
+    EXPECT_TRUE(waitFor([&] {
+        return tree->verticalScrollBar()->value() == tree->verticalScrollBar()->maximum() &&
+               tree->verticalScrollBar()->maximum() > 0;
+    }));
 }
 
 TEST_F(SteppingTest, SavingAtABreakpointChangesAtTheEndOfTheScan) {

@@ -10,8 +10,8 @@
 #include "editor/kit/variable_picker.h"
 
 #include <QAction>
+#include <QDialog>
 #include <QDockWidget>
-#include <QInputDialog>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -73,9 +73,9 @@ TEST_F(StudioTest, EnterClosesABlockAndIndents) {
 TEST_F(StudioTest, RenamingChangesEveryUse) {
     editor().goTo(static_cast<uint32_t>(editor().utf8().find("counter")));
     QTimer::singleShot(200, [] {
-        auto* dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         ASSERT_NE(dialog, nullptr);
-        dialog->setTextValue("ticks");
+        dialog->findChild<QLineEdit*>()->setText("ticks");
         dialog->accept();
     });
     window->action("edit.rename")->trigger();

@@ -210,11 +210,16 @@ TEST_F(WatchTest, TheLogIsFilteredAndCopied) {
     filter->clear();
     for (QAction* each : log->findChildren<QAction*>())
         if (each->isCheckable()) each->trigger();
-    ASSERT_EQ(lines().size(), 1);
-    EXPECT_TRUE(lines()[0].endsWith("something was refused"));
+    // A slow machine logs more errors of its own; none of the notes may be among them.
+    ASSERT_GE(lines().size(), 1);
+    for (const QString& line : lines()) EXPECT_FALSE(line.contains("Main.i")) << line.toStdString();
     auto* tree = log->findChild<QTreeWidget*>();
+    const auto found =
+        tree->findItems("something was refused", Qt::MatchEndsWith | Qt::MatchRecursive, tree->columnCount() - 1);
+    ASSERT_EQ(found.size(), 1);
+    EXPECT_FALSE(found.first()->isHidden());
     tree->setFocus();
-    tree->setCurrentItem(tree->topLevelItem(tree->topLevelItemCount() - 1));
+    tree->setCurrentItem(found.first());
     QTest::keyClick(tree, Qt::Key_C, Qt::ControlModifier);
     EXPECT_TRUE(QApplication::clipboard()->text().endsWith("something was refused\n"));
     EXPECT_EQ(QApplication::clipboard()->text().count('\t'), 3) << "columns as in the window";

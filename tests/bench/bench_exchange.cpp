@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     const auto begin = std::chrono::steady_clock::now();
     const auto imported = plc::exchange::importFrom(folder.string());
     if (!imported) {
-        std::fprintf(stderr, "%s\n", imported.error().text().c_str());
+        std::fprintf(stderr, "%s\n", imported.error().english().c_str());
         return 1;
     }
     const double read = secondsSince(begin);

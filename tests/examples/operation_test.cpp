@@ -125,6 +125,17 @@ TEST_P(Example, SpeaksEveryLanguageAndItsPanelsAreWithoutFindings) {
     for (const hmi::Finding& finding : hmi::checkPanels(panels, checked)) ADD_FAILURE() << finding.text().toStdString();
 }
 
+/// docs/examples.md links each sentence of a description to the TEST that shows it.
+TEST_P(Example, HasTheTestsThatTheDocumentationNames) {
+    const std::string page = textOf(folder + "/../../../docs/examples.md");
+    const std::regex link(R"(\[([^\]]+)\]\(\.\./projects/examples/([^/]+)/([^)]+)\))");
+    for (std::sregex_iterator at(page.begin(), page.end(), link), end; at != end; ++at) {
+        if ((*at)[2] != GetParam()) continue;
+        const std::string title = (*at)[1], file = (*at)[3];
+        EXPECT_NE(textOf(folder + "/" + file).find("TEST '" + title + "'"), std::string::npos) << file << ": " << title;
+    }
+}
+
 /// What an element shows: the values of its expressions, changed or not, whatever they move, fill, light or hide.
 struct Shown {
     std::vector<hmi::BindingId> bindings;

@@ -1,6 +1,7 @@
-// Random programs: whatever they compute, quick and optimised code leave the same image after each scan, fault at the
-// same place, and their expressions have the same value for the expression evaluator. STEPWISE_LONG=1 makes many more
-// of them; a failure prints its seed and its program.
+// Random programs: whatever they compute, quick code, optimised code and quick code that is asked at every statement
+// (as by a debugger) leave the same image after each scan and fault at the same place by the same calls; an online
+// change to the same statements changes no value; and expressions have the same value for the expression evaluator.
+// STEPWISE_LONG=1 makes 100,000 of them; a failure prints its seed and its program.
 #include "tests/golden/random_test.h"
 
 #include "runtime/compiler/driver/driver.h"
@@ -18,6 +19,78 @@ namespace {
 constexpr const char* kIntegers[] = {"SINT",  "INT",   "DINT", "LINT", "USINT", "UINT",
                                      "UDINT", "ULINT", "BYTE", "WORD", "DWORD", "LWORD"};
 constexpr const char* kReals[] = {"REAL", "LREAL"};
+constexpr const char* kDates[] = {"DATE", "TOD", "DT"};
+
+/// What every program has beside its own statements: blocks that inherit, with methods, properties and an interface.
+constexpr const char* kPrelude = R"(
+FUNCTION_BLOCK Part
+VAR_INPUT
+x : INT;
+y : REAL;
+END_VAR
+VAR_OUTPUT
+sum : DINT;
+out : REAL;
+END_VAR
+sum := sum + x;
+IF y > out THEN out := y; ELSE out := out * 0.5; END_IF
+END_FUNCTION_BLOCK
+FUNCTION Mixed : INT
+VAR_INPUT
+p, q : INT;
+END_VAR
+VAR
+k : INT;
+END_VAR
+FOR k := 1 TO 3 DO Mixed := Mixed + p * k - q; END_FOR
+END_FUNCTION
+INTERFACE IAdder
+METHOD Add : DINT
+VAR_INPUT
+n : INT;
+END_VAR
+END_METHOD
+END_INTERFACE
+FUNCTION_BLOCK Base IMPLEMENTS IAdder
+VAR
+total : DINT;
+held : INT;
+END_VAR
+METHOD Add : DINT
+VAR_INPUT
+n : INT;
+END_VAR
+total := total + n;
+Add := total;
+END_METHOD
+METHOD Share : DINT
+VAR_INPUT
+n : INT;
+END_VAR
+Share := total / n;
+END_METHOD
+PROPERTY Level : INT
+GET
+Level := held;
+END_GET
+SET
+IF Level > 100 THEN held := 100; ELSE held := Level; END_IF
+END_SET
+END_PROPERTY
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK Derived EXTENDS Base
+VAR
+calls : INT;
+END_VAR
+METHOD Add : DINT
+VAR_INPUT
+n : INT;
+END_VAR
+calls := calls + 1;
+Add := SUPER^.Add(n := n) * 2 + calls;
+END_METHOD
+END_FUNCTION_BLOCK
+)";
 
 class Generator {
 public:
@@ -27,9 +100,10 @@ public:
     bool chance(size_t percent) { return pick(100) < percent; }
     template <size_t N> std::string oneOf(const char* const (&list)[N]) { return list[pick(N)]; }
     std::string anyType() {
-        return chance(60)   ? oneOf(kIntegers)
-               : chance(50) ? oneOf(kReals)
-               : chance(40) ? "BOOL"
+        return chance(55)   ? oneOf(kIntegers)
+               : chance(40) ? oneOf(kReals)
+               : chance(30) ? "BOOL"
+               : chance(30) ? oneOf(kDates)
                : chance(50) ? "TIME"
                             : "STRING";
     }
@@ -49,6 +123,10 @@ public:
     std::string literal(const std::string& type) {
         if (type == "BOOL") return chance(50) ? "TRUE" : "FALSE";
         if (type == "TIME") return "T#" + std::to_string(pick(5000)) + "ms";
+        if (type == "DATE") return "D#20" + std::to_string(10 + pick(30)) + "-02-2" + std::to_string(pick(9));
+        if (type == "TOD") return "TOD#" + std::to_string(pick(24)) + ":59:" + std::to_string(10 + pick(50));
+        if (type == "DT")
+            return "DT#20" + std::to_string(10 + pick(30)) + "-12-31-23:5" + std::to_string(pick(10)) + ":00";
         if (type == "STRING") {
             std::string text = "'";
             for (size_t n = pick(6); n > 0; --n) text += "abc12 "[pick(6)];
@@ -65,11 +143,12 @@ public:
         if (type == "BOOL") return truth(depth - 1);
         if (type == "TIME") return duration(depth - 1);
         if (type == "STRING") return text(depth - 1);
+        if (type == "DATE" || type == "TOD" || type == "DT") return date(type, depth - 1);
         return isReal(type) ? real(type, depth - 1) : integer(type, depth - 1);
     }
 
     std::string statement(int depth) {
-        const size_t kind = depth <= 0 ? 0 : pick(10);
+        const size_t kind = depth <= 0 ? 0 : pick(12);
         if (kind < 5) {
             const std::string type = anyType();
             return variable(type) + " := " + expression(type, 3) + ";\n";
@@ -90,6 +169,10 @@ public:
         if (kind == 8)
             return "CASE " + expression("INT", 2) + " OF\n0, 2: " + block(depth - 1) + "-5..-1: " + block(depth - 1) +
                    "7..100: " + block(depth - 1) + "ELSE\n" + block(depth - 1) + "END_CASE\n";
+        if (kind == 9) return object() + ".Level := " + expression("INT", 2) + ";\n";
+        if (kind == 10)
+            return "IF " + expression("BOOL", 1) + " THEN adder := base; ELSE adder := derived; END_IF\n" +
+                   variable("DINT") + " := adder.Add(" + expression("INT", 2) + ");\n";
         return "f_" + std::to_string(1 + pick(2)) + "(x := " + expression("INT", 2) +
                ", y := " + expression("REAL", 2) + ");\n";
     }
@@ -123,19 +206,33 @@ public:
                                 literal(type) + ", " + literal(type) + "];\n";
         };
         for (const char* type : kIntegers) declare(type);
-        for (const char* type : {"REAL", "LREAL", "BOOL", "TIME", "STRING"}) declare(type);
-        return "FUNCTION_BLOCK Part\nVAR_INPUT\nx : INT;\ny : REAL;\nEND_VAR\nVAR_OUTPUT\nsum : DINT;\nout : "
-               "REAL;\nEND_VAR\nsum := sum + x;\nIF y > out THEN out := y; ELSE out := out * 0.5; "
-               "END_IF\nEND_FUNCTION_BLOCK\n"
-               "FUNCTION Mixed : INT\nVAR_INPUT\np, q : INT;\nEND_VAR\nVAR\nk : INT;\nEND_VAR\nFOR k := 1 TO 3 DO "
-               "Mixed := Mixed + p * k - q; END_FOR\nEND_FUNCTION\n"
-               "PROGRAM Main\nVAR\n" +
-               declarations + m_counters + watches + "f_1, f_2 : Part;\nEND_VAR\n" + body + "END_PROGRAM\n";
+        for (const char* type : {"REAL", "LREAL", "BOOL", "TIME", "STRING", "DATE", "TOD", "DT"}) declare(type);
+        return kPrelude + std::string("PROGRAM Main\nVAR\n") + declarations + m_counters + watches +
+               "f_1, f_2 : Part;\nbase : Base;\nderived : Derived;\nadder : IAdder;\nEND_VAR\n" + body +
+               "END_PROGRAM\n";
     }
 
     void mayFault(bool may) { m_mayFault = may; }
 
 private:
+    std::string object() { return chance(50) ? "base" : "derived"; }
+    std::string date(const std::string& type, int depth) {
+        const auto self = [&] { return "(" + expression(type, depth) + ")"; };
+        switch (pick(6)) {
+        case 0:
+            return (chance(50) ? "MIN(" : "MAX(") + self() + ", " + self() + ")";
+        case 1:
+            return "SEL(" + expression("BOOL", depth) + ", " + self() + ", " + self() + ")";
+        case 2:
+            return "DINT_TO_" + type + "(" + expression("DINT", depth) + ")";
+        case 3:
+            return type == "DT" ? "CONCAT_DATE_TOD(" + expression("DATE", depth) + ", " + expression("TOD", depth) + ")"
+                                : "DT_TO_" + type + "(" + expression("DT", depth) + ")";
+        default:
+            if (type == "DATE") return "DT_TO_DATE(" + expression("DT", depth) + ")";
+            return self() + (chance(50) ? " + (" : " - (") + expression("TIME", depth) + ")";
+        }
+    }
     std::string truth(int depth) {
         switch (pick(6)) {
         case 0:
@@ -187,6 +284,10 @@ private:
         case 12:
             return "STRING_TO_" + type + "(" + expression("STRING", depth) + ")";
         case 13:
+            if (type == "DINT" && m_mayFault && chance(20))
+                return object() + ".Share(" + expression("INT", depth) + ")";
+            if (type == "DINT") return object() + ".Add(n := " + expression("INT", depth) + ")";
+            if (type == "INT" && chance(40)) return object() + ".Level";
             return type == "INT" ? "Mixed(" + expression("INT", depth) + ", " + expression("INT", depth) + ")"
                                  : "NOT " + self();
         default:
@@ -221,7 +322,11 @@ private:
         }
     }
     std::string duration(int depth) {
-        switch (pick(5)) {
+        switch (pick(6)) {
+        case 5: {
+            const std::string type = oneOf(kDates);
+            return "(" + expression(type, depth) + ") - (" + expression(type, depth) + ")";
+        }
         case 0:
             return "(" + expression("TIME", depth) + ") + (" + expression("TIME", depth) + ")";
         case 1:
@@ -262,23 +367,44 @@ private:
 struct Scanned {
     std::vector<std::vector<std::byte>> images;
     std::string fault;
+    size_t stops = 0; // at statements
 };
 
-Scanned scanned(const driver::Built& built) {
+enum class Run : uint8_t { Newest /* code */, Asked /* at every statement */ };
+
+std::string faultText(const controller::Fault& fault, const image::CompiledProgram& program) {
+    const auto line = [&](const SourceRange& range) {
+        if (!range.file.isValid()) return std::string("?");
+        return std::to_string(program.sources[range.file].lineColumn(range.begin).line);
+    };
+    std::string text = fault.message.english() + " at line " + line(fault.range);
+    for (const controller::FaultFrame& frame : fault.calls)
+        text += ", in " + frame.function + " (" + frame.instance + ") line " + line(frame.range);
+    return text;
+}
+
+constexpr int kScans = 6;
+
+controller::Settings settings() {
+    controller::Settings made;
+    made.loopBudgetPerScan = 1'000'000;
+    return made;
+}
+
+Scanned scanned(const driver::Built& built, Run run = Run::Newest) {
     Scanned out;
-    controller::Settings settings;
-    settings.loopBudgetPerScan = 1'000'000;
-    controller::Controller controller(built.program, settings);
+    controller::Controller controller(built.program, settings());
+    if (run == Run::Asked) {
+        controller.useQuickCode(true);
+        controller.setSiteHook([&out](uint32_t, uint32_t, uint32_t) { ++out.stops; });
+        std::ranges::fill(controller.siteFlags(), uint8_t(1));
+    }
     controller.start();
-    for (int i = 0; i < 6 && !controller.fault(); ++i) {
+    for (int i = 0; i < kScans && !controller.fault(); ++i) {
         controller.scan();
         out.images.emplace_back(controller.image().begin(), controller.image().begin() + built.program->layout.dataEnd);
     }
-    if (controller.fault()) {
-        const auto& fault = *controller.fault();
-        out.fault = fault.message.english() + " at line " +
-                    std::to_string(built.program->sources[fault.range.file].lineColumn(fault.range.begin).line);
-    }
+    if (controller.fault()) out.fault = faultText(*controller.fault(), *built.program);
     return out;
 }
 
@@ -304,9 +430,57 @@ bool isSame(const image::CompiledProgram& program, const std::vector<std::byte>&
     return true;
 }
 
+constexpr uint32_t kLong = 50'000; // of each of the two tests
+
 struct Tally {
     int finished = 0, faulted = 0;
 };
+
+void expectSame(const image::CompiledProgram& program, const Scanned& quick, const Scanned& other,
+                const std::string& what) {
+    ASSERT_EQ(quick.fault, other.fault) << what;
+    ASSERT_EQ(quick.images.size(), other.images.size()) << what;
+    for (size_t i = 0; i < quick.images.size(); ++i) {
+        std::string difference;
+        ASSERT_TRUE(isSame(program, quick.images[i], other.images[i], difference))
+            << "scan " << i << ", " << difference << ", " << what;
+    }
+}
+
+/// The program with a variable more, which moves all others: changed to it half way, every value is as if it had not
+/// been.
+void changeOnline(const driver::Built& built, const Scanned& expected, const std::string& what) {
+    driver::BuildInput input = *built.input;
+    std::string& text = input.files[0].text;
+    const std::string head = "PROGRAM Main\nVAR\n";
+    text.insert(text.find(head) + head.size(), "added : LINT := 7;\n");
+    const driver::Built other = driver::build(input);
+    ASSERT_TRUE(other.program) << what;
+    controller::Controller controller(built.program, settings());
+    controller.start();
+    for (int i = 0; i < kScans; ++i) {
+        if (i == kScans / 2) {
+            const auto report = controller.changeProgram(other.program);
+            ASSERT_EQ(report.refusal, "") << what;
+            ASSERT_TRUE(report.lost.empty()) << report.lost.front() << "\n" << what;
+        }
+        ASSERT_TRUE(controller.scan()) << what;
+    }
+    const auto& types = *built.program->layout.types;
+    for (const image::Root& root : built.program->layout.roots)
+        built.program->layout.forEachLeaf(
+            root.name, {root.type, root.offset, root.bit}, [&](const std::string& path, const image::Place& place) {
+                if (types.kind(place.type) == types::TypeKind::Interface) return true; // another offset, the same block
+                const auto now = controller.read(path);
+                EXPECT_TRUE(now) << path;
+                if (!now) return false;
+                const auto before = types::readValue(
+                    types, place.type, std::span(expected.images.back()).subspan(place.offset), place.bit);
+                EXPECT_EQ(types::toText(types, before), types::toText(*other.program->layout.types, *now))
+                    << path << " after an online change, " << what;
+                return !testing::Test::HasFailure();
+            });
+}
 
 void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
     Generator generator(seed);
@@ -326,23 +500,23 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
             FAIL() << "seed " << seed << "\n" << diagnostics::renderText(*built.checked.sources, diagnostic, false);
     }
     ASSERT_TRUE(built.program);
+    const std::string what = "seed " + std::to_string(seed) + "\n" + text;
     const Scanned quick = scanned(built);
-    ASSERT_TRUE(driver::optimise(built));
-    const Scanned optimised = scanned(built);
-    ASSERT_EQ(quick.fault, optimised.fault) << "seed " << seed << "\n" << text;
-    ASSERT_EQ(quick.images.size(), optimised.images.size()) << "seed " << seed;
-    for (size_t i = 0; i < quick.images.size(); ++i) {
-        std::string difference;
-        ASSERT_TRUE(isSame(*built.program, quick.images[i], optimised.images[i], difference))
-            << "seed " << seed << ", scan " << i << ", " << difference << "\n"
-            << text;
+    const Scanned asked = scanned(built, Run::Asked);
+    EXPECT_GT(asked.stops, 0u) << what;
+    ASSERT_NO_FATAL_FAILURE(expectSame(*built.program, quick, asked, "asked at every statement, " + what));
+    if (quick.fault.empty()) {
+        ASSERT_NO_FATAL_FAILURE(changeOnline(built, quick, what));
     }
+    ASSERT_TRUE(driver::optimise(built));
+    ASSERT_NO_FATAL_FAILURE(expectSame(*built.program, quick, scanned(built), "optimised, " + what));
     ++(quick.fault.empty() ? tally.finished : tally.faulted);
     if (!quick.fault.empty()) return;
     for (const auto& [name, expr] : watched) {
         const auto expression = driver::compileExpression(built.checked, expr, "Main");
         if (!expression) {
-            if (expr.find("Mixed(") == std::string::npos)
+            if (expr.find("Mixed(") == std::string::npos && expr.find(".Add(") == std::string::npos &&
+                expr.find(".Level") == std::string::npos)
                 ADD_FAILURE() << "seed " << seed << ": " << expr << ": " << expression.error().message.english();
             continue; // calls of functions are not for watches
         }
@@ -367,7 +541,7 @@ public:
     void TestBody() override {
         Tally tally;
         const char* everything = std::getenv("STEPWISE_LONG");
-        const uint32_t count = everything && *everything == '1' ? m_count * 40 : m_count;
+        const uint32_t count = everything && *everything == '1' ? kLong : m_count;
         for (uint32_t seed = m_first; seed < m_first + count && !HasFailure(); ++seed)
             runRandom(seed, m_mayFault, tally);
         EXPECT_GT(tally.finished, 0);

@@ -63,6 +63,9 @@ TEST(Examples, AlarmTextsFollowTheLanguageThatTheProgramChooses) {
         ASSERT_TRUE(session.controller().write(path, *toPlc(target->types(), target->type(), Value::ofReal(value))));
     };
     session.controller().start();
+    write("Panel.Site", 1); // turned to the visitor and back: the site's language
+    runFor(1);
+    write("Panel.Site", 0);
     write("Panel.Start", 1);
     runFor(1);
     write("Panel.Start", 0);
@@ -72,7 +75,7 @@ TEST(Examples, AlarmTextsFollowTheLanguageThatTheProgramChooses) {
     player.show();
     player.alarmWatch()->catchUp();
     player.frame();
-    EXPECT_EQ(player.language().toStdString(), "da"); // the site's language
+    EXPECT_EQ(player.language().toStdString(), "da");
     const std::vector<AlarmEntry> present = player.alarms().present({}, AlarmOrder::Priority);
     ASSERT_EQ(present.size(), 1u);
     EXPECT_EQ(present[0].id.toStdString(), "12004");

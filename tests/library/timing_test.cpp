@@ -90,6 +90,31 @@ TEST(LongRuns, AValveStillSupervisesItsFeedbackAcrossTheWrap) {
     }
 }
 
+/// The drive to the default position that an error started ends with the acknowledge, as the block says.
+TEST(BistableValve, AcknowledgingWhileForcingSwitchesTheForcedOutputOff) {
+    for (const bool opens : {false, true}) {
+        Bench bench("VAR v : Bistable_Valve; p : Par_Val_Bi; error, acknowledge, opens : BOOL; END_VAR",
+                    "p.xFrceEn := TRUE; p.iFbckDly := 60; p.xPosDflt := opens;\n"
+                    "v(i_xAut := TRUE, i_xErr := error, i_xAckn := acknowledge, i_strPara := p);",
+                    {"toolbox"}, 100ms);
+        const std::string forced = opens ? "v.q_xOpen" : "v.q_xCls";
+        bench.set("opens", opens);
+        bench.scan();
+        bench.set("error", 1);
+        bench.scan(3);
+        EXPECT_TRUE(bench.is(forced));
+        bench.set("error", 0);
+        bench.scan();
+        EXPECT_TRUE(bench.is(forced)) << "the error is latched, the drive goes on";
+        bench.set("acknowledge", 1);
+        bench.scan();
+        EXPECT_FALSE(bench.is(forced));
+        EXPECT_FALSE(bench.is("v.q_xErr"));
+        bench.scan(10);
+        EXPECT_FALSE(bench.is(forced));
+    }
+}
+
 TEST(OneSecondPulse, DoesNotDriftWithACycleThatDoesNotDivideASecond) {
     Bench bench("VAR second : ONE_SEC_PULSE; pulses : INT; END_VAR",
                 "second(); IF second.q_xOput THEN pulses := pulses + 1; END_IF", {"toolbox"}, 70ms);

@@ -41,6 +41,25 @@ std::vector<std::string> unusedIn(const projects::Project& project) {
     return out;
 }
 
+TEST(Leftovers, OfASavingThatWasKilledAreGoneWhenTheProjectIsOpened) {
+    const Folder folder;
+    folder.write("src/main.st", "PROGRAM Main\nVAR x : INT; END_VAR\nx := 1;\nEND_PROGRAM\n");
+    const std::string gone = std::to_string(INT32_MAX - 1); // no system has so many processes
+    const std::string alive = std::to_string(::getpid());
+    for (const char* name : {"project.json", "src/main.st", "hmi/start.panel.json", "traces/a.trace.json"}) {
+        folder.write(std::string(name) + ".saving-" + gone, "half");
+        folder.write(std::string(name) + ".saving-" + alive, "half");
+    }
+    folder.write("src/notes.saving-later", "a file of the user's");
+    ASSERT_TRUE(projects::openProject(folder.path()));
+    for (const char* name : {"project.json", "src/main.st", "hmi/start.panel.json", "traces/a.trace.json"}) {
+        EXPECT_FALSE(fs::exists(folder.path() + "/" + name + ".saving-" + gone)) << name;
+        EXPECT_TRUE(fs::exists(folder.path() + "/" + name + ".saving-" + alive)) << name;
+    }
+    EXPECT_TRUE(fs::exists(folder.path() + "/src/notes.saving-later"));
+    EXPECT_TRUE(fs::exists(folder.path() + "/src/main.st"));
+}
+
 } // namespace
 
 TEST(Companions, VariablesThatOnlyPanelsAlarmsTracesAndTestsNameAreUsed) {

@@ -4,17 +4,16 @@
 #pragma once
 #include "runtime/base/result.h"
 #include "runtime/compiler/chart/chart.h"
+#include "runtime/diagnostics/text_edits.h"
 
 #include <string>
 
 namespace plc::chart {
 
+using diagnostics::applyEdits;
+using diagnostics::Edits;
+using diagnostics::inverseOf;
 using diagnostics::TextEdit;
-using Edits = std::vector<TextEdit>; // of one file, by place, not overlapping
-
-[[nodiscard]] std::string applyEdits(std::string_view text, const Edits& edits);
-/// What undoes `edits` in the text they lead to.
-[[nodiscard]] Edits inverseOf(std::string_view text, const Edits& edits);
 
 enum class Place : uint8_t { Before, After };
 

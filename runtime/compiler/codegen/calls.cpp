@@ -226,6 +226,7 @@ FunctionEmitter::Returned FunctionEmitter::call(const Call& call) {
     Value* depth =
         isRecorded ? pushCall(functionId, b.CreateTrunc(self64, m.i32), b.CreateTrunc(m_nextFrame, m.i32)) : nullptr;
     if (charges) flushBudget();
+    watch(image::WatchKind::Call, &call, b.CreateZExt(functionId, m.i64));
     arguments.insert(arguments.begin(), {m_context, m_image, self, m_nextFrame});
     llvm::CallInst* returned = b.CreateCall(m.abi(callee).type, target, arguments);
     returned->setDoesNotThrow();

@@ -3,6 +3,7 @@
 #pragma once
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/facts/program_facts.h"
+#include "runtime/image/watch.h"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>
@@ -66,7 +67,7 @@ class ModuleEmitter {
 public:
     ModuleEmitter(llvm::LLVMContext& context, const tree::Program& program, const ProgramFacts& facts,
                   const Options& options, Part part);
-    std::unique_ptr<llvm::Module> emit();
+    Result<std::unique_ptr<llvm::Module>> emit();
 
     [[nodiscard]] const types::TypeTable& types() const { return *program.types; }
     [[nodiscard]] llvm::Type* scalarType(types::TypeId type);
@@ -81,7 +82,8 @@ public:
     enum class Effects : uint8_t { None, ReadsArguments, WritesArguments, Context, Fault, Any };
     llvm::FunctionCallee helper(const char* name, llvm::Type* result, llvm::ArrayRef<llvm::Type*> parameters,
                                 Effects effects);
-    llvm::Function* raise();     // stores code, site and details, leaves
+    llvm::Function* raise(); // stores code, site and details, leaves
+    llvm::Function* watchFunction();
     llvm::Function* siteCheck(); // quick tier: notes the statement, stops when flagged
     llvm::FunctionCallee budgetUsedUp();
     llvm::GlobalVariable* constantBytes(std::string bytes, uint32_t align);
@@ -104,7 +106,7 @@ public:
     void patchNeed(llvm::Instruction* instruction, unsigned operand, uint32_t function) {
         m_sizePatches.push_back({instruction, operand, function, true});
     }
-    std::vector<uint32_t> frameSizes; // by function, temporaries included
+    std::vector<uint64_t> frameSizes; // by function, temporaries included
 
     llvm::LLVMContext& context;
     std::unique_ptr<llvm::Module> module;
@@ -112,7 +114,9 @@ public:
     const Options& options;
     const ProgramFacts& facts;
     const Part part;
-    [[nodiscard]] bool isOwn(uint32_t function) const { return function % part.count == part.index; }
+    [[nodiscard]] bool isOwn(uint32_t function) const {
+        return function % part.count == part.index && (!options.only || (*options.only)[function]);
+    }
     llvm::IntegerType *i1, *i8, *i16, *i32, *i64;
     llvm::PointerType* ptr;
     llvm::Type *f32, *f64, *voidType;
@@ -126,7 +130,7 @@ private:
     void emitEntries();
     void limitInlining();
     void resolvePatches();
-    uint32_t need(uint32_t function);
+    uint64_t need(uint32_t function);
     void addAttributes(llvm::Function& function);
     struct SizePatch {
         llvm::Instruction* instruction;
@@ -137,13 +141,13 @@ private:
     std::vector<SizePatch> m_sizePatches;
     std::vector<Abi> m_abis;
     std::vector<llvm::Function*> m_functions;
-    std::vector<int64_t> m_needs;
+    std::vector<std::optional<uint64_t>> m_needs;
     std::map<std::string, llvm::GlobalVariable*> m_constants;
     std::map<uint32_t, llvm::GlobalVariable*> m_dispatchTables, m_blockFlags;
     std::map<uint32_t, llvm::Function*> m_abstractCalls;
     std::set<uint32_t> m_tainted;
     std::vector<std::pair<uint32_t, size_t>> m_rootsByOffset;
-    llvm::Function *m_raise = nullptr, *m_siteCheck = nullptr;
+    llvm::Function *m_raise = nullptr, *m_siteCheck = nullptr, *m_watch = nullptr;
     llvm::MDNode *m_imageNode = nullptr, *m_contextTag = nullptr;
     std::map<std::pair<uint32_t, uint32_t>, llvm::MDNode*> m_fieldNodes;
     std::map<size_t, llvm::MDNode*> m_rootNodes;
@@ -163,12 +167,13 @@ private:
     // function_emitter.cpp
     void emitPrologue();
     void emitEpilogue();
+    void guardStack();
     void initialiseLocal(uint32_t local);
     Block* newBlock(const char* name);
     void enter(Block* block) { b.SetInsertPoint(block); }
     void jump(Block* target);
     llvm::AllocaInst* newSlot(llvm::Type* type, const char* name); // in the entry block, zero at entry
-    uint32_t allocateTemporary(uint32_t size, uint32_t align);
+    uint32_t allocateTemporary(uint64_t size, uint32_t align);
     Address temporary(types::TypeId type);
     Value* contextField(size_t offset);
     llvm::LoadInst* loadContext(llvm::Type* type, size_t offset);
@@ -177,19 +182,30 @@ private:
     Value* int32(uint64_t v) { return b.getInt32(static_cast<uint32_t>(v)); }
     Value* int64(int64_t v) { return b.getInt64(static_cast<uint64_t>(v)); }
 
+    // watch.cpp: nothing unless the code is watched
+    void watch(image::WatchKind kind, const void* node, Value* a = nullptr, Value* more = nullptr);
+    void watchValue(const tree::Expr& expr, Value* value);
+    void watchText(const tree::Expr& expr, const Text& text);
+    void watchTextWrite(const Text& text);
+    void watchPlace(image::WatchKind kind, const void* node, const Address& address, uint32_t size = 0);
+    Value* m_where = nullptr;            // THIS and frame
+    const tree::Stmt* m_cause = nullptr; // the statement that runs
+
     // guards.cpp
     void guard(Value* isBad, image::FaultCode code, Value* d0 = nullptr, Value* d1 = nullptr, Value* d2 = nullptr);
     void raiseAlways(image::FaultCode code);
     void guardReference(Value* offset, Value* size); // null, foreign
     Value* isLive(Value* offset, Value* size);       // lies within variables or live frames
     void guardBlock(Value* offset, types::TypeId block);
-    void charge(Value* amount);
+    void charge(Value* amount); // units of work (facts/work.h)
+    void chargeUnits(uint64_t units);
     void flushBudget();
     void reloadBudget();
     llvm::BranchInst* branchUnlikely(Value* condition, Block* rare, Block* usual);
 
     // places.cpp
     Address address(const tree::Place& place);
+    Address readAddress(const tree::Place& place); // of what is about to be read
     Address localAddress(uint32_t local);
     Address slotAddress(const tree::Place& place); // the IN_OUT slot itself, not followed
     Address followSlot(const tree::Place& place);
@@ -203,6 +219,7 @@ private:
     Value* offset(const Address& address);
     Value* load(const Address& address);
     void store(const Address& address, Value* value);
+    void plainStore(const Address& address, Value* value);
     void copy(const Address& to, const Address& from, uint32_t size);
     Text textAt(const Address& address);
     std::vector<std::pair<Value*, Value*>> boundsOf(const Address& address);
@@ -211,6 +228,7 @@ private:
 
     // expressions.cpp
     Value* scalar(const tree::Expr& expr);
+    Value* plainScalar(const tree::Expr& expr);
     Value* scalarConstant(const types::Value& value, types::TypeId type);
     Value* unary(const tree::Expr& expr);
     Value* binary(const tree::Expr& expr);
@@ -222,6 +240,7 @@ private:
     Value* bound(const tree::Expr& expr);
     Value* tryCast(const tree::Expr& expr);
     Address aggregate(const tree::Expr& expr);
+    Address plainAggregate(const tree::Expr& expr);
     void aggregateInto(const tree::Expr& expr, const Address& target);
     Range rangeOf(const tree::Expr& expr);
     void storeOk(const tree::Expr& expr, Value* ok);
@@ -256,10 +275,13 @@ private:
 
     // texts.cpp
     Text text(const tree::Expr& expr);
+    Text plainText(const tree::Expr& expr);
+    void plainTextInto(const tree::Expr& expr, const Text& target);
     void textInto(const tree::Expr& expr, const Text& target);
     void textIntrinsicInto(const tree::Expr& expr, const Text& target);
     Text textTemporary(types::TypeId type);
     Value* textCall(const char* name, bool isWide, llvm::Type* result, std::vector<Value*> arguments, bool writes);
+    void chargeTexts(llvm::ArrayRef<Value*> arguments);
     std::vector<Text> textOperands(const tree::Expr& expr);
     Text characterText(Value* code, bool isWide);
     Text widened(const Text& narrow, uint32_t capacity);
@@ -285,6 +307,7 @@ private:
     void body(const std::vector<tree::Stmt*>& statements);
     void breakBlock();
     void statement(const tree::Stmt& stmt);
+    void plainStatement(const tree::Stmt& stmt);
     void assign(const tree::Stmt& stmt);
     void bind(const tree::Stmt& stmt);
     void ifStatement(const tree::Stmt& stmt);
@@ -343,8 +366,8 @@ private:
     };
     std::map<uint32_t, Slot> m_slots; // followed IN_OUT slots of THIS, by offset
     std::map<std::pair<unsigned, bool>, Value*> m_cache;
-    uint32_t m_localsSize = 0, m_temporaryTop = 0, m_frameSize = 0;
-    uint32_t m_site = 0;
+    uint64_t m_temporaryTop = 0, m_frameSize = 0;
+    uint32_t m_site = 0, m_firstSite = 0;
     std::vector<Loop> m_loops;
     std::vector<Counter> m_counters;
     std::vector<Block*> m_labels;

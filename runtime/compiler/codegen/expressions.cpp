@@ -19,14 +19,19 @@ bool isSigned(Family family) {
 } // namespace
 
 llvm::Value* FunctionEmitter::scalar(const Expr& expr) {
+    Value* value = plainScalar(expr);
+    watchValue(expr, value);
+    return value;
+}
+
+llvm::Value* FunctionEmitter::plainScalar(const Expr& expr) {
     switch (expr.kind) {
     case ExprKind::Constant:
         return scalarConstant(expr.value, expr.type);
     case ExprKind::Load:
         if (const Counter* counter = counterOf(*expr.place))
             return b.CreateTrunc(b.CreateLoad(m.i64, counter->value), m.scalarType(expr.type));
-        if (expr.place->kind == tree::PlaceKind::TextIndex) return load(textIndexAddress(*expr.place, Purpose::Read));
-        return load(address(*expr.place));
+        return load(readAddress(*expr.place));
     case ExprKind::Unary:
         return unary(expr);
     case ExprKind::Binary:
@@ -105,6 +110,7 @@ llvm::Value* FunctionEmitter::binary(const Expr& expr) {
     if (m.types().isAggregate(expr.a->type) && isComparison) {
         const Address a = aggregate(*expr.a);
         const Address c = aggregate(*expr.b);
+        chargeUnits(facts::copyUnits(m.types()[expr.a->type].size));
         Value* same = b.CreateCall(
             m.helper("plc_compare_bytes", m.i32, {m.ptr, m.ptr, m.i32}, ModuleEmitter::Effects::ReadsArguments),
             {pointer(a), pointer(c), int32(m.types()[expr.a->type].size)});
@@ -277,9 +283,16 @@ llvm::Value* FunctionEmitter::tryCast(const Expr& expr) {
 // ---------------------------------------------------------------- aggregates
 
 Address FunctionEmitter::aggregate(const Expr& expr) {
+    const Address a = plainAggregate(expr);
+    if (m.options.watched && expr.kind != ExprKind::Constant)
+        watch(image::WatchKind::Bytes, &expr, b.CreatePtrToInt(pointer(a), m.i64), int64(m.types()[expr.type].size));
+    return a;
+}
+
+Address FunctionEmitter::plainAggregate(const Expr& expr) {
     switch (expr.kind) {
     case ExprKind::Load:
-        return address(*expr.place);
+        return readAddress(*expr.place);
     case ExprKind::Constant: {
         const types::Type& type = m.types()[expr.type];
         std::vector<std::byte> bytes = type.initial;

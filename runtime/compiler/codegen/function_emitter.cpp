@@ -49,6 +49,26 @@ void FunctionEmitter::emit() {
     body(m_tree.body);
     jump(m_return);
     emitEpilogue();
+    guardStack();
+}
+
+/// What a function takes of the machine's own stack is known only when there is machine code. Where it may be much, the
+/// function asks for room at its entry; the others are bounded by the depth of calls (jit/stack_use.h).
+void FunctionEmitter::guardStack() {
+    constexpr unsigned kManyInstructions = 256, kManyParameters = 32;
+    if (!m.options.guardsEveryStack && m_function->getInstructionCount() <= kManyInstructions &&
+        m_function->arg_size() <= kManyParameters)
+        return;
+    m_function->addFnAttr(kGuardsStack);
+    Block* start = llvm::cast<llvm::BranchInst>(m_entryEnd)->getSuccessor(0);
+    Block* check = newBlock("stack");
+    llvm::cast<llvm::BranchInst>(m_entryEnd)->setSuccessor(0, check);
+    enter(check);
+    m_site = m_firstSite;
+    Value* here = b.CreatePtrToInt(b.CreateStackSave(), m.i64);
+    guard(b.CreateICmpULT(here, loadContext(m.i64, offsetof(RuntimeContext, stackLimit))),
+          image::FaultCode::StackOverflow);
+    b.CreateBr(start);
 }
 
 FunctionEmitter::Block* FunctionEmitter::newBlock(const char* name) {
@@ -102,7 +122,7 @@ void FunctionEmitter::emitPrologue() {
     auto* next = llvm::BinaryOperator::CreateAdd(m_frame64, int64(0), "next", m_entryEnd->getIterator());
     m_nextFrame = next;
     m.patchFrameSize(next, 1, m_index);
-    m_localsSize = m_temporaryTop = m_frameSize = m_facts.frame.size;
+    m_temporaryTop = m_frameSize = m_facts.frame.size;
     m_labels.assign(m_tree.labelCount + 1, nullptr);
     m_labelPlaced.assign(m_tree.labelCount + 1, false);
     m_locals.assign(m_tree.locals.size(), nullptr);
@@ -123,7 +143,7 @@ void FunctionEmitter::emitPrologue() {
     reloadBudget();
     for (const tree::Stmt* stmt : m_tree.body)
         if (const uint32_t site = m.facts.sites().siteOf(*stmt)) {
-            m_site = site; // faults before the first statement are shown there
+            m_site = m_firstSite = site; // faults before the first statement are shown there
             break;
         }
     if (m.isQuick() || m_facts.isUnbounded) {
@@ -136,7 +156,10 @@ void FunctionEmitter::emitPrologue() {
         guard(b.CreateICmpULT(here, loadContext(m.i64, offsetof(RuntimeContext, stackLimit))),
               image::FaultCode::StackOverflow);
     }
+    chargeUnits(m.facts.work().atEntry(m_index));
 
+    if (m.options.watched) m_where = b.CreateOr(m_this64, b.CreateShl(m_frame64, int64(32)));
+    watch(image::WatchKind::Begin, &m_tree, int64(m_index));
     unsigned argument = 4;
     for (uint32_t i = 0; i < m_tree.locals.size(); ++i) {
         const Local& local = m_tree.locals[i];
@@ -148,6 +171,7 @@ void FunctionEmitter::emitPrologue() {
                 const Address target = localAddress(i);
                 b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), given, llvm::MaybeAlign(1),
                                m.types()[local.type].size);
+                watchPlace(image::WatchKind::Write, nullptr, target);
             }
         } else if (local.isInOut) {
             const bool isParameter = local.kind == LocalKind::InOut;
@@ -233,6 +257,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
                                                 llvm::APFloat(llvm::APFloat::IEEEdouble(), llvm::APInt(64, bits)));
         }
         b.CreateAlignedStore(value, pointer(target), alignOf(target).valueOrOne());
+        watchPlace(image::WatchKind::Write, nullptr, target);
         return;
     }
     if (type.initial.empty()) {
@@ -243,7 +268,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
         b.CreateMemCpy(pointer(target), llvm::MaybeAlign(1), m.constantBytes(bytes, 1), llvm::MaybeAlign(1), type.size);
     }
     if (!local.initial) return;
-    const uint32_t top = m_temporaryTop;
+    const uint64_t top = m_temporaryTop;
     if (m.types().isText(local.type))
         textInto(*local.initial, textAt(target));
     else
@@ -254,6 +279,7 @@ void FunctionEmitter::initialiseLocal(uint32_t index) {
 void FunctionEmitter::emitEpilogue() {
     enter(m_return);
     flushBudget();
+    watch(image::WatchKind::End, &m_tree);
     if (m_abi.returned == 0) {
         b.CreateRetVoid();
     } else {
@@ -274,12 +300,13 @@ void FunctionEmitter::emitEpilogue() {
     m.frameSizes[m_index] = (m_frameSize + 15) / 16 * 16;
 }
 
-uint32_t FunctionEmitter::allocateTemporary(uint32_t size, uint32_t align) {
+/// Beyond the greatest frame the offset means nothing: then the function is refused.
+uint32_t FunctionEmitter::allocateTemporary(uint64_t size, uint32_t align) {
     m_temporaryTop = (m_temporaryTop + align - 1) / align * align;
-    const uint32_t at = m_temporaryTop;
-    m_temporaryTop += std::max(1u, size);
+    const uint64_t at = m_temporaryTop;
+    m_temporaryTop += std::max<uint64_t>(1, size);
     m_frameSize = std::max(m_frameSize, m_temporaryTop);
-    return at;
+    return static_cast<uint32_t>(std::min(at, facts::kMaximumFrame));
 }
 
 Address FunctionEmitter::temporary(types::TypeId type) {

@@ -1,3 +1,4 @@
+#include "runtime/base/assert.h"
 #include "runtime/compiler/codegen/emitter.h"
 
 namespace plc::codegen {
@@ -94,6 +95,7 @@ void FunctionEmitter::guardBlock(Value* at, types::TypeId block) {
 }
 
 void FunctionEmitter::charge(Value* amount) {
+    PLC_ASSERT(m_facts.charges, return ); // callers would go on with what they think is left
     const size_t at = offsetof(RuntimeContext, loopBudget);
     Value* left = m_budget ? static_cast<Value*>(b.CreateLoad(m.i64, m_budget)) : loadContext(m.i64, at);
     left = b.CreateSub(left, amount);
@@ -111,6 +113,10 @@ void FunctionEmitter::charge(Value* amount) {
     if (m_budget) b.CreateStore(loadContext(m.i64, at), m_budget);
     b.CreateBr(ok);
     enter(ok);
+}
+
+void FunctionEmitter::chargeUnits(uint64_t units) {
+    if (units > 0) charge(int64(static_cast<int64_t>(units)));
 }
 
 void FunctionEmitter::flushBudget() {

@@ -11,8 +11,8 @@ using tree::Stmt;
 using types::TypeKind;
 
 namespace {
-/// Passes charged at once: few enough for a watchdog to be asked now and then, enough to cost nothing.
-constexpr int64_t kPortion = 65'536;
+/// Units charged at once: few enough for a watchdog to be asked now and then, enough to cost nothing.
+constexpr uint64_t kPortionUnits = 65'536;
 /// 64-bit loops longer than this never end anyway.
 constexpr int64_t kEndless = int64_t(1) << 62;
 } // namespace
@@ -31,10 +31,12 @@ void FunctionEmitter::whileLoop(const Stmt& stmt) {
     b.CreateBr(head);
     enter(head);
     setSite(stmt); // every pass: a breakpoint on the condition stops each time
+    watch(image::WatchKind::Statement, &stmt);
     Value* condition = scalar(*stmt.a);
     b.CreateCondBr(condition, pass, done);
     enter(pass);
-    charge(int64(1));
+    chargeUnits(m.facts.work().ofPass(stmt));
+    watch(image::WatchKind::Pass, &stmt);
     loopBody(stmt.body, done, head);
     enter(done);
 }
@@ -46,7 +48,8 @@ void FunctionEmitter::repeatLoop(const Stmt& stmt) {
     Block* done = newBlock("done");
     b.CreateBr(pass);
     enter(pass);
-    charge(int64(1));
+    chargeUnits(m.facts.work().ofPass(stmt));
+    watch(image::WatchKind::Pass, &stmt);
     loopBody(stmt.body, done, until);
     enter(until);
     m_site = site;
@@ -270,7 +273,9 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     llvm::AllocaInst* left = newSlot(m.i64, "left");   // in this portion
     llvm::AllocaInst* later = newSlot(m.i64, "later"); // behind it
     const auto* known = llvm::dyn_cast<llvm::ConstantInt>(more);
-    const bool inPortions = !known || known->getZExtValue() >= static_cast<uint64_t>(kPortion);
+    const uint64_t ofPass = m.facts.work().ofPass(loop.stmt);
+    const auto portionPasses = static_cast<int64_t>(std::max<uint64_t>(1, kPortionUnits / ofPass));
+    const bool inPortions = !known || known->getZExtValue() >= static_cast<uint64_t>(portionPasses);
 
     Block* portion = newBlock("portion");
     Block* pass = newBlock("for");
@@ -286,15 +291,16 @@ void FunctionEmitter::countedLoop(const ForLoop& loop) {
     Value* behind = b.CreateLoad(m.i64, later);
     Value* taken = behind;
     if (inPortions)
-        taken = b.CreateSelect(b.CreateICmpULT(behind, int64(kPortion)), behind, int64(kPortion - 1));
+        taken = b.CreateSelect(b.CreateICmpULT(behind, int64(portionPasses)), behind, int64(portionPasses - 1));
     else
         taken = more;
     b.CreateStore(taken, left);
     if (inPortions) b.CreateStore(b.CreateSub(behind, taken), later);
-    charge(b.CreateAdd(taken, int64(1)));
+    charge(b.CreateMul(b.CreateAdd(taken, int64(1)), int64(static_cast<int64_t>(ofPass))));
     b.CreateBr(pass);
 
     enter(pass);
+    watch(image::WatchKind::Pass, &loop.stmt);
     if (!m.isQuick()) m_counters.push_back({loop.stmt.place, counter, counterRange(loop)});
     loopBody(loop.stmt.body, done, next);
     if (!m.isQuick()) m_counters.pop_back();
@@ -360,7 +366,8 @@ void FunctionEmitter::steppedLoop(const ForLoop& loop) {
     Value* downwards = b.CreateICmp(loop.comparesSigned ? P::ICMP_SGE : P::ICMP_UGE, current, atHead.last);
     b.CreateCondBr(b.CreateSelect(isUp, upwards, downwards), pass, done);
     enter(pass);
-    charge(int64(1));
+    chargeUnits(m.facts.work().ofPass(loop.stmt));
+    watch(image::WatchKind::Pass, &loop.stmt);
     loopBody(loop.stmt.body, done, next);
     enter(next);
     const ForLoop atNext = here();

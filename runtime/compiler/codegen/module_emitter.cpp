@@ -9,17 +9,15 @@ using tree::LocalKind;
 using types::TypeKind;
 
 namespace {
-constexpr int64_t kUnknownNeed = -1;
 /// Of the scan thread's own stack, for generated code. Threads have 8 MiB.
-constexpr int64_t kHostStack = 4 * 1024 * 1024;
+constexpr int64_t kHostStack = 3 * 1024 * 1024;
 } // namespace
 
 ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program& tree, const ProgramFacts& known,
                              const Options& wanted, Part which)
     : frameSizes(tree.functions.size(), 0), context(llvmContext),
       module(std::make_unique<llvm::Module>("plc", llvmContext)), program(tree), options(wanted), facts(known),
-      part(which), m_abis(tree.functions.size()), m_functions(tree.functions.size()),
-      m_needs(tree.functions.size(), kUnknownNeed) {
+      part(which), m_abis(tree.functions.size()), m_functions(tree.functions.size()), m_needs(tree.functions.size()) {
     i1 = llvm::Type::getInt1Ty(context);
     i8 = llvm::Type::getInt8Ty(context);
     i16 = llvm::Type::getInt16Ty(context);
@@ -37,12 +35,14 @@ ModuleEmitter::ModuleEmitter(llvm::LLVMContext& llvmContext, const tree::Program
     taint();
 }
 
-std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
+Result<std::unique_ptr<llvm::Module>> ModuleEmitter::emit() {
     for (uint32_t f = 1; f < program.functions.size(); ++f) {
         if (!isOwn(f) || program.functions[f].isAbstract) continue;
         if (!isQuick() && !facts[f].isReachable) continue;
         if (isCancelled(options.progress)) return std::move(module);
         FunctionEmitter(*this, f).emit();
+        if (const uint64_t room = facts::frameRoom(program); frameSizes[f] > room)
+            return facts::tooLarge(program, f, frameSizes[f]);
     }
     emitEntries();
     resolvePatches();
@@ -54,9 +54,13 @@ std::unique_ptr<llvm::Module> ModuleEmitter::emit() {
 /// What is long gains nothing by it; callers with many calls take in only what is short.
 void ModuleEmitter::limitInlining() {
     constexpr unsigned kLong = 500, kShort = 80, kManyCalls = 40;
+    constexpr size_t kManyBlocks = 8000; // a CASE or row of ELSIFs of thousands: passes grow with the square of them
     for (llvm::Function* function : m_functions) {
         if (!function || function->isDeclaration()) continue;
         if (function->getInstructionCount() > kLong) function->addFnAttr(llvm::Attribute::NoInline);
+        if (function->size() <= kManyBlocks) continue;
+        function->addFnAttr(llvm::Attribute::NoInline);
+        function->addFnAttr(llvm::Attribute::OptimizeNone);
     }
     for (llvm::Function* function : m_functions) {
         if (!function || function->isDeclaration()) continue;
@@ -174,6 +178,7 @@ const Abi& ModuleEmitter::abi(uint32_t index) {
 
 void ModuleEmitter::addAttributes(llvm::Function& f) {
     f.setDoesNotThrow();
+    f.addFnAttr("warn-stack-size", std::to_string(kSmallStackFrame)); // the JIT hears of larger ones
     if (options.threadSanitizer) f.addFnAttr(llvm::Attribute::SanitizeThread);
     if (isQuick()) return;
     f.addParamAttr(0, llvm::Attribute::NoAlias);
@@ -186,8 +191,8 @@ void ModuleEmitter::addAttributes(llvm::Function& f) {
 llvm::Function* ModuleEmitter::function(uint32_t index) {
     llvm::Function*& f = m_functions[index];
     if (f) return f;
-    const auto linkage = part.count == 1 || program.functions[index].isAbstract ? llvm::GlobalValue::InternalLinkage
-                                                                                : llvm::GlobalValue::ExternalLinkage;
+    const bool isInternal = !isQuick() || program.functions[index].isAbstract; // watched code calls quick code
+    const auto linkage = isInternal ? llvm::GlobalValue::InternalLinkage : llvm::GlobalValue::ExternalLinkage;
     f = llvm::Function::Create(abi(index).type, linkage, "plc.f." + std::to_string(index), *module);
     addAttributes(*f);
     if (program.functions[index].isAbstract) {
@@ -209,6 +214,7 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
     auto* entry =
         llvm::Function::Create(type, llvm::GlobalValue::InternalLinkage, "plc.entry." + std::to_string(index), *module);
     addAttributes(*entry);
+    entry->addFnAttr(kGuardsStack); // sets the limit
     llvm::IRBuilder<> b(llvm::BasicBlock::Create(context, "", entry));
     llvm::Value* ctx = entry->getArg(0);
     const auto field = [&](size_t offset) { return b.CreateConstInBoundsGEP1_64(i8, ctx, offset); };
@@ -246,22 +252,36 @@ llvm::Function* ModuleEmitter::emitEntry(uint32_t index) {
 
 /// Bytes of frame area a call of `index` uses at most, calls into cycles left out (those check for themselves). In
 /// quick code every function checks its own.
-uint32_t ModuleEmitter::need(uint32_t index) {
+uint64_t ModuleEmitter::need(uint32_t index) {
     if (isQuick()) return frameSizes[index];
-    if (m_needs[index] != kUnknownNeed) return static_cast<uint32_t>(m_needs[index]);
-    m_needs[index] = frameSizes[index];
-    uint32_t deepest = 0;
-    for (const uint32_t callee : facts[index].callees)
-        if (!facts[callee].isUnbounded) deepest = std::max(deepest, need(callee));
-    m_needs[index] = frameSizes[index] + deepest;
-    return static_cast<uint32_t>(m_needs[index]);
+    if (m_needs[index]) return *m_needs[index];
+    // Callees first, without recursion: calls may be nested as deep as the program likes.
+    std::vector<uint32_t> waiting{index};
+    while (!waiting.empty()) {
+        const uint32_t f = waiting.back();
+        uint64_t deepest = 0;
+        bool isComplete = true;
+        for (const uint32_t callee : facts[f].callees) {
+            if (facts[callee].isUnbounded) continue;
+            if (m_needs[callee]) {
+                deepest = std::max(deepest, *m_needs[callee]);
+            } else {
+                waiting.push_back(callee);
+                isComplete = false;
+            }
+        }
+        if (!isComplete) continue;
+        m_needs[f] = frameSizes[f] + deepest;
+        waiting.pop_back();
+    }
+    return *m_needs[index];
 }
 
 void ModuleEmitter::resolvePatches() {
     for (const SizePatch& patch : m_sizePatches) {
-        uint32_t value = frameSizes[patch.function];
+        uint64_t value = frameSizes[patch.function];
         if (patch.isNeed) {
-            const uint32_t wanted = need(patch.function);
+            const uint64_t wanted = need(patch.function);
             value = wanted > program.layout.imageSize ? 0 : program.layout.imageSize - wanted;
         }
         patch.instruction->setOperand(
@@ -512,8 +532,8 @@ void ModuleEmitter::taintType(types::TypeId id) {
     for (const types::Field& field : type.fields) taintType(field.type);
 }
 
-std::unique_ptr<llvm::Module> emitModule(llvm::LLVMContext& context, const tree::Program& program,
-                                         const ProgramFacts& facts, const Options& options, Part part) {
+Result<std::unique_ptr<llvm::Module>> emitModule(llvm::LLVMContext& context, const tree::Program& program,
+                                                 const ProgramFacts& facts, const Options& options, Part part) {
     return ModuleEmitter(context, program, facts, options, part).emit();
 }
 

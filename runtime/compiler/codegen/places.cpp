@@ -57,6 +57,11 @@ llvm::Value* FunctionEmitter::load(const Address& a) {
 }
 
 void FunctionEmitter::store(const Address& a, Value* value) {
+    plainStore(a, value);
+    watchPlace(image::WatchKind::Write, m_cause, a);
+}
+
+void FunctionEmitter::plainStore(const Address& a, Value* value) {
     if (a.bit >= 0) {
         llvm::Type* type = a.container.isValid() && !a.isImage ? m.memoryType(a.container) : m.i8;
         Address byte = a;
@@ -87,7 +92,9 @@ void FunctionEmitter::store(const Address& a, Value* value) {
 
 void FunctionEmitter::copy(const Address& to, const Address& from, uint32_t size) {
     if (size == 0) return;
+    chargeUnits(facts::copyUnits(size));
     b.CreateMemMove(pointer(to), alignOf(to), pointer(from), alignOf(from), size);
+    watchPlace(image::WatchKind::Write, m_cause, to, size);
 }
 
 Text FunctionEmitter::textAt(const Address& a) {
@@ -96,6 +103,12 @@ Text FunctionEmitter::textAt(const Address& a) {
 }
 
 // ---------------------------------------------------------------- kinds of places
+
+Address FunctionEmitter::readAddress(const Place& place) {
+    const Address a = place.kind == PlaceKind::TextIndex ? textIndexAddress(place, Purpose::Read) : address(place);
+    watchPlace(image::WatchKind::Read, &place, a);
+    return a;
+}
 
 Address FunctionEmitter::address(const Place& place) {
     switch (place.kind) {

@@ -29,7 +29,14 @@ void FunctionEmitter::breakBlock() {
 }
 
 void FunctionEmitter::statement(const Stmt& stmt) {
-    const uint32_t top = m_temporaryTop;
+    const tree::Stmt* around = std::exchange(m_cause, &stmt);
+    if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) watch(image::WatchKind::Statement, &stmt);
+    plainStatement(stmt);
+    m_cause = around;
+}
+
+void FunctionEmitter::plainStatement(const Stmt& stmt) {
+    const uint64_t top = m_temporaryTop;
     if (stmt.kind != StmtKind::Label && stmt.kind != StmtKind::While) setSite(stmt);
     switch (stmt.kind) {
     case StmtKind::Assign:
@@ -97,7 +104,7 @@ void FunctionEmitter::statement(const Stmt& stmt) {
         }
         Block* target = labelBlock(stmt.label);
         if (stmt.label.index() < m_labelPlaced.size() && m_labelPlaced[stmt.label.index()])
-            charge(int64(1)); // backwards: a loop
+            chargeUnits(m.facts.work().ofJump(m_index)); // backwards: a loop
         b.CreateBr(target);
         enter(skip ? skip : newBlock("dead"));
         break;
@@ -161,10 +168,12 @@ void FunctionEmitter::bind(const Stmt& stmt) {
         slot.base = m_framePointer;
         slot.constant = m_facts.frame.offsets[place.local];
         b.CreateAlignedStore(at, pointer(slot), llvm::Align(1));
+        watchPlace(image::WatchKind::Write, &stmt, slot, 8);
         return;
     }
     Address slot = place.kind == tree::PlaceKind::InOutSlot ? slotAddress(place) : address(place);
     b.CreateAlignedStore(at, pointer(slot), llvm::Align(1));
+    watchPlace(image::WatchKind::Write, &stmt, slot, 8);
     for (auto [low, high] : bounds)
         for (Value* value : {low, high}) {
             slot.constant += 8;
@@ -172,18 +181,30 @@ void FunctionEmitter::bind(const Stmt& stmt) {
         }
 }
 
-void FunctionEmitter::ifStatement(const Stmt& stmt) {
-    Value* condition = scalar(*stmt.a);
-    Block* yes = newBlock("then");
+/// A row of ELSIFs ends in one block and is emitted without recursion, however long it is.
+void FunctionEmitter::ifStatement(const Stmt& first) {
     Block* done = newBlock("done");
-    Block* no = stmt.elseBody.empty() ? done : newBlock("else");
-    b.CreateCondBr(condition, yes, no);
-    enter(yes);
-    body(stmt.body);
-    jump(done);
-    if (no != done) {
+    for (const Stmt* stmt = &first; stmt; stmt = facts::elseIf(*stmt)) {
+        if (stmt != &first) {
+            setSite(*stmt);
+            m_cause = stmt;
+            watch(image::WatchKind::Statement, stmt);
+        }
+        const uint64_t top = m_temporaryTop;
+        Value* condition = scalar(*stmt->a);
+        Block* yes = newBlock("then");
+        Block* no = stmt->elseBody.empty() ? done : newBlock("else");
+        b.CreateCondBr(condition, yes, no);
+        enter(yes);
+        watch(image::WatchKind::Arm, stmt, int64(1));
+        body(stmt->body);
+        jump(done);
+        m_temporaryTop = top;
+        if (no == done) break;
         enter(no);
-        body(stmt.elseBody);
+        watch(image::WatchKind::Arm, stmt, int64(0));
+        if (facts::elseIf(*stmt)) continue;
+        body(stmt->elseBody);
         jump(done);
     }
     enter(done);
@@ -229,10 +250,12 @@ void FunctionEmitter::caseStatement(const Stmt& stmt) {
         b.CreateCondBr(b.CreateICmpULE(b.CreateSub(selector, int64(w.range->low)), span), w.arm, next);
         enter(next);
     }
+    watch(image::WatchKind::Arm, &stmt, int64(-1));
     body(stmt.elseBody);
     jump(done);
     for (size_t i = 0; i < stmt.arms.size(); ++i) {
         enter(arms[i]);
+        watch(image::WatchKind::Arm, &stmt, int64(static_cast<int64_t>(i)));
         body(stmt.arms[i].body);
         jump(done);
     }

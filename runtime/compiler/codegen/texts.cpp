@@ -16,6 +16,7 @@ llvm::Value* FunctionEmitter::textCall(const char* name, bool isWide, llvm::Type
                                        bool writes) {
     std::vector<llvm::Type*> parameters;
     for (Value* a : arguments) parameters.push_back(a->getType());
+    chargeTexts(arguments);
     const std::string full = std::string(isWide ? "plc_wtext_" : "plc_text_") + name;
     return b.CreateCall(
         m.helper(full.c_str(), result, parameters,
@@ -23,13 +24,34 @@ llvm::Value* FunctionEmitter::textCall(const char* name, bool isWide, llvm::Type
         arguments);
 }
 
+namespace {
+/// The most that a capacity can be: SEL and MUX choose between texts of known ones.
+uint64_t greatest(const llvm::Value* capacity) {
+    if (const auto* known = llvm::dyn_cast<llvm::ConstantInt>(capacity)) return known->getZExtValue();
+    if (const auto* choice = llvm::dyn_cast<llvm::SelectInst>(capacity))
+        return std::max(greatest(choice->getTrueValue()), greatest(choice->getFalseValue()));
+    return 0;
+}
+} // namespace
+
+/// Texts are given as pointer and capacity; what a function does with them grows with their capacities.
+void FunctionEmitter::chargeTexts(llvm::ArrayRef<Value*> arguments) {
+    uint64_t units = 0;
+    for (size_t i = 0; i + 1 < arguments.size(); ++i)
+        if (arguments[i]->getType()->isPointerTy() && arguments[i + 1]->getType() == m.i32)
+            units += facts::textUnits(greatest(arguments[i + 1]));
+    chargeUnits(units);
+}
+
 void FunctionEmitter::assignText(const Text& to, const Text& from) {
     if (to.isWide == from.isWide) {
         textCall("assign", to.isWide, m.voidType, {to.pointer, to.capacity, from.pointer, from.capacity}, true);
+        watchTextWrite(to);
         return;
     }
     const std::vector<llvm::Type*> parameters{m.ptr, m.i32, m.ptr, m.i32};
     const std::vector<Value*> arguments{to.pointer, to.capacity, from.pointer, from.capacity};
+    chargeTexts(arguments);
     if (to.isWide)
         b.CreateCall(m.helper("plc_text_to_wide", m.voidType, parameters, ModuleEmitter::Effects::WritesArguments),
                      arguments);
@@ -38,6 +60,7 @@ void FunctionEmitter::assignText(const Text& to, const Text& from) {
             b.CreateCall(m.helper("plc_wtext_to_narrow", m.i8, parameters, ModuleEmitter::Effects::WritesArguments),
                          arguments),
             okSlot());
+    watchTextWrite(to);
 }
 
 Text FunctionEmitter::textTemporary(types::TypeId type) {
@@ -66,11 +89,17 @@ Text FunctionEmitter::widened(const Text& narrow, uint32_t capacity) {
 
 /// Text to read: a variable in place, a constant, or a temporary. CHAR and WCHAR count as texts of one character.
 Text FunctionEmitter::text(const Expr& expr) {
+    const Text made = plainText(expr);
+    watchText(expr, made);
+    return made;
+}
+
+Text FunctionEmitter::plainText(const Expr& expr) {
     if (m.types().family(expr.type) == Family::Character)
         return characterText(scalar(expr), m.types().storageKind(expr.type) == TypeKind::Wchar);
     switch (expr.kind) {
     case ExprKind::Load:
-        return textAt(address(*expr.place));
+        return textAt(readAddress(*expr.place));
     case ExprKind::Constant: {
         const bool isWide = m.types().kind(expr.type) == TypeKind::Wstring;
         std::string bytes;
@@ -103,6 +132,12 @@ Text FunctionEmitter::text(const Expr& expr) {
 }
 
 void FunctionEmitter::textInto(const Expr& expr, const Text& target) {
+    plainTextInto(expr, target);
+    watchText(expr, target);
+    watchTextWrite(target);
+}
+
+void FunctionEmitter::plainTextInto(const Expr& expr, const Text& target) {
     switch (expr.kind) {
     case ExprKind::Call: {
         const Returned returned = call(*expr.call);

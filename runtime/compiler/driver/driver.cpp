@@ -5,6 +5,7 @@
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/driver/definitions.h"
 #include "runtime/compiler/driver/expression_compiler.h"
+#include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/compiler/lower/lower.h"
@@ -59,6 +60,7 @@ uint64_t versionOf(const BuildInput& input) {
     for (const SourceFile& file : input.files) hash = mix(mix(hash, file.path), file.text);
     for (const std::string& library : input.libraries) hash = mix(hash, library);
     for (const std::string& define : input.defines) hash = mix(hash, define);
+    for (const auto& [name, text] : input.libraryTexts) hash = mix(mix(hash, name), text);
     return hash;
 }
 
@@ -78,7 +80,7 @@ void nameReferences(const std::shared_ptr<image::CompiledProgram>& program) {
 
 std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::DebugMap&& debug, uint64_t version) {
     const tree::Program& tree = *checked.analysis->program;
-    auto program = std::make_shared<image::CompiledProgram>();
+    const std::shared_ptr<image::CompiledProgram> program(new image::CompiledProgram, KeepsAnalysis{checked.analysis});
     program->layout = tree.layout;
     program->initialImage = tree.initialImage;
     program->initialImage.resize(program->layout.imageSize);
@@ -106,6 +108,30 @@ void setRecordedSettings(BuildInput& input, const std::vector<std::string>& sett
             input.defines.push_back(each.substr(1));
         else
             input.libraries.push_back(each);
+}
+
+namespace {
+
+struct LibraryText {
+    std::string name; // "toolbox/valves.st"
+    std::string_view text;
+};
+std::vector<LibraryText> libraryTextsOf(const BuildInput& input) {
+    std::vector<LibraryText> all;
+    for (const auto& [name, text] : input.libraryTexts) all.push_back({name, text});
+    if (!all.empty()) return all;
+    for (const library::Source& source : library::sources())
+        if (isWanted(source.library, input.libraries))
+            all.push_back({std::string(source.library) + "/" + std::string(source.fileName), source.text});
+    return all;
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> libraryTexts(const BuildInput& input) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (const LibraryText& each : libraryTextsOf(input)) texts.emplace_back(each.name, std::string(each.text));
+    return texts;
 }
 
 std::vector<std::string> libraryNames() {
@@ -145,16 +171,15 @@ void readConditionsAgain(const SourceSet& sources, const parse::Definitions& def
 std::optional<Checked> checkWatched(const BuildInput& input, Progress* progress) {
     auto sources = std::make_shared<SourceSet>();
     std::vector<std::string> libraryOf;
-    sources->files.reserve(input.files.size() + library::sources().size()); // texts must not move: the trees view them
+    const std::vector<LibraryText> libraries = libraryTextsOf(input);
+    sources->files.reserve(input.files.size() + libraries.size()); // texts must not move: the trees view them
     for (const SourceFile& file : input.files) {
         sources->add(file.path, file.text);
         libraryOf.emplace_back();
     }
-    for (const library::Source& source : library::sources()) {
-        if (!isWanted(source.library, input.libraries)) continue;
-        sources->add("library/" + std::string(source.library) + "/" + std::string(source.fileName),
-                     std::string(source.text));
-        libraryOf.push_back(library::namespaceOf(source.library));
+    for (const LibraryText& source : libraries) {
+        sources->add("library/" + source.name, std::string(source.text));
+        libraryOf.push_back(library::namespaceOf(source.name.substr(0, source.name.find('/'))));
     }
     std::vector<diagnostics::Sink> sinks(sources->files.size());
     std::vector<std::unique_ptr<syntax::SyntaxFile>> files;

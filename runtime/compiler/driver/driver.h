@@ -23,6 +23,8 @@ struct BuildInput {
     std::vector<std::string> defines{};    // NAME or NAME=VALUE, for conditional pragmas
     bool keepsEveryResult = true;          // of each line of an instruction list, for online values
     bool threadSanitizer = false;          // instruments the generated code (tests of the thread contract)
+    /// "toolbox/valves.st" and its text, of every library that is used: in the place of this studio's own (D19).
+    std::vector<std::pair<std::string, std::string>> libraryTexts{};
 };
 
 /// Libraries and defines in one list, as recordings keep them: "util", "#Simulation".
@@ -37,6 +39,8 @@ struct Checked {
 /// The libraries a project can name, lower case, sorted ("analog", "plant", …); the standard is always there and not
 /// listed.
 [[nodiscard]] std::vector<std::string> libraryNames();
+/// The texts of the libraries that the build uses, for a recording.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> libraryTexts(const BuildInput& input);
 [[nodiscard]] Checked check(const BuildInput& input);
 
 struct Built {
@@ -52,6 +56,15 @@ struct Built {
 /// Compiles the optimised tier and publishes it in `program`; call from a worker thread. Cancelled, it is
 /// an error and the program stays as it was.
 [[nodiscard]] Result<void> optimise(const Built& built, Progress* progress = nullptr);
+
+/// What a built program was made from; null: made otherwise.
+[[nodiscard]] const tree::Program* treeOf(const std::shared_ptr<const image::CompiledProgram>& program);
+[[nodiscard]] Checked checkedOf(const std::shared_ptr<const image::CompiledProgram>& program);
+/// Code that reports what it computes (image/watch.h): the functions named (none: all) and whatever leads to them; the
+/// others run in the quick code. Any thread.
+[[nodiscard]] Result<std::shared_ptr<const image::Code>>
+compileWatched(const std::shared_ptr<const image::CompiledProgram>& program,
+               const std::vector<uint32_t>& functions = {}, Progress* progress = nullptr);
 
 /// Compiles an expression (D7) for images of `checked`'s layout, as seen from instance path `scope` ("" = top).
 /// The error text is the first diagnostic's message.

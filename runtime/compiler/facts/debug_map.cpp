@@ -21,7 +21,7 @@ DebugMap makeDebugMap(const tree::Program& program) {
         info.declaration = function.declaration;
         const FrameLayout layout =
             layFrameOut(*program.types, function, std::vector<bool>(function.locals.size(), true));
-        info.frameSize = layout.size;
+        info.frameSize = static_cast<uint32_t>(std::min(layout.size, kMaximumFrame));
         for (size_t i = 0; i < function.locals.size(); ++i) {
             const Local& local = function.locals[i];
             info.locals.push_back({local.name, local.type, layout.offsets[i], local.isInOut, local.isHidden});

@@ -1,5 +1,7 @@
 #include "runtime/compiler/facts/frames.h"
 
+#include "runtime/base/messages.h"
+
 #include <algorithm>
 
 namespace plc::facts {
@@ -10,8 +12,17 @@ using tree::LocalKind;
 using types::TypeKind;
 
 namespace {
-uint32_t aligned(uint32_t offset, uint32_t align) { return (offset + align - 1) / align * align; }
+uint64_t aligned(uint64_t offset, uint32_t align) { return (offset + align - 1) / align * align; }
 } // namespace
+
+uint64_t frameRoom(const tree::Program& program) {
+    const image::Layout& layout = program.layout;
+    return layout.imageSize > layout.frameBegin ? layout.imageSize - layout.frameBegin : 0;
+}
+
+Error tooLarge(const tree::Program& program, uint32_t function, uint64_t bytes) {
+    return {errors::LocalsTooLarge(program.functions[function].name, bytes, frameRoom(program)), ""};
+}
 
 bool isScalar(const types::TypeTable& types, types::TypeId type) {
     return !types.isAggregate(type) && !types.isText(type) && types.kind(type) != TypeKind::OpenArray;
@@ -30,7 +41,7 @@ FrameLayout layFrameOut(const types::TypeTable& types, const Function& function,
         const Local& local = function.locals[i];
         const uint32_t align = local.isInOut ? 8 : std::max(1u, types[local.type].align);
         layout.size = aligned(layout.size, align);
-        layout.offsets[i] = layout.size;
+        layout.offsets[i] = static_cast<uint32_t>(std::min(layout.size, kMaximumFrame));
         layout.size += slotSize(types, local);
     };
     const auto isShared = [&](size_t i) {

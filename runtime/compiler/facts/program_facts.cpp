@@ -1,6 +1,7 @@
 #include "runtime/compiler/facts/program_facts.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace plc::facts {
 
@@ -47,10 +48,12 @@ protected:
         if (expr.kind == ExprKind::Intrinsic &&
             (expr.intrinsic == library::Intrinsic::DivDuration || expr.intrinsic == library::Intrinsic::CharAt))
             m_out.canFault = true;
+        note(expr.type);
         if (expr.kind == ExprKind::Call && expr.call) call(*expr.call);
     }
 
     void onPlace(const Place& place, Use use) override {
+        note(place.type);
         for (const Place* p = &place; p; p = p->base) {
             switch (p->kind) {
             case PlaceKind::Index: {
@@ -76,6 +79,14 @@ protected:
     }
 
 private:
+    /// Values that are charged where they are copied.
+    void note(types::TypeId type) {
+        if (isChargedByItself(*m_program.types, type)) m_out.charges = m_out.canFault = true;
+    }
+    void noteParameters(uint32_t callee) {
+        for (const Local& local : m_program.functions[callee].locals)
+            if (local.kind != tree::LocalKind::Local && !local.isInOut) note(local.type);
+    }
     void call(const tree::Call& call) {
         const uint32_t callee = call.callee.value;
         if (call.dispatch == tree::Call::Dispatch::Direct) {
@@ -83,13 +94,16 @@ private:
             return;
         }
         m_out.canFault = true;
+        noteParameters(callee);
         for (const Target& target : m_facts.targetsOf(callee))
             if (target.function != 0) addCallee(target.function, call);
     }
     void addCallee(uint32_t callee, const tree::Call& call) {
         if (callee == 0 || callee >= m_all.size()) return;
-        if (std::find(m_out.callees.begin(), m_out.callees.end(), callee) == m_out.callees.end())
+        if (m_called.insert(callee).second) {
             m_out.callees.push_back(callee);
+            noteParameters(callee);
+        }
         std::vector<bool> given(m_all[callee].mayBeNull.size(), false);
         for (const tree::CallArgument& argument : call.arguments)
             if (argument.mode == tree::ArgumentMode::InOut && argument.place && argument.local < given.size())
@@ -103,6 +117,7 @@ private:
     FunctionFacts& m_out;
     std::vector<FunctionFacts>& m_all;
     std::vector<bool>& m_inMemory;
+    std::unordered_set<uint32_t> m_called;
 };
 } // namespace
 
@@ -111,7 +126,8 @@ void ProgramFacts::spreadWrites() {
     for (uint32_t f = 1; f < m_functions.size(); ++f) m_functions[f].writes = ownWrites(m_program, f);
     for (bool changed = true; changed;) {
         changed = false;
-        for (FunctionFacts& f : m_functions) {
+        for (const uint32_t index : m_order) {
+            FunctionFacts& f = m_functions[index];
             for (const uint32_t g : f.callees) {
                 const WriteSummary& callee = m_functions[g].writes;
                 if (callee.anything && !f.writes.anything) f.writes.anything = changed = true;
@@ -144,8 +160,55 @@ ProgramFacts::ProgramFacts(const tree::Program& program, Tier tier)
         if (program.functions[f].methodSlot != Id<int>::kNone) m_targets[f] = findTargets(f);
     for (uint32_t f = 1; f < program.functions.size(); ++f) collect(f);
     findCycles();
+    measureWork();
+    recordLongPaths();
     spread();
     spreadWrites();
+}
+
+Result<void> ProgramFacts::fits() const {
+    const uint64_t room = frameRoom(m_program);
+    std::vector<uint64_t> needs(m_functions.size(), 0);
+    for (const uint32_t f : m_order) {
+        const Function& function = m_program.functions[f];
+        uint64_t deepest = 0;
+        for (const uint32_t g : m_functions[f].callees)
+            if (!m_functions[g].isUnbounded) deepest = std::max(deepest, needs[g]);
+        needs[f] =
+            deepest + layFrameOut(*m_program.types, function, std::vector<bool>(function.locals.size(), true)).size;
+        if (needs[f] > room) return tooLarge(m_program, f, needs[f]);
+    }
+    return {};
+}
+
+void ProgramFacts::measureWork() {
+    std::vector<bool> inCycle(m_functions.size());
+    for (size_t f = 0; f < m_functions.size(); ++f) inCycle[f] = m_functions[f].inCycle;
+    m_work = WorkTable(m_program, m_order, inCycle, [this](const tree::Call& call) {
+        if (call.dispatch == tree::Call::Dispatch::Direct) return std::vector<uint32_t>{call.callee.value};
+        std::vector<uint32_t> reached;
+        for (const Target& target : targetsOf(call.callee.value))
+            if (target.function != 0) reached.push_back(target.function);
+        return reached;
+    });
+    for (uint32_t f = 1; f < m_functions.size(); ++f)
+        if (m_work.atEntry(f) > 0) m_functions[f].charges = m_functions[f].canFault = true;
+}
+
+/// Calls that can fault leave a record, and there are so many records: that bounds the depth of calls, and with it what
+/// they take of the machine's stack, the same in each tier. Calls that cannot fault are bounded by the length of their
+/// way through the program; where that is too long, or below a cycle, they are recorded as well.
+void ProgramFacts::recordLongPaths() {
+    std::vector<uint32_t> below(m_functions.size(), 1), above(m_functions.size(), 1); // calls, the function included
+    for (const uint32_t f : m_order)
+        for (const uint32_t g : m_functions[f].callees) below[f] = std::max(below[f], below[g] + 1);
+    for (auto f = m_order.rbegin(); f != m_order.rend(); ++f) {
+        FunctionFacts& facts = m_functions[*f];
+        if (facts.inCycle || above[*f] + below[*f] - 1 > image::kMaximumDepth) facts.canFault = true;
+        for (const uint32_t g : facts.callees) {
+            above[g] = std::max(above[g], facts.inCycle ? image::kMaximumDepth + 1 : above[*f] + 1);
+        }
+    }
 }
 
 void ProgramFacts::collect(uint32_t index) {
@@ -237,6 +300,7 @@ void ProgramFacts::findCycles() {
                 const uint32_t g = stack.back();
                 stack.pop_back();
                 onStack[g] = false;
+                m_order.push_back(g);
                 if (isLoop) m_functions[g].inCycle = true;
                 if (g == f) break;
             }
@@ -255,7 +319,8 @@ void ProgramFacts::spread() {
     }
     for (bool changed = true; changed;) {
         changed = false;
-        for (FunctionFacts& f : m_functions) {
+        for (const uint32_t index : m_order) {
+            FunctionFacts& f = m_functions[index];
             for (const uint32_t g : f.callees) {
                 const FunctionFacts& callee = m_functions[g];
                 if ((callee.canFault && !f.canFault) || (callee.charges && !f.charges) ||

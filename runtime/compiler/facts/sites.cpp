@@ -14,6 +14,9 @@ using tree::StmtKind;
 namespace {
 bool isPlaced(const Stmt& stmt) { return stmt.range.file.isValid(); }
 
+using RangeKey = std::tuple<uint32_t, uint32_t, uint32_t>;
+RangeKey keyOf(const SourceRange& range) { return {range.file.value, range.begin, range.end}; }
+
 class SiteCollector : public Walker {
 public:
     struct Found {
@@ -26,21 +29,23 @@ public:
 protected:
     void onStmt(const Stmt& stmt) override {
         const Stmt* const before = m_before; // the sibling in front
-        m_parents.push_back(&stmt);
         m_before = nullptr;
+        const bool isInsideItself = m_around.count(keyOf(stmt.range)) != 0;
+        if (!stmt.isHidden) ++m_around[keyOf(stmt.range)];
         if (!isPlaced(stmt) || stmt.kind == StmtKind::Label) return;
         if (stmt.isHidden) {
             hidden.push_back(&stmt);
             return;
         }
         if (stmt.kind == StmtKind::Block && !standsForOne(stmt)) return;
-        bool isRepeated = before && before->range == stmt.range && !before->isHidden;
-        for (size_t i = 0; i + 1 < m_parents.size(); ++i)
-            isRepeated = isRepeated || (m_parents[i]->range == stmt.range && !m_parents[i]->isHidden);
-        visible.push_back({&stmt, !isRepeated});
+        const bool isRepeated = before && before->range == stmt.range && !before->isHidden;
+        visible.push_back({&stmt, !isRepeated && !isInsideItself});
     }
     void afterStmt(const Stmt& stmt) override {
-        m_parents.pop_back();
+        if (!stmt.isHidden) {
+            const auto around = m_around.find(keyOf(stmt.range));
+            if (--around->second == 0) m_around.erase(around);
+        }
         m_before = &stmt;
     }
 
@@ -49,12 +54,9 @@ private:
         return std::any_of(block.body.begin(), block.body.end(),
                            [&](const Stmt* s) { return s && !s->isHidden && s->range == block.range; });
     }
-    std::vector<const Stmt*> m_parents;
+    std::map<RangeKey, uint32_t> m_around; // statements that hold this one, by their text
     const Stmt* m_before = nullptr;
 };
-
-using RangeKey = std::tuple<uint32_t, uint32_t, uint32_t>;
-RangeKey keyOf(const SourceRange& range) { return {range.file.value, range.begin, range.end}; }
 } // namespace
 
 SiteTable::SiteTable(const tree::Program& program) : sites(1) {

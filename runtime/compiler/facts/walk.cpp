@@ -17,7 +17,26 @@ void Walker::walkBody(const std::vector<Stmt*>& body) {
         if (stmt) walk(*stmt);
 }
 
-void Walker::walk(const Stmt& stmt) {
+/// A row of ELSIFs is a chain of IFs, each in the ELSE of the one before; it may be as long as it likes, so it is
+/// walked without recursion.
+void Walker::walk(const Stmt& first) {
+    if (!elseIf(first)) {
+        walkParts(first);
+        walkBody(first.elseBody);
+        afterStmt(first);
+        return;
+    }
+    std::vector<const Stmt*> row;
+    for (const Stmt* stmt = &first; stmt; stmt = elseIf(*stmt)) {
+        walkParts(*stmt);
+        row.push_back(stmt);
+    }
+    walkBody(row.back()->elseBody);
+    for (auto stmt = row.rbegin(); stmt != row.rend(); ++stmt) afterStmt(**stmt);
+}
+
+/// All but the ELSE branch.
+void Walker::walkParts(const Stmt& stmt) {
     onStmt(stmt);
     walk(stmt.a);
     walk(stmt.b);
@@ -26,8 +45,6 @@ void Walker::walk(const Stmt& stmt) {
     if (stmt.target) walk(stmt.target, Use::Address);
     walkBody(stmt.body);
     for (const tree::CaseArm& arm : stmt.arms) walkBody(arm.body);
-    walkBody(stmt.elseBody);
-    afterStmt(stmt);
 }
 
 void Walker::walk(const Expr* expr) {
@@ -62,6 +79,12 @@ void Walker::walk(const Place* place, Use use) {
         walk(p->pointer);
         walk(p->value);
     }
+}
+
+const Stmt* elseIf(const Stmt& stmt) {
+    if (stmt.kind != tree::StmtKind::If || stmt.elseBody.size() != 1) return nullptr;
+    const Stmt* other = stmt.elseBody[0];
+    return other && other->kind == tree::StmtKind::If ? other : nullptr;
 }
 
 const Place& rootOf(const Place& place) {

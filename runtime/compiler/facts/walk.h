@@ -22,7 +22,13 @@ protected:
     virtual void onExpr(const tree::Expr&) {}
     virtual void onPlace(const tree::Place&, Use) {}
     virtual void afterStmt(const tree::Stmt&) {}
+
+private:
+    void walkParts(const tree::Stmt& stmt);
 };
+
+/// The IF that alone is the ELSE branch of an IF, as ELSIF is in the checked tree; else null.
+[[nodiscard]] const tree::Stmt* elseIf(const tree::Stmt& stmt);
 
 /// The innermost base: Absolute, Instance, Local, InOutSlot, Deref or Temporary.
 [[nodiscard]] const tree::Place& rootOf(const tree::Place& place);

@@ -334,6 +334,7 @@ void Structure::statement(const Stmt& stmt) {
     case StmtKind::Force:
     case StmtKind::Release:
     case StmtKind::Compare:
+    case StmtKind::PowerOff:
         soft(stmt.range.begin);
         if (stmt.countsScans && stmt.to) softWordsIn({stmt.range.file, stmt.to->range.end, stmt.range.end});
         break;

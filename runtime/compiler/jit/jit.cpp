@@ -2,6 +2,7 @@
 #include "runtime/base/messages.h"
 
 #include "runtime/compiler/facts/program_facts.h"
+#include "runtime/compiler/jit/stack_use.h"
 #include "runtime/compiler/jit/write_marks.h"
 #include "runtime/library/text_runtime.h"
 
@@ -215,6 +216,12 @@ llvm::Expected<llvm::orc::JITTargetMachineBuilder> machineFor(bool isQuick) {
     return builder;
 }
 
+/// "plc.f.7", "plc.entry.7" → the name of function 7.
+std::string functionName(const tree::Program& program, const std::string& symbol) {
+    const size_t number = std::strtoul(symbol.c_str() + symbol.rfind('.') + 1, nullptr, 10);
+    return number < program.functions.size() ? program.functions[number].name : symbol;
+}
+
 /// Tree → object file, on any thread: nothing is shared but the tree and what is known about it.
 Result<Object> compilePart(const tree::Program& program, const facts::ProgramFacts& facts,
                            const codegen::Options& options, codegen::Part part, Steps& steps) {
@@ -226,7 +233,10 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
     if (!machine) return failed(machine.takeError());
     llvm::LLVMContext context;
     context.setDiscardValueNames(isQuick);
-    const std::unique_ptr<llvm::Module> module = codegen::emitModule(context, program, facts, options, part);
+    const StackUse stack(context);
+    auto emitted = codegen::emitModule(context, program, facts, options, part);
+    if (!emitted) return emitted.error();
+    const std::unique_ptr<llvm::Module> module = std::move(*emitted);
     if (!steps.done(kEmitSteps)) return cancelled;
     module->setDataLayout((*machine)->createDataLayout());
     module->setTargetTriple((*machine)->getTargetTriple().str());
@@ -246,6 +256,17 @@ Result<Object> compilePart(const tree::Program& program, const facts::ProgramFac
     auto object = llvm::orc::SimpleCompiler(**machine)(*module);
     if (!object) return failed(object.takeError());
     (void)steps.done(kObjectSteps);
+    bool isBounded = true;
+    for (const StackUse::Frame& frame : stack.large()) {
+        if (frame.bytes > kMaximumStackFrame)
+            return Error{errors::StackFrameTooLarge(functionName(program, frame.function)), ""};
+        isBounded = isBounded && frame.isGuarded;
+    }
+    if (!isBounded && !options.guardsEveryStack) { // inlining made a large frame: the same again, with more questions
+        codegen::Options careful = options;
+        careful.guardsEveryStack = true;
+        return compilePart(program, facts, careful, part, steps);
+    }
     return std::move(*object);
 }
 
@@ -279,7 +300,32 @@ struct EntryRow {
 
 } // namespace
 
-Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::Options& options) {
+namespace {
+
+/// The functions that watched code does not hold itself lie in the quick code.
+llvm::Error defineQuickFunctions(llvm::orc::LLJIT& jit, const tree::Program& program, const std::vector<bool>& only,
+                                 const image::Code& quick) {
+    auto& from = *static_cast<llvm::orc::LLJIT*>(quick.keepAlive.get());
+    llvm::orc::SymbolMap map;
+    for (uint32_t f = 1; f < program.functions.size(); ++f) {
+        if (only[f] || program.functions[f].isAbstract) continue;
+        const std::string name = "plc.f." + std::to_string(f);
+        auto address = from.lookup(name);
+        if (!address) return address.takeError();
+        map[jit.mangleAndIntern(name)] = {*address, llvm::JITSymbolFlags::Exported | llvm::JITSymbolFlags::Callable};
+    }
+    if (map.empty()) return llvm::Error::success();
+    return jit.getMainJITDylib().define(llvm::orc::absoluteSymbols(std::move(map)));
+}
+
+/// What watched code needs beside itself.
+struct QuickCode {
+    std::shared_ptr<const image::Code> code;
+    std::shared_ptr<llvm::orc::LLJIT> jit;
+};
+
+Result<std::shared_ptr<const image::Code>> compileOver(const tree::Program& program, const codegen::Options& options,
+                                                       const std::shared_ptr<const image::Code>& quick) {
     initialiseTargets();
     const bool isQuick = options.tier == codegen::Tier::Quick;
     auto machine = machineFor(isQuick);
@@ -301,7 +347,10 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     }
     if (auto error = library.define(llvm::orc::absoluteSymbols(runtimeSymbols(**jit)))) return failed(std::move(error));
 
+    if (quick)
+        if (auto error = defineQuickFunctions(**jit, program, *options.only, *quick)) return failed(std::move(error));
     const facts::ProgramFacts facts(program, options.tier);
+    if (auto fits = facts.fits(); !fits) return fits.error();
     const uint32_t parts = partsFor(program, options);
     for (Result<Object>& object : compileParts(program, facts, options, parts)) {
         if (!object) return object.error();
@@ -310,6 +359,7 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
     auto code = std::make_shared<image::Code>();
     code->hasSites = isQuick;
     code->marksWrites = marksWrites(program.layout);
+    if (quick) code->entries = quick->entries;
     code->entries.resize(program.functions.size(), nullptr);
     for (uint32_t part = 0; part < parts; ++part) {
         auto table = (*jit)->lookup("plc.entries." + std::to_string(part));
@@ -317,8 +367,28 @@ Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
         for (const EntryRow* row = table->toPtr<const EntryRow*>(); row->function != 0; ++row)
             code->entries[row->function] = row->code;
     }
-    code->keepAlive = std::shared_ptr<llvm::orc::LLJIT>(std::move(*jit));
+    std::shared_ptr<llvm::orc::LLJIT> own(std::move(*jit));
+    if (quick)
+        code->keepAlive = std::make_shared<QuickCode>(QuickCode{quick, std::move(own)});
+    else
+        code->keepAlive = std::move(own);
     return std::shared_ptr<const image::Code>(std::move(code));
+}
+
+} // namespace
+
+Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program, const codegen::Options& options) {
+    return compileOver(program, options, nullptr);
+}
+
+Result<std::shared_ptr<const image::Code>> compileWatched(const tree::Program& program, const std::vector<bool>& only,
+                                                          std::shared_ptr<const image::Code> quick,
+                                                          Progress* progress) {
+    codegen::Options options;
+    options.watched = true;
+    options.only = &only;
+    options.progress = progress;
+    return compileOver(program, options, quick);
 }
 
 } // namespace plc::jit

@@ -12,4 +12,11 @@ void setRuntimeSymbols(const image::RuntimeSymbols& symbols);
 [[nodiscard]] Result<std::shared_ptr<const image::Code>> compile(const tree::Program& program,
                                                                  const codegen::Options& options);
 
+/// Quick code of the functions in `only` that reports what it computes (image/watch.h); the others are `quick`, which
+/// compile() made of the same program. Who calls a function of `only` must be in it as well, or it runs unwatched.
+[[nodiscard]] Result<std::shared_ptr<const image::Code>> compileWatched(const tree::Program& program,
+                                                                        const std::vector<bool>& only,
+                                                                        std::shared_ptr<const image::Code> quick,
+                                                                        Progress* progress = nullptr);
+
 } // namespace plc::jit

@@ -420,6 +420,7 @@ private:
         case StmtKind::Force:
         case StmtKind::Release:
         case StmtKind::Compare:
+        case StmtKind::PowerOff:
             return fail(phrases::ThisStatement());
         }
     }

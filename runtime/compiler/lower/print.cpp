@@ -106,6 +106,7 @@ private:
         case StmtKind::Force:
         case StmtKind::Release:
         case StmtKind::Compare:
+        case StmtKind::PowerOff:
             return; // not of ST bodies
         }
     }

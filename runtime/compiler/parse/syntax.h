@@ -165,16 +165,17 @@ enum class StmtKind : uint8_t {
     Repeat,
     Exit,
     Continue,
-    Return,  // value: RETURN expr (CODESYS conditional RETURN(cond) of FBD is not ST)
-    Label,   // name:
-    Jump,    // JMP name; condition in `value` after lowering from IL
-    Block,   // body only: made by lowering
-    Il,      // one IL instruction, see il
-    Run,     // tests: RUN T#5s | RUN 3 SCANS | RUN UNTIL expr FOR T#10s
-    Assert,  // tests: ASSERT value, message
-    Force,   // tests: FORCE target := value
-    Release, // tests: RELEASE target
-    Compare, // tests: COMPARE 'recording', TOLERANCE := 0.01
+    Return,   // value: RETURN expr (CODESYS conditional RETURN(cond) of FBD is not ST)
+    Label,    // name:
+    Jump,     // JMP name; condition in `value` after lowering from IL
+    Block,    // body only: made by lowering
+    Il,       // one IL instruction, see il
+    Run,      // tests: RUN T#5s | RUN 3 SCANS | RUN UNTIL expr FOR T#10s
+    Assert,   // tests: ASSERT value, message
+    Force,    // tests: FORCE target := value
+    Release,  // tests: RELEASE target
+    Compare,  // tests: COMPARE 'recording', TOLERANCE := 0.01
+    PowerOff, // tests: POWER_OFF T#5s
 };
 
 struct IfBranch {

@@ -30,7 +30,7 @@ TestDecl* Parser::parseTest() {
     return test;
 }
 
-/// RUN, ASSERT, FORCE, RELEASE, COMPARE; elsewhere these are names.
+/// RUN, ASSERT, FORCE, RELEASE, COMPARE, POWER_OFF; elsewhere these are names.
 Stmt* Parser::parseTestStatement() {
     if (!at(TokenKind::Identifier)) return nullptr;
     const SoftWord word = peek().soft;
@@ -40,6 +40,7 @@ Stmt* Parser::parseTestStatement() {
     case SoftWord::Force:
     case SoftWord::Release:
     case SoftWord::Compare:
+    case SoftWord::PowerOff:
         break;
     default:
         return nullptr;
@@ -102,6 +103,10 @@ Stmt* Parser::parseTestStatement() {
     case SoftWord::Release:
         stmt->kind = StmtKind::Release;
         stmt->target = parsePlace();
+        break;
+    case SoftWord::PowerOff:
+        stmt->kind = StmtKind::PowerOff;
+        stmt->to = parseExpression();
         break;
     default:
         stmt->kind = StmtKind::Compare;

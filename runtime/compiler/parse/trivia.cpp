@@ -27,9 +27,9 @@ std::string_view unquoted(std::string_view text) {
 /// The pragmas that mean something to us or to the editors whose files we read.
 bool isKnownPragma(std::string_view key) {
     static constexpr std::string_view known[] = {
-        "attribute", "gvl",      "library",  "language", "minTime",  "maxTime", "region",   "endregion",
-        "text",      "info",     "warning",  "error",    "IF",       "ELSE",    "ELSIF",    "END_IF",
-        "define",    "undefine", "analysis", "flag",     "external", "comment", "namespace"};
+        "attribute", "gvl",      "library",  "language", "minTime",  "maxTime", "region",    "endregion",
+        "text",      "info",     "warning",  "error",    "IF",       "ELSE",    "ELSIF",     "END_IF",
+        "define",    "undefine", "analysis", "flag",     "external", "comment", "namespace", "network"};
     return std::any_of(std::begin(known), std::end(known),
                        [&](std::string_view k) { return equalsIgnoringCase(k, key); });
 }

@@ -84,6 +84,9 @@ void Checker::testStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
     case StmtKind::Release:
         if (stmt.target) (void)denote(*stmt.target, Access::Read);
         return;
+    case StmtKind::PowerOff:
+        if (stmt.to) duration(*stmt.to);
+        return;
     default:
         if (stmt.value) (void)expression(*stmt.value, types.string(255));
         if (stmt.to) (void)expression(*stmt.to);

@@ -81,5 +81,22 @@ TEST_F(ConvertCommand, SaysWhatHasNoLikeAndWhatIsWrongUse) {
     EXPECT_EQ(run({"--to", "st"}).exitCode, cli::kWrongUse);
 }
 
+TEST_F(ConvertCommand, WritesHowAUnitLikesToBeShownAndNothingElse) {
+    const std::string attribute = "{attribute 'view' := 'ladder'}\n";
+    std::string expected(kList);
+    expected.insert(expected.find("PROGRAM"), attribute);
+    EXPECT_EQ(run({"units.st", "--to", "ld", "--unit", "main"}).out, expected);
+    EXPECT_EQ(text(), kList);
+    EXPECT_EQ(run({"units.st", "--to", "ld", "--unit", "Main", "--write"}).exitCode, 0);
+    EXPECT_EQ(text(), expected);
+    EXPECT_EQ(run({"units.st", "--to", "ld", "--unit", "Main", "--write"}).err, "nothing to convert\n");
+    EXPECT_EQ(run({"units.st", "--to", "fbd", "--unit", "Main", "--write"}).exitCode, 0);
+    expected.replace(expected.find("ladder"), 6, "fbd");
+    EXPECT_EQ(text(), expected);
+    EXPECT_EQ(run({"units.st", "--to", "fbd"}).exitCode, 2);
+    EXPECT_EQ(run({"units.st", "--to", "fbd", "--unit", "Sum"}).exitCode, 2) << "an instruction list";
+    EXPECT_EQ(run({"units.st", "--to", "ld", "--unit", "Nothing"}).exitCode, 2);
+}
+
 } // namespace
 } // namespace plc

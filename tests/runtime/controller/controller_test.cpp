@@ -222,7 +222,7 @@ TEST(Controller, AnEndlessLoopEndsInVirtualTimeByItsBudgetAndInRealTimeByTheCloc
         ASSERT_TRUE(controller.fault());
         EXPECT_EQ(controller.fault()->code, FaultCode::Watchdog);
         EXPECT_NE(controller.fault()->message.english().find(isRealTime ? "watchdog time of T#2ms"
-                                                                        : "more than 1000 loop passes"),
+                                                                        : "more than 1000 units of work"),
                   std::string::npos)
             << controller.fault()->message.english();
     }

@@ -367,7 +367,7 @@ protected:
     RecordingFile()
         : path((std::filesystem::temp_directory_path() / ("recording_" + std::to_string(::getpid()) + ".stwrec"))
                    .string()) {
-        history.describeProgram(a, {{"main.st", "a"}}, {"toolbox"});
+        history.describeProgram(a, {{"main.st", "a"}}, {"toolbox"}, {{"toolbox/valves.st", "text"}});
         history.describeProgram(b, {{"main.st", "b"}}, {});
         history.mark(3, errors::Plainly(Verbatim("here")), 5ms);
     }
@@ -377,9 +377,10 @@ protected:
         return sources.at(0).second == "a" ? a : b;
     }
     Result<std::unique_ptr<History>> load() {
-        return History::load(path, [&](const auto& sources, const auto& libraries) {
-            EXPECT_EQ(libraries.size(), sources.at(0).second == "a" ? 1u : 0u);
-            return rebuild(sources);
+        return History::load(path, [&](const History::Sources& sources) {
+            EXPECT_EQ(sources.libraries.size(), sources.files.at(0).second == "a" ? 1u : 0u);
+            EXPECT_EQ(sources.libraryTexts.size(), sources.libraries.size());
+            return rebuild(sources.files);
         });
     }
     std::string path;
@@ -419,12 +420,12 @@ TEST_F(RecordingFile, ADamagedFileIsRefusedWithoutHarm) {
                 static_cast<char>(1 + random() % 255);
         std::ofstream(path, std::ios::binary | std::ios::trunc) << bad;
         const Result<std::unique_ptr<History>> loaded =
-            History::load(path, [&](const auto& sources, const auto&) -> std::shared_ptr<const image::CompiledProgram> {
-                return sources.empty() ? nullptr : sources[0].second == "a" ? a : b;
+            History::load(path, [&](const History::Sources& sources) -> std::shared_ptr<const image::CompiledProgram> {
+                return sources.files.empty() ? nullptr : sources.files[0].second == "a" ? a : b;
             });
         EXPECT_FALSE(loaded) << "seed " << start << " step " << i;
     }
-    EXPECT_FALSE(History::load("/nonexistent/file", [](const auto&, const auto&) { return nullptr; }));
+    EXPECT_FALSE(History::load("/nonexistent/file", [](const auto&) { return nullptr; }));
     EXPECT_FALSE(history.save("/nonexistent/file"));
 }
 

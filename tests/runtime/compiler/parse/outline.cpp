@@ -90,6 +90,8 @@ std::string statement(const Stmt& s) {
                (s.countsScans ? " scans" : "");
     case StmtKind::Assert:
         return "ASSERT " + outline(s.value) + (s.to ? ", " + outline(s.to) : "");
+    case StmtKind::PowerOff:
+        return "POWER_OFF " + outline(s.to);
     case StmtKind::Force:
         return "FORCE " + outline(s.target) + " := " + outline(s.value);
     case StmtKind::Release:

@@ -72,10 +72,10 @@ TEST(Tests, HaveStatementsOfTheirOwn) {
     const Parsed parsed("TEST 'fills the bin'\nVAR n : INT; END_VAR\nMain.start := TRUE;\nRUN T#5s;\nRUN 3 SCANS;\nRUN "
                         "UNTIL Main.full FOR T#10s;\n"
                         "FORCE Main.x := 1;\nRELEASE Main.x;\nASSERT Main.level > 5, 'too low';\nASSERT (a = b) AND "
-                        "c;\nCOMPARE 'rec', TOLERANCE := 0.01;\nEND_TEST\n");
+                        "c;\nCOMPARE 'rec', TOLERANCE := 0.01;\nPOWER_OFF T#5s;\nEND_TEST\n");
     EXPECT_EQ(parsed.codes(), "");
     EXPECT_EQ(outline(*parsed.file),
               "TEST fills the bin VAR(n:INT) {Main.start := TRUE; RUN T#5s; RUN 3 scans; RUN until Main.full for "
               "T#10s; FORCE Main.x := 1; RELEASE Main.x; "
-              "ASSERT (Main.level > 5), 'too low'; ASSERT ((a = b) AND c); COMPARE 'rec', 0.01}");
+              "ASSERT (Main.level > 5), 'too low'; ASSERT ((a = b) AND c); COMPARE 'rec', 0.01; POWER_OFF T#5s}");
 }

@@ -1,0 +1,108 @@
+#include "app/cli/command.h"
+#include "app/cli/errors.h"
+#include "app/cli/inside_output.h"
+#include "app/cli/run_output.h"
+#include "app/cli/timed_write.h"
+
+#include "projects/session/session.h"
+#include "projects/storage/project_file.h"
+#include "runtime/inside/words.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace plc::cli {
+
+namespace {
+
+bool isRecording(const std::string& path) {
+    char magic[6] = {};
+    std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+    return std::string_view(magic, sizeof magic) == "STWREC";
+}
+
+int answer(const Arguments& arguments, const history::History& history, const std::string& question) {
+    const history::Statistics statistics = history.statistics();
+    if (statistics.scans == 0) return wrongUse({"There is no scan to ask about", question});
+    history::Position at = statistics.end - 1;
+    if (const auto text = arguments.value("--at")) {
+        const auto position = positionOf(history, *text);
+        if (!position) return wrongUse(position.error());
+        at = *position;
+    }
+    inside::Insight insight(history);
+    inside::Reasoner reasoner(insight);
+    if (arguments.has("--not")) {
+        const auto found = reasoner.whyNot({question, {}}, at);
+        if (!found) return wrongUse(found.error());
+        std::cout << (arguments.wantsJson() ? toJson(*found) + "\n" : inside::toText(*found));
+        return found->ways.empty() ? kProgramWrong : kGood;
+    }
+    const auto found = reasoner.why({question, {}}, at);
+    if (!found) return wrongUse(found.error());
+    std::cout << (arguments.wantsJson() ? toJson(*found) + "\n" : inside::toText(*found));
+    return kGood;
+}
+
+/// Runs the project as `run` does, recorded, up to the scan that is asked about.
+int answerByRunning(const Arguments& arguments, const std::string& path, const std::string& question) {
+    const auto project = openNamedProject(arguments, {path});
+    if (!project) return wrongUse(project.error());
+    const driver::Built built = [&] {
+        const Busy busy("building " + project->name);
+        return driver::build(project->buildInput());
+    }();
+    if (built.checked.analysis->hasErrors) {
+        printDiagnostics(built.checked, arguments.wantsJson(), false);
+        return kProgramWrong;
+    }
+    if (!built.program)
+        return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
+    session::Settings settings;
+    if (auto start = calendarStart(arguments.value("--start").value_or(project->calendarStart)); !start)
+        return wrongUse(start.error());
+    else if (*start)
+        settings.controller.calendarStartNs = **start;
+    catchInterrupt();
+    session::Session session(built, settings);
+    session.controller().actFor("the command line");
+    std::chrono::nanoseconds length = std::chrono::seconds(10);
+    if (const auto text = arguments.value("--at"); text && !arguments.has("--for"))
+        if (const auto time = parseDuration(*text)) length = *time + std::chrono::nanoseconds(1);
+    if (auto ran = runProject(arguments, built, session, length, "--for"); !ran) return wrongUse(ran.error());
+    return answer(arguments, session.history(), question);
+}
+
+int why(const Arguments& arguments) {
+    if (arguments.paths().size() != 2)
+        return wrongUse(
+            {"why needs a project, an ST file or a recording, and an expression (stepwise why --help)", ""});
+    const std::string& path = arguments.paths()[0];
+    const std::string& question = arguments.paths()[1];
+    if (!isRecording(path)) return answerByRunning(arguments, path, question);
+    const auto loaded = openRecording(path);
+    if (!loaded) return wrongUse(loaded.error());
+    return answer(arguments, **loaded, question);
+}
+
+} // namespace
+
+Command whyCommand() {
+    return {{"why",
+             "PROJECT|FILE.st|RECORDING EXPR [OPTIONS]",
+             "Explains a value: what changed it, what that needed, or what would make it otherwise.",
+             {{"--at", "1.5s|150",
+               "the last scan at or before that PLC time, or the scan of that number (default: the last)"},
+              {"--not", "", "what would make the condition come out otherwise in that scan; each way was tried"},
+              {"--for", "10s", "PLC time to run a project (default 10s, or up to --at)"},
+              {"--set", "PATH=VALUE[@TIME]", "write before the first scan at or after TIME (repeatable)"},
+              {"--force", "PATH=VALUE[@TIME]", "force likewise; VALUE RELEASE ends it (repeatable)"},
+              {"--start", "DT#2026-01-01-06:00:00", "calendar at the first scan"},
+              {"--library", "NAME", "a library the files use, besides the standard (repeatable)"},
+              {"--format", "text|json", "text (default) or one JSON object"}},
+             "stepwise why projects/examples/motor IO.K1 --set 'Plant.StartButton=TRUE@1s' --at 1.5s"},
+            why};
+}
+
+} // namespace plc::cli

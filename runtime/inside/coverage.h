@@ -1,0 +1,86 @@
+// Statements, branches and MC/DC of the conditions that scans ran through, gathered from Looks. One thread; one
+// program.
+//
+// MC/DC: each condition of a decision has been seen to decide alone: two evaluations in which it differs, the others
+// are equal or were not evaluated (short circuit), and the decision came out otherwise.
+#pragma once
+#include "runtime/inside/look.h"
+
+#include <map>
+#include <set>
+
+namespace plc::inside {
+
+struct StatementCoverage {
+    SourceRange range;
+    uint64_t count = 0;
+};
+/// IF: then and else; CASE: its arms and ELSE; loops: entered at all.
+struct BranchCoverage {
+    SourceRange statement;
+    std::string name; // "then", "else", "arm 2"
+    uint64_t count = 0;
+};
+struct ConditionCoverage {
+    SourceRange range;
+    bool wasTrue = false, wasFalse = false, decidedAlone = false;
+    /// For one that never decided alone: what the others would have to be, "level > 80 = TRUE, stop = FALSE".
+    std::string missing;
+};
+struct DecisionCoverage {
+    SourceRange range;
+    std::vector<ConditionCoverage> conditions;
+};
+struct FunctionCoverage {
+    std::string name, file;
+    std::vector<StatementCoverage> statements; // by place
+    std::vector<BranchCoverage> branches;
+    std::vector<DecisionCoverage> decisions;
+    [[nodiscard]] size_t statementsRun() const;
+    [[nodiscard]] size_t branchesTaken() const;
+    [[nodiscard]] size_t conditionsMet() const;
+    [[nodiscard]] size_t conditionCount() const;
+};
+
+class Coverage {
+public:
+    explicit Coverage(std::shared_ptr<const image::CompiledProgram> program);
+    /// Of the same sources; other programs are left out.
+    void add(const Look& look);
+    /// Every scan of a recording that can be run again; how many could not.
+    size_t addAll(const history::History& history, Progress* progress = nullptr);
+    /// The project's own functions, by name; without those of tests.
+    [[nodiscard]] std::vector<FunctionCoverage> functions() const;
+
+private:
+    struct Decision {
+        const tree::Expr* root = nullptr;
+        std::vector<const tree::Expr*> conditions;
+        /// Per evaluation: 0 FALSE, 1 TRUE, 2 not evaluated; the result behind them.
+        std::set<std::vector<uint8_t>> seen;
+    };
+    void gather(const std::vector<tree::Stmt*>& body, uint32_t function);
+    void gatherDecision(const tree::Expr* expr, uint32_t function);
+    void finishDecision(Decision& decision, const std::map<const tree::Expr*, uint8_t>& values, bool result);
+    [[nodiscard]] DecisionCoverage coverageOf(const Decision& decision) const;
+    [[nodiscard]] bool isCounted(uint32_t function) const;
+
+    std::shared_ptr<const image::CompiledProgram> m_program;
+    const tree::Program* m_tree;
+    struct Unit {
+        std::map<uint32_t, StatementCoverage> statements; // by begin of the text
+        std::map<std::pair<uint32_t, int64_t>, BranchCoverage> branches;
+        std::vector<uint32_t> decisions;
+    };
+    std::map<uint32_t, Unit> m_units; // by function
+    std::vector<Decision> m_decisions;
+    std::unordered_map<const tree::Expr*, uint32_t> m_decisionOf;  // root → decision
+    std::unordered_map<const tree::Expr*, uint32_t> m_conditionOf; // condition → decision
+};
+
+/// Cobertura's XML, as CI servers read it; paths as the sources have them.
+[[nodiscard]] std::string coberturaXml(const image::CompiledProgram& program, const std::vector<FunctionCoverage>& all);
+/// One page without scripts: each file with its lines coloured and what is missing named.
+[[nodiscard]] std::string coverageHtml(const image::CompiledProgram& program, const std::vector<FunctionCoverage>& all);
+
+} // namespace plc::inside

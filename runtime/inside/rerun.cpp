@@ -1,0 +1,85 @@
+#include "runtime/inside/rerun.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace plc::inside {
+
+namespace {
+constexpr uint32_t kClockEnd = 24;    // of the header: known from the stamp
+constexpr uint32_t kOccurrences = 64; // of a statement that the scan stood at; which one is not recorded
+constexpr size_t kMachinesKept = 4;   // versions of the program
+} // namespace
+
+Rerunner::Machine& Rerunner::machineOf(const std::shared_ptr<const image::CompiledProgram>& program) {
+    auto found = m_machines.find(program.get());
+    if (found != m_machines.end()) return *found->second;
+    if (m_machines.size() >= kMachinesKept) m_machines.clear();
+    auto fresh = std::make_unique<Machine>(program);
+    return *(m_machines[program.get()] = std::move(fresh));
+}
+
+void Rerunner::make(Rerun& rerun, const How& how, uint32_t occurrence) {
+    const history::ScanInput& input = rerun.input;
+    Machine& machine = machineOf(input.program);
+    controller::Rerun wanted;
+    wanted.image = std::span(input.image).first(std::min<size_t>(input.image.size(), input.program->layout.dataEnd));
+    wanted.start = &input.start;
+    wanted.scan = input.stamp.scan;
+    wanted.instant = input.stamp.time;
+    wanted.calendarStartNs = input.calendarStartNs;
+    wanted.code = how.code ? how.code : input.program->quick;
+    wanted.startIsPartial = input.startIsPartial;
+    wanted.notes = input.notes;
+    wanted.occurrence = occurrence;
+    wanted.clockBack = how.clockBack;
+    if (how.prepare) how.prepare(machine.controller.context());
+    (void)machine.controller.rerun(wanted);
+    rerun.image = machine.image;
+    rerun.fault = machine.controller.fault();
+    rerun.simulationFault = machine.controller.simulationFault();
+}
+
+Rerun Rerunner::runFrom(history::ScanInput input, const How& how) {
+    Rerun rerun;
+    rerun.input = std::move(input);
+    make(rerun, how, 0);
+    return rerun;
+}
+
+Result<Rerun> Rerunner::run(Position position, const How& how) {
+    Result<history::ScanInput> input = m_history.inputOf(position);
+    if (!input) return input.error();
+    Rerun rerun;
+    rerun.input = std::move(*input);
+    if (!rerun.input.hasJournal) rerun.doubt = "recorded by an earlier version, which kept no journal";
+    const bool stood = std::any_of(rerun.input.notes.begin(), rerun.input.notes.end(),
+                                   [](const image::OutsideNote& note) { return note.site != 0; });
+    for (uint32_t occurrence = 0; occurrence < (stood ? kOccurrences : 1); ++occurrence) {
+        make(rerun, how, occurrence);
+        compare(rerun, position);
+        if (rerun.isExact()) return rerun;
+    }
+    if (stood) rerun.doubt = "it was written to while it stood at a breakpoint";
+    return rerun;
+}
+
+void Rerunner::compare(Rerun& rerun, Position position) const {
+    rerun.differences.clear();
+    const std::vector<std::byte> recorded = m_history.seek(position);
+    const image::Layout& layout = rerun.input.program->layout;
+    const auto end = static_cast<uint32_t>(std::min<size_t>({recorded.size(), rerun.image.size(), layout.dataEnd}));
+    if (end <= kClockEnd ||
+        std::memcmp(recorded.data() + kClockEnd, rerun.image.data() + kClockEnd, end - kClockEnd) == 0)
+        return;
+    for (uint32_t at = kClockEnd; at < end; ++at) {
+        if (recorded[at] == rerun.image[at]) continue;
+        if (!rerun.differences.empty() && rerun.differences.back().offset + rerun.differences.back().size == at) {
+            ++rerun.differences.back().size;
+            continue;
+        }
+        rerun.differences.push_back({at, 1, layout.pathAt(at)});
+    }
+}
+
+} // namespace plc::inside

@@ -1,0 +1,69 @@
+// Runs recorded scans again on an image of its own (D13): what the history says a scan began from, the program version
+// it had, and then the result held against the recording. Belongs to one thread, never the scan thread; it only reads
+// the history.
+#pragma once
+#include "runtime/controller/controller.h"
+#include "runtime/history/history.h"
+
+#include <map>
+
+namespace plc::inside {
+
+using history::Position;
+
+/// A place whose bytes came out otherwise than recorded.
+struct Difference {
+    uint32_t offset = 0, size = 0;
+    std::string path; // of the first byte
+};
+
+struct Rerun {
+    history::ScanInput input;
+    std::vector<std::byte> image; // as it came out, data part
+    std::vector<Difference> differences;
+    std::optional<controller::Fault> fault, simulationFault;
+    /// Why it may differ: "recorded by an earlier version, which kept no journal"; empty: no reason known.
+    std::string doubt;
+    [[nodiscard]] bool isExact() const { return differences.empty(); }
+};
+
+/// `prepare` sees the context before each time the scan is made (where it stood at a breakpoint, more than once).
+struct RerunHow {
+    std::shared_ptr<const image::Code> code; // null: the program's quick code
+    std::function<void(image::RuntimeContext&)> prepare;
+    controller::Nanoseconds clockBack{}; // the program sees its clock that much earlier
+};
+
+class Rerunner {
+public:
+    using How = RerunHow;
+    explicit Rerunner(const history::History& history) : m_history(history) {}
+
+    /// Scan `position` again.
+    [[nodiscard]] Result<Rerun> run(Position position, const How& how = {});
+    /// From a changed beginning (what if, why not); nothing to compare with.
+    [[nodiscard]] Rerun runFrom(history::ScanInput input, const How& how = {});
+
+private:
+    /// A controller that keeps the image as the recording would: before a fault made the outputs safe.
+    struct Machine final : controller::ScanObserver {
+        explicit Machine(std::shared_ptr<const image::CompiledProgram> program) : controller(std::move(program)) {
+            controller.addObserver(*this);
+        }
+        void scanFinished(std::span<const std::byte> bytes, uint64_t, controller::Nanoseconds) override {
+            image.assign(bytes.begin(), bytes.end());
+        }
+        void programChanged(std::shared_ptr<const image::CompiledProgram>) override {}
+        void eventHappened(const controller::Event&) override {}
+        controller::Controller controller;
+        std::vector<std::byte> image;
+    };
+    [[nodiscard]] Machine& machineOf(const std::shared_ptr<const image::CompiledProgram>& program);
+    void compare(Rerun& rerun, Position position) const;
+    void make(Rerun& rerun, const How& how, uint32_t occurrence);
+
+    const history::History& m_history;
+    std::map<const image::CompiledProgram*, std::unique_ptr<Machine>> m_machines;
+};
+
+} // namespace plc::inside

@@ -1,0 +1,254 @@
+// Files of the operator side that other programs change: taken when nothing is unsaved here, asked about when something
+// is, never written over unknowingly; new ones appear; what cannot be read opens as text and is a problem.
+#include "app/disk_change.h"
+#include "app/live_views.h"
+#include "app/merge_dialog.h"
+#include "app/panel_files.h"
+#include "app/problems_view.h"
+#include "app/project_tree.h"
+#include "app/text_page.h"
+#include "hmi/designer/panel_designer.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QMessageBox>
+#include <QTimer>
+#include <QTreeWidget>
+#include <Qsci/qsciscintilla.h>
+
+namespace plc::app {
+namespace {
+
+QByteArray panelWith(const QByteArray& text) {
+    return "{\n  \"elements\": [\n    {\"kind\": \"text\", \"id\": \"a\", \"rect\": [40, 40, 120, 40], \"text\": \"" +
+           text + "\"}\n  ]\n}\n";
+}
+const QByteArray kTexts = "key,comment,en,de\r\nstart,,Start,Start\r\nstop,,Stop,Halt\r\n";
+
+class DiskChangeTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("hmi/overview.panel.json", panelWith("first"));
+        write("hmi/texts.csv", kTexts);
+        StudioTest::SetUp();
+    }
+    void TearDown() override {
+        for (const QString& key : window->panelFiles().changed()) window->panelFiles().discard(key);
+        StudioTest::TearDown();
+    }
+    QByteArray onDisk(const QString& path) {
+        QFile file(folder.path() + "/" + path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    QString shownText() {
+        const auto* panel = window->live().panels().find("overview");
+        return panel && panel->panel.find("a") ? panel->panel.find("a")->text("text") : QString();
+    }
+    void edit(const char* text) {
+        window->openDesigner("overview");
+        auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
+        ASSERT_NE(designer, nullptr);
+        designer->document().perform("text",
+                                     hmi::setProperty(designer->document().panel(), "a", "text", hmi::Json(text)));
+        ASSERT_TRUE(window->panelFiles().isChanged("panel:overview"));
+    }
+    void setText(const QString& key, const QString& text) {
+        hmi::TextTable table = window->live().panels().texts.table();
+        table.setText(key, "de", text);
+        window->live().design()->setTable(table);
+    }
+    /// The next question is answered with the button of that name.
+    static void answerNext(const char* button) {
+        QTimer::singleShot(100, qApp, [button] {
+            QWidget* box = QApplication::activeModalWidget();
+            ASSERT_NE(box, nullptr) << button;
+            auto* found = box->findChild<QAbstractButton*>(button);
+            ASSERT_NE(found, nullptr) << button;
+            found->click();
+        });
+    }
+    QString tabTitle(const QString& key) {
+        return window->tabs().tabText(window->tabs().indexOf(window->tabs().pageByKey(key)));
+    }
+    QStringList problemPlaces() {
+        QStringList out;
+        for (int i = 0; i < window->problems().list().topLevelItemCount(); ++i)
+            out << window->problems().list().topLevelItem(i)->text(2);
+        return out;
+    }
+};
+
+TEST_F(DiskChangeTest, WhatIsCleanHereIsTakenFromDisk) {
+    window->openDesigner("overview");
+    write("hmi/overview.panel.json", panelWith("second"));
+    EXPECT_TRUE(waitFor([&] { return shownText() == "second"; }));
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().pageByKey("panel:overview"));
+    EXPECT_EQ(designer->document().panel().find("a")->text("text"), "second") << "also where it is drawn";
+    write("hmi/texts.csv", QByteArray(kTexts).replace("Halt", "Stopp"));
+    EXPECT_TRUE(waitFor([&] { return window->live().panels().texts.table().text("stop", "de") == "Stopp"; }));
+    write("hmi/alarms.json", "{\"alarms\": [{\"id\": \"hot\", \"condition\": \"Main.done\"}]}");
+    EXPECT_TRUE(waitFor([&] { return window->live().panels().alarms.rows().size() == 1; }));
+}
+
+TEST_F(DiskChangeTest, TextsChangedOnDiskAreNotOverwrittenUnknowingly) {
+    setText("start", "Anfahren");
+    answerNext("loadFromDisk");
+    write("hmi/texts.csv", QByteArray(kTexts).replace("Halt", "Stopp"));
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().texts.table().text("stop", "de") == "Stopp"; }));
+    EXPECT_FALSE(window->panelFiles().isChanged("texts"));
+    EXPECT_EQ(window->live().panels().texts.table().text("start", "de"), "Start");
+}
+
+TEST_F(DiskChangeTest, SavingAsksFirstWhenTheFileIsNewer) {
+    edit("here");
+    answerNext("keepMine");
+    write("hmi/overview.panel.json", panelWith("there"));
+    window->action("file.save")->trigger(); // before the watcher has said anything
+    EXPECT_TRUE(waitFor([&] { return onDisk("hmi/overview.panel.json").contains("here"); })) << "kept knowingly";
+    EXPECT_FALSE(window->panelFiles().isChanged("panel:overview"));
+}
+
+TEST_F(DiskChangeTest, NothingIsWrittenOverAFileThatNobodyHasRead) {
+    hmi::PanelProject& panels = window->live().panels();
+    write("hmi/overview.panel.json", panelWith("there"));
+    const auto saved = hmi::savePanel(panels, *panels.find("overview"));
+    EXPECT_FALSE(saved);
+    EXPECT_TRUE(onDisk("hmi/overview.panel.json").contains("there"));
+}
+
+TEST_F(DiskChangeTest, ChangedDocumentsHaveAMarkAndSaveAllSavesThem) {
+    window->openTexts();
+    EXPECT_FALSE(tabTitle("texts").contains("●"));
+    setText("start", "Anfahren");
+    edit("here");
+    EXPECT_TRUE(tabTitle("texts").contains("●"));
+    EXPECT_TRUE(tabTitle("panel:overview").contains("●"));
+    window->action("file.saveAll")->trigger();
+    EXPECT_TRUE(onDisk("hmi/texts.csv").contains("Anfahren"));
+    EXPECT_TRUE(onDisk("hmi/overview.panel.json").contains("here"));
+    EXPECT_FALSE(tabTitle("texts").contains("●"));
+    EXPECT_FALSE(tabTitle("panel:overview").contains("●"));
+}
+
+TEST_F(DiskChangeTest, NewPanelsAppearAndThoseThatAreGoneLeave) {
+    write("hmi/second.panel.json", panelWith("new"));
+    const auto isInTree = [&](const QString& name) {
+        return !window->projectTree().tree().findItems(name, Qt::MatchExactly | Qt::MatchRecursive).isEmpty();
+    };
+    EXPECT_TRUE(waitFor([&] { return window->live().panels().find("second") && isInTree("second"); }));
+    window->openDesigner("second");
+    ASSERT_NE(window->tabs().pageByKey("panel:second"), nullptr);
+    QFile::remove(folder.path() + "/hmi/second.panel.json");
+    EXPECT_TRUE(waitFor([&] { return !window->live().panels().find("second") && !isInTree("second"); }));
+    EXPECT_EQ(window->tabs().pageByKey("panel:second"), nullptr);
+    write("traces/speed.trace.json", "{}");
+    EXPECT_TRUE(waitFor([&] { return isInTree("speed"); }));
+}
+
+TEST_F(DiskChangeTest, AProgramFileThatIsNewerIsNotOverwritten) {
+    typeAtEnd("done := FALSE;");
+    const QByteArray there = QByteArray(kMain).replace(":= 1000", ":= 500");
+    answerNext("keepMine");
+    write("src/main.st", there);
+    EXPECT_FALSE(window->workspace().save("src/main.st"));
+    EXPECT_EQ(onDisk("src/main.st"), there);
+    EXPECT_TRUE(window->workspace().save("src/main.st")) << "now it is known what goes";
+    EXPECT_TRUE(onDisk("src/main.st").contains("done := FALSE;"));
+}
+
+TEST_F(DiskChangeTest, OneBadLineOfTheTextsCostsOnlyItself) {
+    write("hmi/texts.csv",
+          kTexts + "start,,again,noch einmal\r\nmore,,a,b,c,d\r\n\"broken\" x,,y,z\r\nlast,,Last,Letzter\r\n");
+    ASSERT_TRUE(waitFor([&] { return window->live().panels().texts.table().contains("last"); }));
+    const hmi::TextTable& table = window->live().panels().texts.table();
+    EXPECT_EQ(table.rows().size(), 3U);
+    EXPECT_EQ(table.text("stop", "de"), "Halt");
+    EXPECT_TRUE(waitFor([&] { return problemPlaces().filter("hmi/texts.csv").size() == 3; }))
+        << problemPlaces().join(" | ").toStdString();
+    setText("last", "Zuletzt");
+    ASSERT_TRUE(window->panelFiles().save("texts"));
+    const QByteArray written = onDisk("hmi/texts.csv");
+    for (const char* kept : {"start,,again,noch einmal", "more,,a,b,c,d", "\"broken\" x,,y,z", "last,,Last,Zuletzt"})
+        EXPECT_TRUE(written.contains(kept)) << kept << " in " << written.toStdString();
+}
+
+TEST_F(DiskChangeTest, ADuplicateIdCostsNoPanel) {
+    write("hmi/overview.panel.json",
+          "{\"elements\": [{\"kind\": \"text\", \"id\": \"a\", \"rect\": [1, 1, 9, 9], \"text\": \"one\"},"
+          "{\"kind\": \"text\", \"id\": \"a\", \"rect\": [1, 20, 9, 9], \"text\": \"two\"}, 7]}");
+    ASSERT_TRUE(waitFor([&] { return shownText() == "one"; }));
+    const hmi::Panel& panel = window->live().panels().find("overview")->panel;
+    ASSERT_EQ(panel.elements().size(), 2U);
+    EXPECT_EQ(panel.elements()[1].text("text"), "two");
+    EXPECT_NE(panel.elements()[1].id(), "a");
+    EXPECT_TRUE(waitFor([&] { return problemPlaces().filter("hmi/overview.panel.json").size() >= 2; }));
+    EXPECT_NE(panel.write().find("7"), std::string::npos) << "what is no element stays in the file";
+}
+
+TEST_F(DiskChangeTest, ABrokenPanelOpensAsTextWithItsErrorAndComesBackWhenItIsPutRight) {
+    write("hmi/broken.panel.json", "{\n  \"elements\": [\n    oops\n  ]\n}\n");
+    ASSERT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/broken.panel.json:3").isEmpty(); }))
+        << problemPlaces().join(" | ").toStdString();
+    window->openDesigner("broken");
+    auto* page = qobject_cast<TextPage*>(window->tabs().currentWidget());
+    ASSERT_NE(page, nullptr);
+    EXPECT_TRUE(page->shownProblem().contains("3")) << page->shownProblem().toStdString();
+    page->text().setText(QString::fromUtf8(panelWith("good")));
+    EXPECT_TRUE(tabTitle("text:panel:broken").contains("●"));
+    window->action("file.save")->trigger();
+    ASSERT_NE(window->live().panels().find("broken"), nullptr);
+    EXPECT_NE(qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget()), nullptr) << "drawn from now on";
+    EXPECT_TRUE(waitFor([&] { return problemPlaces().filter("hmi/broken.panel.json:").isEmpty(); }));
+}
+
+TEST_F(DiskChangeTest, ATableThatCouldNotBeReadIsNotWrittenOver) {
+    write("hmi/texts.csv", "what is this\r\n");
+    EXPECT_TRUE(waitFor([&] { return !problemPlaces().filter("hmi/texts.csv:1").isEmpty(); }));
+    window->openTexts();
+    EXPECT_NE(qobject_cast<TextPage*>(window->tabs().currentWidget()), nullptr);
+    setText("start", "Anfahren");
+    answerNext("keepMine"); // asked what is to become of the file
+    (void)window->panelFiles().save("texts");
+    EXPECT_FALSE(onDisk("hmi/texts.csv").isEmpty());
+}
+
+TEST_F(DiskChangeTest, MergingTakesWhatIsWantedOfBoth) {
+    const std::string here = "a\nb here\nc\nd\ne\nf here\ng\n", there = "a\nb there\nc\nd\nnew\ne\nf there\ng\n";
+    MergeDialog merge("src/x.st", here, there, window.get());
+    ASSERT_EQ(merge.hunks().size(), 3U);
+    EXPECT_EQ(merge.currentHunk(), 0);
+    merge.goToHunk(1);
+    merge.takeOver();
+    EXPECT_EQ(merge.merged(), "a\nb here\nc\nd\nnew\ne\nf here\ng\n");
+    EXPECT_EQ(merge.hunks().size(), 2U);
+    EXPECT_EQ(merge.currentHunk(), 1) << "the next one";
+    merge.takeAll();
+    EXPECT_EQ(merge.merged(), there);
+    EXPECT_TRUE(merge.hunks().empty());
+}
+
+TEST_F(DiskChangeTest, AComparisonIsOfferedAndItsTextGoesOn) {
+    typeAtEnd("done := FALSE;");
+    QTimer::singleShot(300, qApp, [] {
+        auto* box = QApplication::activeModalWidget();
+        ASSERT_NE(box, nullptr);
+        QTimer::singleShot(300, qApp, [] {
+            auto* merge = qobject_cast<MergeDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(merge, nullptr);
+            ASSERT_EQ(merge->hunks().size(), 2U);
+            merge->goToHunk(0);
+            merge->takeOver();
+            merge->accept();
+        });
+        box->findChild<QAbstractButton*>("compare")->click();
+    });
+    write("src/main.st", QByteArray(kMain).replace(":= 1000", ":= 500"));
+    EXPECT_TRUE(waitFor([&] { return editor().utf8().find(":= 500") != std::string::npos; }));
+    EXPECT_NE(editor().utf8().find("done := FALSE;"), std::string::npos) << "mine, in the same text";
+    EXPECT_TRUE(window->workspace().isModified("src/main.st"));
+    window->workspace().revert("src/main.st");
+}
+
+} // namespace
+} // namespace plc::app

@@ -1,0 +1,92 @@
+// Typing as one means it: a new document has the keyboard, an END_… is not written twice, Enter in the watch line takes
+// the name that was begun.
+#include "app/new_project.h"
+#include "editor/debug/watch_view.h"
+#include "editor/kit/expression_edit.h"
+#include "hmi/designer/panel_designer.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAction>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QTimer>
+
+namespace plc::app {
+namespace {
+
+class TypingTest : public StudioTest {
+protected:
+    [[nodiscard]] qsizetype count(const char* word) { return QString::fromStdString(editor().utf8()).count(word); }
+    /// Types the name into the dialog that opens next and accepts it.
+    static void answerWithName(const QString& name) {
+        QTimer::singleShot(100, qApp, [name] {
+            QWidget* dialog = QApplication::activeModalWidget();
+            ASSERT_NE(dialog, nullptr);
+            auto* line = dialog->findChild<QLineEdit*>();
+            line->setText(name);
+            static_cast<QDialog*>(dialog)->accept();
+        });
+    }
+};
+
+TEST_F(TypingTest, AnEndBelowTheOneThatEnterHasWrittenIsThatOne) {
+    typeAtEnd("IF done THEN");
+    QTest::keyClick(editor().viewport(), Qt::Key_Return);
+    ASSERT_EQ(count("END_IF"), 2) << "one came by itself";
+    QTest::keyClicks(editor().viewport(), "counter := 1;");
+    QTest::keyClick(editor().viewport(), Qt::Key_Return);
+    QTest::keyClicks(editor().viewport(), "end_if;");
+    EXPECT_EQ(count("END_IF"), 2);
+    EXPECT_EQ(count("END_IF;"), 1);
+    EXPECT_EQ(count("end_if"), 0);
+    QTest::keyClicks(editor().viewport(), " // done"); // behind the block now
+    EXPECT_EQ(count("END_IF; // done"), 1) << editor().utf8();
+}
+
+TEST_F(TypingTest, AnEndThatClosesAnotherBlockIsWritten) {
+    typeAtEnd("IF done THEN");
+    QTest::keyClick(editor().viewport(), Qt::Key_Return);
+    QTest::keyClicks(editor().viewport(), "IF pulse.Q THEN counter := 1; ");
+    QTest::keyClicks(editor().viewport(), "END_IF;");
+    EXPECT_EQ(count("END_IF"), 3) << editor().utf8();
+    QTest::keyClick(editor().viewport(), Qt::Key_Return);
+    QTest::keyClicks(editor().viewport(), "END_IF;");
+    EXPECT_EQ(count("END_IF"), 3) << "and this one is the outer one's";
+}
+
+TEST_F(TypingTest, EnterInTheWatchLineTakesTheNameThatWasBegun) {
+    window->showDock("watch");
+    auto* line = window->watch().findChild<kit::ExpressionEdit*>();
+    ASSERT_NE(line, nullptr);
+    line->setFocus();
+    QTest::keyClicks(line, "Main.coun");
+    ASSERT_TRUE(waitFor([&] { return line->isCompletionShown(); }));
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(window->watch().expressions(), QStringList{"Main.counter"});
+    EXPECT_EQ(line->text(), "");
+    EXPECT_FALSE(line->isCompletionShown());
+    QTest::keyClicks(line, "Main.limit");
+    QTest::keyClick(line, Qt::Key_Return);
+    QTest::keyClicks(line, "Main.counter * 2");
+    QTest::keyClick(line, Qt::Key_Return);
+    EXPECT_EQ(window->watch().expressions(), (QStringList{"Main.counter", "Main.limit", "Main.counter * 2"}));
+    EXPECT_EQ(line->text(), "");
+}
+
+TEST_F(TypingTest, ANewDocumentHasTheKeyboard) {
+    window->projectTree();
+    window->watch().tree().setFocus();
+    answerWithName("Mixer");
+    window->action("file.newUnit")->trigger();
+    ASSERT_NE(window->tabs().currentEditor(), nullptr);
+    EXPECT_TRUE(editor().hasFocus() || editor().viewport()->hasFocus());
+    window->watch().tree().setFocus();
+    answerWithName("desk");
+    window->action("file.newPanel")->trigger();
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
+    ASSERT_NE(designer, nullptr);
+    EXPECT_TRUE(designer->canvas().hasFocus());
+}
+
+} // namespace
+} // namespace plc::app

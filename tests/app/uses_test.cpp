@@ -1,0 +1,68 @@
+// Uses of a name beyond the program's text: panels and alarms are counted, searched and shown before a rename.
+#include "app/live_views.h"
+#include "app/rename_dialog.h"
+#include "app/search_view.h"
+#include "hmi/designer/panel_designer.h"
+#include "tests/app/studio_fixture.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTimer>
+#include <QTreeWidget>
+
+namespace plc::app {
+namespace {
+
+class UsesTest : public StudioTest {
+protected:
+    void SetUp() override {
+        write("hmi/overview.panel.json",
+              R"({"elements": [{"id": "count", "kind": "number", "rect": [40, 40, 120, 40], "value": "Main.limit"},
+                  {"id": "entry", "kind": "numberEntry", "rect": [40, 140, 120, 40], "target": "Main.limit"}]})");
+        StudioTest::SetUp();
+        editor().goTo(static_cast<uint32_t>(editor().utf8().find("limit :")));
+    }
+    QStringList rows(int column) {
+        QStringList out;
+        for (int i = 0; i < window->search().results().topLevelItemCount(); ++i)
+            out << window->search().results().topLevelItem(i)->text(column);
+        return out;
+    }
+};
+
+TEST_F(UsesTest, UsesInPanelsAreCountedAndLeadThere) {
+    window->action("edit.uses")->trigger();
+    EXPECT_TRUE(rows(0).contains("hmi/overview.panel.json: count")) << rows(0).join(" | ").toStdString();
+    EXPECT_TRUE(rows(0).contains("hmi/overview.panel.json: entry"));
+    const int at = static_cast<int>(rows(0).indexOf("hmi/overview.panel.json: entry"));
+    EXPECT_EQ(rows(1)[at], "write");
+    emit window->search().results().itemActivated(window->search().results().topLevelItem(at), 0);
+    auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
+    ASSERT_NE(designer, nullptr);
+    EXPECT_EQ(designer->selection().ids(), hmi::ElementIds{"entry"});
+}
+
+TEST_F(UsesTest, FindInAllFilesCoversPanels) {
+    window->search().openSearch("Main.limit");
+    window->search().search();
+    EXPECT_EQ(rows(0).filter("hmi/overview.panel.json").size(), 2);
+}
+
+TEST_F(UsesTest, ARenameShowsWhatItChangesFirst) {
+    QStringList shown;
+    QTimer::singleShot(150, qApp, [&] {
+        auto* dialog = qobject_cast<RenameDialog*>(QApplication::activeModalWidget());
+        ASSERT_NE(dialog, nullptr);
+        for (int i = 0; i < dialog->places().topLevelItemCount(); ++i)
+            shown << dialog->places().topLevelItem(i)->text(0);
+        dialog->reject();
+    });
+    window->action("edit.rename")->trigger();
+    EXPECT_TRUE(shown.contains("src/main.st:4")) << shown.join(" | ").toStdString();
+    EXPECT_TRUE(shown.contains("hmi/overview.panel.json: entry"));
+    EXPECT_NE(editor().utf8().find("limit :"), std::string::npos) << "nothing has changed yet";
+}
+
+} // namespace
+} // namespace plc::app

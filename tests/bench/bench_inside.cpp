@@ -1,0 +1,121 @@
+// What looking into a scan costs: the first look and the next, "who set this?" over an hour, "why?", and what the
+// journal adds to a recording. Prints a table.
+#include "projects/session/session.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/inside/why.h"
+#include "tests/bench/program_generator.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace plc::bench {
+namespace {
+
+double milliseconds(const std::function<void()>& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+driver::Built build(const std::string& text) {
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
+    driver::BuildInput input;
+    input.files.push_back({"main.st", text});
+    driver::Built built = driver::build(input);
+    if (!built.program) std::exit(1);
+    if (const Result<void> done = driver::optimise(built); !done) std::exit(1);
+    return built;
+}
+
+void row(const char* what, double value, const char* unit) { std::printf("  %-58s %10.2f %s\n", what, value, unit); }
+
+void lookTable() {
+    const driver::Built built = build(generateProgram(10'000));
+    session::Session session(built);
+    session.runHere([](const controller::Controller& c) { return c.nextScan() == 200; });
+    std::printf("a program of 10,000 lines, %zu functions\n", built.program->functions.size());
+    inside::Insight insight(session.history());
+    std::shared_ptr<const inside::Look> look;
+    row("first look into a scan, everything watched", milliseconds([&] { look = *insight.look(100); }), "ms");
+    row("the next scan", milliseconds([&] { look = *insight.look(101); }), "ms");
+    row("reports of that scan", static_cast<double>(look->events().size()), "");
+    row("as recorded", look->isExact() ? 1 : 0, "");
+    inside::Insight fresh(session.history());
+    inside::LookOptions one;
+    one.functions = {static_cast<uint32_t>(built.program->tasks.at(0).programs.at(0).function)};
+    row("first look, one program watched", milliseconds([&] { look = *fresh.look(100, one); }), "ms");
+    row("the next scan", milliseconds([&] { look = *fresh.look(101, one); }), "ms");
+}
+
+const char* const kPlant = R"(
+VAR_GLOBAL start, stop : BOOL; k1 : BOOL; level : REAL; END_VAR
+PROGRAM Main VAR run : TON; n : DINT; END_VAR
+  n := n + 1;
+  IF k1 THEN level := level + 0.01; ELSE level := level - 0.005; END_IF
+  run(IN := level < 40.0, PT := T#2s);
+  k1 := (run.Q OR k1) AND level < 80.0;
+END_PROGRAM
+CONFIGURATION C RESOURCE R ON PLC TASK T (INTERVAL := T#1ms, PRIORITY := 1); PROGRAM Main WITH T : Main; END_RESOURCE
+END_CONFIGURATION)";
+
+void hourTable() {
+    session::Settings settings;
+    settings.historyBudget = size_t(4) << 30;
+    session::Session session(build(kPlant), settings);
+    session.runHere([](const controller::Controller& c) { return c.nextScan() == 3'600'000; });
+    inside::Insight insight(session.history());
+    inside::Reasoner reasoner(insight);
+    const inside::Position last = session.history().statistics().end - 1;
+    std::printf("\nan hour of 1 ms scans\n");
+    row("who set k1 last, first question", milliseconds([&] { (void)reasoner.lastWriter({"k1", {}}, last); }), "ms");
+    row("who set k1 last, the next", milliseconds([&] { (void)reasoner.lastWriter({"k1", {}}, last - 5); }), "ms");
+    size_t count = 0;
+    row("every change of k1 with its writer", milliseconds([&] {
+            count = reasoner.writers({"k1", {}}, 0, last + 1, 100'000)->size();
+        }),
+        "ms");
+    row("changes", static_cast<double>(count), "");
+    row("why k1", milliseconds([&] { (void)reasoner.why({"k1", {}}, last); }), "ms");
+    row("why not k1", milliseconds([&] { (void)reasoner.whyNot({"k1", {}}, last); }), "ms");
+}
+
+void journalTable() {
+    const driver::Built built = build(kPlant);
+    const auto place = built.program->layout.find("start");
+    std::printf("\nrecording with its journal, 1,000,000 scans\n");
+    for (const int every : {0, 1000, 10}) {
+        double best = 1e300, bytes = 0;
+        for (int round = 0; round < 3; ++round) {
+            session::Settings settings;
+            settings.historyBudget = size_t(2) << 30;
+            session::Session session(built, settings);
+            controller::Controller& controller = session.controller();
+            controller.start();
+            types::Value value{place->type, int64_t(0)};
+            const double time = milliseconds([&] {
+                for (int i = 0; i < 1'000'000; ++i) {
+                    if (every > 0 && i % every == 0) {
+                        value.data = int64_t(i / every % 2);
+                        (void)controller.write(*place, value);
+                    }
+                    controller.scan();
+                }
+            });
+            best = std::min(best, time);
+            bytes = static_cast<double>(session.history().statistics().bytes) / 1e6;
+        }
+        const std::string what =
+            every == 0 ? "nothing acts from outside" : "a write every " + std::to_string(every) + " scans";
+        row((what + ", ns a scan").c_str(), best, "ns");
+        row((what + ", memory").c_str(), bytes, "MB");
+    }
+}
+
+} // namespace
+} // namespace plc::bench
+
+int main() {
+    plc::bench::lookTable();
+    plc::bench::hourTable();
+    plc::bench::journalTable();
+}

@@ -1,0 +1,51 @@
+// What the statements of a TEST do to the controller.
+#include "projects/testing/test_run.h"
+
+#include "runtime/controller/controller.h"
+
+#include <gtest/gtest.h>
+
+namespace plc::testing {
+namespace {
+
+Report runOf(const std::string& program, const std::string& test) {
+    projects::Project project;
+    project.sources.push_back({"main.st", program});
+    project.tests.push_back({"tests.st", test});
+    auto report = runTests(project, {});
+    EXPECT_TRUE(report) << report.error().english();
+    return report ? *report : Report{};
+}
+
+TEST(PowerOff, LosesAllButWhatIsRetainedWhileThePlantGoesOn) {
+    const Report report =
+        runOf("PROGRAM Main\nVAR\n    passes : INT;\nEND_VAR\nVAR RETAIN\n    total : INT;\nEND_VAR\n"
+              "passes := passes + 1;\ntotal := total + 1;\nDrive := TRUE;\nEND_PROGRAM\n"
+              "{attribute 'simulation'}\nPROGRAM Plant\nVAR\n    scans : INT;\n    driven : INT;\nEND_VAR\n"
+              "scans := scans + 1;\nIF Drive THEN\n    driven := driven + 1;\nEND_IF\nEND_PROGRAM\n"
+              "VAR_GLOBAL\n    Drive AT %QX0.0 : BOOL;\nEND_VAR\n"
+              "CONFIGURATION c\nRESOURCE r ON p\nTASK t(INTERVAL := T#10ms, PRIORITY := 1);\n"
+              "PROGRAM Main WITH t : Main;\nEND_RESOURCE\nEND_CONFIGURATION\n",
+              "TEST 'off'\nVAR\n    scans : INT;\n    driven : INT;\nEND_VAR\nRUN 5 SCANS;\n"
+              "scans := Plant.scans;\ndriven := Plant.driven;\nPOWER_OFF T#100ms;\n"
+              "ASSERT scans > 0 AND driven > 0;\nASSERT Plant.scans = scans + 10;\nASSERT Plant.driven = driven;\n"
+              "ASSERT NOT Drive;\nASSERT Main.passes = 0;\nASSERT Main.total = 5;\n"
+              "RUN 2 SCANS;\nASSERT Main.passes = 2;\nASSERT Main.total = 7;\nASSERT Drive;\nEND_TEST\n");
+    ASSERT_EQ(report.results.size(), 1u);
+    for (const Failure& failure : report.results[0].failures)
+        ADD_FAILURE() << failure.line << ": " << failure.message << " " << failure.detail;
+}
+
+TEST(TestStatements, RefuseWhatIsNoTimeOrNumber) {
+    for (const char* statement :
+         {"POWER_OFF 'x'", "RUN 'x'", "RUN 2.5", "RUN 2.5 SCANS", "RUN UNTIL Main.a > 5 FOR 'x'", "POWER_OFF 1.5",
+          "FOR i := 'x' TO 3 DO\nRUN 1 SCANS;\nEND_FOR"}) {
+        const Report report =
+            runOf("PROGRAM Main\nVAR\n    a : INT;\nEND_VAR\na := 1;\nEND_PROGRAM\n",
+                  std::string("TEST 'off'\nVAR\n    i : INT;\nEND_VAR\n") + statement + ";\nEND_TEST\n");
+        EXPECT_TRUE(report.hasErrors || report.failed() == 1) << statement;
+    }
+}
+
+} // namespace
+} // namespace plc::testing

@@ -1,0 +1,88 @@
+#include "runtime/inside/coverage.h"
+
+#include "tests/runtime/inside/recorded.h"
+
+using namespace plc;
+using namespace plc::inside;
+using plc::testing::buildText;
+using plc::testing::integerFor;
+
+namespace {
+
+class CoverageOf : public ::testing::Test {
+protected:
+    void run(const std::string& text) {
+        session = std::make_unique<session::Session>(buildText(text));
+        session->controller().start();
+    }
+    void scanWith(std::initializer_list<std::pair<const char*, int>> values) {
+        for (const auto& [path, value] : values)
+            ASSERT_TRUE(session->controller().write(path, integerFor(*session->program(), path, value)));
+        session->controller().scan();
+    }
+    FunctionCoverage covered() {
+        Coverage coverage(session->program());
+        EXPECT_EQ(coverage.addAll(session->history()), 0u);
+        const auto all = coverage.functions();
+        EXPECT_EQ(all.size(), 1u);
+        return all.empty() ? FunctionCoverage() : all[0];
+    }
+    std::unique_ptr<session::Session> session;
+};
+
+const char* const kDecision = R"(
+VAR_GLOBAL a, b, c : BOOL; q, n : INT; END_VAR
+PROGRAM Main
+IF a AND (b OR c) THEN
+    q := 1;
+END_IF
+CASE n OF
+    0: q := 2;
+    1, 2: q := 3;
+END_CASE
+END_PROGRAM)";
+
+} // namespace
+
+TEST_F(CoverageOf, CountsStatementsAndBranches) {
+    run(kDecision);
+    scanWith({{"n", 1}});
+    scanWith({{"n", 5}});
+    const FunctionCoverage f = covered();
+    EXPECT_EQ(f.statements.size(), 5u);
+    EXPECT_EQ(f.statementsRun(), 3u); // IF, CASE, q := 3
+    EXPECT_EQ(f.branches.size(), 5u);
+    EXPECT_EQ(f.branchesTaken(), 3u); // else of the IF, arm 2, else
+}
+
+TEST_F(CoverageOf, AConditionIsMetWhenItDecidedAlone) {
+    run(kDecision);
+    scanWith({{"a", 1}, {"b", 1}, {"c", 0}});
+    scanWith({{"a", 0}, {"b", 1}, {"c", 0}}); // a alone
+    FunctionCoverage f = covered();
+    ASSERT_EQ(f.decisions.size(), 1u);
+    ASSERT_EQ(f.decisions[0].conditions.size(), 3u);
+    EXPECT_TRUE(f.decisions[0].conditions[0].decidedAlone);
+    EXPECT_FALSE(f.decisions[0].conditions[1].decidedAlone);
+    EXPECT_EQ(f.decisions[0].conditions[1].missing, "b = FALSE");
+    EXPECT_EQ(f.decisions[0].conditions[2].missing, "c = TRUE");
+    scanWith({{"a", 1}, {"b", 0}, {"c", 0}}); // b alone, with the first
+    scanWith({{"a", 1}, {"b", 0}, {"c", 1}}); // c alone, with the third
+    f = covered();
+    EXPECT_EQ(f.conditionsMet(), 3u);
+}
+
+TEST_F(CoverageOf, ReportsAreWellFormed) {
+    run(kDecision);
+    scanWith({{"a", 1}, {"b", 1}});
+    Coverage coverage(session->program());
+    coverage.addAll(session->history());
+    const std::string xml = coberturaXml(*session->program(), coverage.functions());
+    EXPECT_NE(xml.find("<class name=\"Main\" filename=\"main.st\""), std::string::npos);
+    EXPECT_NE(xml.find("<line number=\"4\" hits=\"1\" branch=\"true\" condition-coverage=\"50% (1/2)\"/>"),
+              std::string::npos)
+        << xml;
+    const std::string html = coverageHtml(*session->program(), coverage.functions());
+    EXPECT_NE(html.find("missing: a = FALSE"), std::string::npos) << html;
+    EXPECT_NE(html.find("never arm 2"), std::string::npos);
+}
