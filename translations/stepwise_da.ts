@@ -1765,6 +1765,58 @@
         <source>The file was changed by another program and was not overwritten</source>
         <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
     </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Der er intet i den, som kan importeres</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Mappen findes og er ikke tom; angiv en ny</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Filen er for stor til at blive læst</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Filens elementer er for dybt indlejret</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dette er ikke velformet XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Filen har ingen elementer</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dette er XML, ikke struktureret tekst; importer det (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -4190,8 +4242,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet blev eksporteret</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 er skrevet i %2 og gemmes, som den blev fundet</translation>
     </message>
     <message>
         <source>Select the Next Occurrence Too</source>

@@ -1765,6 +1765,58 @@
         <source>The file was changed by another program and was not overwritten</source>
         <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
     </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Darin ist nichts, das importiert werden kann</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Die Datei hat keine Elemente</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dies ist XML, kein strukturierter Text; importieren Sie es (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -4218,8 +4270,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wurde exportiert</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 ist in %2 geschrieben und wird so gespeichert, wie die Datei vorgefunden wurde</translation>
     </message>
     <message>
         <source>Select the Next Occurrence Too</source>
