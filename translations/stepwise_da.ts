@@ -1366,7 +1366,7 @@
         <translation>Sætninger på én linje kan ikke flyttes; skil dem først ad i teksten.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
         <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
     </message>
     <message>
@@ -1764,6 +1764,10 @@
     <message>
         <source>The file was changed by another program and was not overwritten</source>
         <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>Skriv et navn og en blok: T1 : TON</translation>
     </message>
 </context>
 <context>
@@ -3967,10 +3971,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Erklæringer som tabel</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>Diagram ved siden af teksten</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>Onlineværdier i teksten</translation>
     </message>
@@ -4217,6 +4217,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Keeping the recording of the last run…</source>
         <translation>Optagelsen af den seneste kørsel gemmes…</translation>
     </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Diagram ved siden af teksten</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -4378,6 +4382,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
         <translation>Der er allerede en fil %1: vælg den eller et andet navn</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Program som ladderdiagram</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Program som funktionsblokdiagram</translation>
     </message>
 </context>
 <context>
@@ -7787,6 +7799,237 @@ Ikke bevaret: %3</translation>
     <message>
         <source>The recording of the last run was not kept: %1</source>
         <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Ladder- eller funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Indsæt et netværk nedenunder (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Indsæt en kontakt til venstre (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Indsæt en kontakt til højre (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Indsæt en parallel kontakt (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Indsæt en spole (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Indsæt en funktionsblok (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Rediger (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Slet (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Brudpunkt på netværket (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Vis som funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Vis som ladderdiagram</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 er ikke længere i teksten</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Vælg et netværk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Vælg en spole</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Vælg en kontakt, en spole eller et ben med en variabel</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Netværket har ingen kontakt endnu</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Vælg det netværk, der skal have blokken</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>blok</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt til venstre; ved en spole den sidste kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt til højre</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spole</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsblok i netværket</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Inverter en kontakt, en spole eller et ben</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spole: normal, sæt, nulstil</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Netværkets kommentar</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Rediger det valgte (eller Enter)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Slet det valgte</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Brudpunkt på netværket</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Denne liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Piletaster</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Vælg næste del; op og ned også næste netværk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Flyt netværket op; med pil ned, ned</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Skrevet foran et navn: en inverteret kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Taster i ladder- og funktionsblokdiagrammer</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Indsæt et netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Indsæt et netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Indsæt en kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Indsæt en parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Indsæt en spole</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Indsæt en funktionsblok…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Inverter</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Sæt eller nulstil</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Flyt netværket op</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Flyt netværket ned</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Tving TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Tving FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Frigiv</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå brudpunkt til/fra</translation>
     </message>
 </context>
 </TS>

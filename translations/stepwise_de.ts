@@ -1338,7 +1338,7 @@
         <translation>Anweisungen in einer Zeile können nicht verschoben werden; trennen Sie sie zuerst im Text.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
         <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
     </message>
     <message>
@@ -1764,6 +1764,10 @@
     <message>
         <source>The file was changed by another program and was not overwritten</source>
         <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>Geben Sie einen Namen und einen Baustein ein: T1 : TON</translation>
     </message>
 </context>
 <context>
@@ -3995,10 +3999,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Deklarationen als Tabelle</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>Diagramm neben dem Text</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>Onlinewerte im Text</translation>
     </message>
@@ -4245,6 +4245,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Keeping the recording of the last run…</source>
         <translation>Die Aufzeichnung des letzten Laufs wird aufbewahrt…</translation>
     </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Diagramm neben dem Text</translation>
+    </message>
 </context>
 <context>
     <name>plc::app::NewProjectDialog</name>
@@ -4406,6 +4410,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
         <translation>Die Datei %1 gibt es schon: Wählen Sie sie oder einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Programm als Kontaktplan</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Programm als Funktionsplan</translation>
     </message>
 </context>
 <context>
@@ -7815,6 +7827,237 @@ Nicht erhalten: %3</translation>
     <message>
         <source>The recording of the last run was not kept: %1</source>
         <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Kontaktplan oder Funktionsplan</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Netzwerk darunter einfügen (Strg+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Kontakt links einfügen (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Kontakt rechts einfügen (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Parallelen Kontakt einfügen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Spule einfügen (Strg+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Funktionsbaustein einfügen (Strg+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Bearbeiten (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Haltepunkt am Netzwerk (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Als Funktionsplan zeigen</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Als Kontaktplan zeigen</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 steht nicht mehr im Text</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Wählen Sie ein Netzwerk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Wählen Sie eine Spule</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Wählen Sie einen Kontakt, eine Spule oder einen Anschluss mit einer Variablen</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Das Netzwerk hat noch keinen Kontakt</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Wählen Sie das Netzwerk für den Baustein</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Baustein</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt links; an einer Spule der letzte Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt rechts</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Paralleler Kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spule</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsbaustein im Netzwerk</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netzwerk darüber</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netzwerk darunter</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Kontakt, Spule oder Anschluss negieren</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spule: normal, setzen, rücksetzen</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Kommentar des Netzwerks</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Auswahl löschen</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Haltepunkt am Netzwerk</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Diese Liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Netzwerk nach oben schieben; mit Ab nach unten</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Vor einem Namen getippt: ein negierter Kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Tasten in Kontakt- und Funktionsplänen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Netzwerk darüber einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Netzwerk darunter einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Parallelen Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Spule einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Funktionsbaustein einfügen…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negieren</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Setzen oder rücksetzen</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Netzwerk nach oben</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Netzwerk nach unten</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>TRUE forcen</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>FALSE forcen</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt umschalten</translation>
     </message>
 </context>
 </TS>
