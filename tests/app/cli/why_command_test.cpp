@@ -107,3 +107,17 @@ TEST_F(WhyErrors, ARecordingAnswersTheSame) {
     ASSERT_EQ(command({"replay", path("a.rec"), "--inside", "3"}), cli::kGood) << err;
     EXPECT_NE(out.find("run again exactly as recorded"), std::string::npos) << out;
 }
+
+TEST_F(WhyErrors, CoverageOfTestsNamesWhatIsMissing) {
+    write("a.st", "PROGRAM Main VAR a, b, q : BOOL; END_VAR\nq := a OR b;\nEND_PROGRAM\n"
+                  "TEST 'a alone'\nMain.a := TRUE;\nRUN 2 SCANS;\nASSERT Main.q;\nEND_TEST\n");
+    ASSERT_EQ(command({"test", path("a.st"), "--coverage", "mcdc", "--report", path("c.xml")}), cli::kGood)
+        << err << out;
+    EXPECT_NE(out.find("statements 100.0 %"), std::string::npos) << out;
+    EXPECT_NE(out.find("missing b = TRUE"), std::string::npos) << out;
+    EXPECT_NE(read("c.xml").find("<coverage line-rate=\"1.0000\""), std::string::npos) << read("c.xml");
+    ASSERT_EQ(command({"test", path("a.st"), "--coverage", "mcdc", "--report", path("c.html")}), cli::kGood);
+    EXPECT_NE(read("c.html").find("missing: b = TRUE"), std::string::npos);
+    EXPECT_EQ(command({"test", path("a.st"), "--coverage", "mcdc", "--report", path("no/folder/c.html")}),
+              cli::kWrongUse);
+}
