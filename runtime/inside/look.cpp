@@ -113,7 +113,7 @@ std::vector<uint64_t> Look::passesAt(EventIndex at) const {
         range = event.expr()->range;
     std::vector<uint64_t> passes;
     for (uint32_t p = event.passes; p != kNone; p = m_passes[p].around) {
-        const SourceRange& loop = m_passes[p].loop->range;
+        const SourceRange& loop = m_passes[p].extent;
         if (loop.file == range.file && loop.begin <= range.begin && range.end <= loop.end)
             passes.push_back(m_passes[p].pass);
     }

@@ -173,6 +173,9 @@ Result<Writer> Reasoner::writerOf(const Question&, const image::Place& place, Po
     writer.path = nameOf(program.layout, place);
     uint32_t index = event.activation;
     if (event.node) writer.range = event.stmt()->range;
+    for (EventIndex i = last; writer.range.length() == 0 && i-- > 0;) // made by the compiler: what it belongs to
+        if ((*look)->events()[i].kind == WatchKind::Statement && (*look)->events()[i].activation == index)
+            writer.range = (*look)->events()[i].stmt()->range;
     writer.function = program.functions[(*look)->activations()[index].function].name;
     writer.instance = (*look)->instanceOf(index);
     for (; index != kNone; index = (*look)->activations()[index].parent) {

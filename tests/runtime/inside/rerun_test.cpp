@@ -3,6 +3,7 @@
 #include "projects/session/session.h"
 #include "projects/session/versions.h"
 #include "tests/projects/random_program.h"
+#include "tests/runtime/inside/recorded.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -11,15 +12,9 @@
 using namespace plc;
 using namespace std::chrono_literals;
 
-namespace {
+using plc::testing::buildText;
 
-driver::Built buildText(const std::string& text) {
-    driver::BuildInput input;
-    input.files.push_back({"main.st", text});
-    driver::Built built = driver::build(input);
-    EXPECT_TRUE(built.program) << built.failure << text;
-    return built;
-}
+namespace {
 
 types::Value integer(const image::Layout& layout, const std::string& path, int64_t value) {
     const auto place = layout.find(path);
