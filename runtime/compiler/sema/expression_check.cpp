@@ -1,7 +1,8 @@
 // One ST expression as seen from an instance (D7): checked against the finished program, which is only read.
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
-#include "runtime/compiler/sema/checker.h"
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/values/expressions.h"
 
 namespace plc::sema {
 
@@ -25,7 +26,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
         return out;
     }
     Scope scope{nullptr, &world.top, nullptr};
-    Checker checker(world, scope, sink, arena);
+    Context checker(world, scope, sink, arena);
     checker.isExpression = true;
     checker.expressionText = text;
     if (!scopePath.empty()) {
@@ -38,7 +39,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
             checker.instanceBase = place->offset;
         }
     }
-    Operand value = checker.settled(checker.expression(*parsed));
+    Operand value = settled(checker, expression(checker, *parsed));
     if (!value.isUnknown() && checker.isKind(value.type(), TypeKind::Void))
         checker.emit(parsed->range, findings::NoValue(text));
     out.diagnostics = sink.take();
