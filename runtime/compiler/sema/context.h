@@ -1,5 +1,5 @@
 // Checks expressions and statements of one scope and makes their tree. Short-lived: one for a body, a constant, an
-// initial value or a watch expression. Uses the World it belongs to; one thread (a frozen World may serve several
+// initial value or a watch expression. Uses the World it belongs to; one thread (a finished World may serve several
 // checkers at once).
 #pragma once
 #include "runtime/compiler/sema/world.h"
@@ -102,6 +102,10 @@ struct Context {
 
     diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) {
         return sink.emit(range, std::move(finding));
+    }
+    /// A name that no declaration has is no name: a watch expression adds none to those of the program.
+    [[nodiscard]] NameId key(std::string_view spelling) {
+        return isExpression ? world.names.find(spelling) : world.key(spelling);
     }
     [[nodiscard]] const std::string& nameOf(TypeId type) const { return types[type].name; }
     [[nodiscard]] std::string textOf(SourceRange range) const {

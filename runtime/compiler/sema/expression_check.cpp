@@ -6,8 +6,6 @@
 
 namespace plc::sema {
 
-thread_local diagnostics::Sink* World::expressionSink = nullptr;
-
 CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, std::string_view text,
                                   std::string_view scopePath, Arena& arena) {
     CheckedExpression out;
@@ -15,10 +13,6 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
     // the World is frozen: nothing below writes to it
     World& world = *const_cast<World*>(static_cast<const World*>(analysis.scopes.get()));
     diagnostics::Sink sink;
-    World::expressionSink = &sink;
-    const struct Restore {
-        ~Restore() { World::expressionSink = nullptr; }
-    } restore;
     syntax::SyntaxFile file; // lives as long as the checking; the result refers to none of it
     const syntax::Expr* parsed = parse::parseExpression(file, text, sink);
     if (!parsed || sink.hasErrors()) {

@@ -1,5 +1,5 @@
 // Everything about one program while it is checked, and what stays of it for expressions (Analysis::scopes): name
-// tables, types, the tree being made. One thread builds it; `freeze` makes it read only.
+// tables, types, the tree being made. One thread builds it.
 #pragma once
 #include "runtime/compiler/sema/limits.h"
 #include "runtime/compiler/sema/scopes.h"
@@ -88,14 +88,10 @@ struct Copy {
 struct World {
     World(const SourceSet& sources, const Options& options);
 
-    [[nodiscard]] NameId key(std::string_view spelling) {
-        return frozen ? names.find(spelling) : names.intern(spelling);
-    }
+    [[nodiscard]] NameId key(std::string_view spelling) { return names.intern(spelling); }
     diagnostics::Diagnostic& emit(SourceRange range, diagnostics::Finding finding) {
-        return (frozen && expressionSink ? *expressionSink : sink).emit(range, std::move(finding));
+        return sink.emit(range, std::move(finding));
     }
-    static thread_local diagnostics::Sink*
-        expressionSink; // of the expression this thread checks against a frozen World
     [[nodiscard]] std::string_view textOf(SourceRange range) const {
         return range.file.isValid() ? sources[range.file].slice(range) : std::string_view{};
     }
@@ -115,7 +111,6 @@ struct World {
     Options options;
     diagnostics::Sink sink;
     Names names;
-    bool frozen = false;
     std::shared_ptr<tree::Program> program;
     types::TypeTable& types;
     Arena& arena;
@@ -156,12 +151,10 @@ struct World {
     std::vector<DynamicInit> programInits; // absolute offsets, in order
     std::vector<SourceRange> syntaxErrors;
     uint32_t waiting = 0, completing = 0; // see limits.h
-    [[nodiscard]] uint32_t* completingCounter() { return frozen ? nullptr : &completing; }
-    [[nodiscard]] uint32_t* waitingCounter() { return frozen ? nullptr : &waiting; }
-    std::vector<uint32_t> nestings;      // by type: of those complete
-    std::unordered_set<TypeId> tooLarge; // reported
-    uint64_t initialBytes = 0;           // of all types
-    size_t suggestions = 0;              // so many near names were looked for; at some point a reader has enough
+    std::vector<uint32_t> nestings;       // by type: of those complete
+    std::unordered_set<TypeId> tooLarge;  // reported
+    uint64_t initialBytes = 0;            // of all types
+    size_t suggestions = 0;               // so many near names were looked for; at some point a reader has enough
     uint32_t rangeOfInputs = 0, rangeOfOutputs = 0, rangeOfMemory = 0;
     std::vector<std::byte> image;
     std::vector<NameId> slotNames;

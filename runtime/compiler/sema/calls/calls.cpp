@@ -84,7 +84,7 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
         }
         out.isFormal = true;
         if (!argument.name.isValid()) continue;
-        Match* match = find(context.world.key(argument.name.text));
+        Match* match = find(context.key(argument.name.text));
         if (!match && equalsIgnoringCase(argument.name.text, "EN") && argument.kind == ArgumentKind::Input) {
             out.en = &argument;
             continue;
@@ -96,8 +96,7 @@ Matched match(Context& context, const syntax::Expr& call, const std::string& nam
         if (!match) {
             std::vector<std::string> candidates;
             for (const Variable* parameter : parameters) candidates.push_back(parameter->name);
-            suggest(context.world,
-                    context.emit(argument.name.range, findings::UnknownParameter(name, argument.name.text)),
+            suggest(context, context.emit(argument.name.range, findings::UnknownParameter(name, argument.name.text)),
                     argument.name.range, argument.name.text, candidates);
             out.isGood = false;
             continue;

@@ -119,7 +119,7 @@ StandardArguments standardArguments(Context& context, const Signature& signature
         if (!index) {
             std::vector<std::string> candidates;
             for (const library::Parameter& parameter : signature.parameters) candidates.emplace_back(parameter.name);
-            suggest(context.world,
+            suggest(context,
                     context.emit(argument.name.range, findings::UnknownParameter(signature.name, argument.name.text)),
                     argument.name.range, argument.name.text, candidates);
             out.isGood = false;
@@ -531,7 +531,7 @@ Operand conversionCall(Context& context, const library::Conversion& conversion, 
     const auto idOf = [&](TypeKind kind) -> TypeId {
         if (kind != TypeKind::String && kind != TypeKind::Wstring) return context.elementary(kind);
         const bool wide = kind == TypeKind::Wstring;
-        if (!context.world.frozen && hint.isValid() && context.types.kind(hint) == kind &&
+        if (!context.isExpression && hint.isValid() && context.types.kind(hint) == kind &&
             context.types[hint].capacity > 80)
             return hint;
         return textType(context, 80, wide);

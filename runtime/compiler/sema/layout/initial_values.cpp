@@ -27,7 +27,7 @@ namespace {
 Unit* initMethodOf(World& world, TypeId type) {
     Unit* unit = world.unitOf(type);
     if (!unit || unit->kind != UnitKind::Block) return nullptr;
-    return findMember(world, *unit, world.key("FB_Init")).unit;
+    return findMember(world, *unit, world.names.find("FB_Init")).unit;
 }
 
 /// Runs an expression without knowing yet whether it is constant; what it says counts only if it is, or is wrong.
@@ -39,9 +39,7 @@ struct Trial {
     void keep() {
         for (diagnostics::Diagnostic& diagnostic : sink.take()) world.sink.add(std::move(diagnostic));
     }
-    void drop() {
-        if (!world.frozen) world.references.resize(references);
-    }
+    void drop() { world.references.resize(references); }
     World& world;
     diagnostics::Sink sink;
     Context checker;
@@ -420,7 +418,7 @@ void construct(World& world, Context& checker, tree::Place* place, const std::ve
         out.push_back(evaluate);
     }
     std::vector<Unit*> chain; // FB_Init of the bases first
-    const NameId id = world.key("FB_Init");
+    const NameId id = world.names.find("FB_Init");
     for (Unit* unit = world.unitOf(place->type); unit; unit = unit->base)
         if (const auto it = unit->members.find(id); it != unit->members.end() && it->second.unit)
             chain.push_back(it->second.unit);

@@ -226,7 +226,7 @@ void completeUnit(World& world, Unit& unit, SourceRange usedAt) {
             reportCycle(world, unit.base->type, usedAt);
             unit.base = nullptr;
         } else {
-            const Waiting wait(world.completingCounter(), 1, kMaximumNesting + kMaximumBases);
+            const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
             if (wait.isTooDeep) world.emit(unit.range, findings::NestedTooDeep());
             if (!wait.isTooDeep) completeUnit(world, *unit.base, unit.range);
             world.types.edit(unit.type).fields = world.types[unit.base->type].fields;

@@ -145,16 +145,16 @@ Found lookup(World& world, const Scope& scope, NameId id, bool wantsType) {
 
 Found lookupPath(World& world, const Scope& scope, const syntax::Path& path) {
     if (path.empty()) return {};
-    Found found = lookup(world, scope, world.key(path.front().text), true);
+    Found found = lookup(world, scope, world.names.find(path.front().text), true);
     for (size_t i = 1; i < path.size(); ++i) {
         if (!found.space) return {};
-        found = lookupIn(*found.space, world.key(path[i].text));
+        found = lookupIn(*found.space, world.names.find(path[i].text));
     }
     return found;
 }
 
 /// What a namespace has.
-void addNames(World& world, const Space& space, std::vector<std::string>& out) {
+void addNames(const World& world, const Space& space, std::vector<std::string>& out) {
     for (const auto& [id, entities] : space.entities)
         for (const Entity& entity : entities)
             out.push_back(entity.variable ? entity.variable->name
@@ -167,9 +167,8 @@ void addNames(World& world, const Space& space, std::vector<std::string>& out) {
     for (const auto& [id, child] : space.spaces) out.push_back(child->name);
 }
 
-std::vector<std::string> visibleNames(World& world, const Scope& scope) {
+std::vector<std::string> visibleNames(const World& world, const Scope& scope) {
     std::vector<std::string> out;
-    if (!world.frozen && world.suggestions > kMaximumSuggestions) return out;
     const auto addUnit = [&](const Unit& unit) {
         for (const Variable& variable : unit.variables) out.push_back(variable.name);
         for (const Unit* method : unit.methods)
@@ -217,13 +216,27 @@ std::vector<std::string> memberNames(World& world, TypeId type) {
     return out;
 }
 
+static void offerNearest(diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+                         const std::vector<std::string>& candidates) {
+    if (const std::optional<std::string> near = nearestName(name, candidates))
+        diagnostic.fixes.push_back({fixes::DidYouMean(*near), {{range, *near}}});
+}
+
+bool maySuggest(const Context& context) {
+    return context.isExpression || context.world.suggestions <= kMaximumSuggestions;
+}
+
+/// The near name costs a look at every name in sight: a text full of unknown names stops asking for it.
 void suggest(World& world, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
              const std::vector<std::string>& candidates) {
     if (name.size() < 3) return; // everything is near to it
-    if (!world.frozen && ++world.suggestions > kMaximumSuggestions) return;
-    const std::optional<std::string> near = nearestName(name, candidates);
-    if (!near) return;
-    diagnostic.fixes.push_back({fixes::DidYouMean(*near), {{range, *near}}});
+    if (++world.suggestions <= kMaximumSuggestions) offerNearest(diagnostic, range, name, candidates);
+}
+
+void suggest(Context& context, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+             const std::vector<std::string>& candidates) {
+    if (!context.isExpression) return suggest(context.world, diagnostic, range, name, candidates);
+    if (name.size() >= 3) offerNearest(diagnostic, range, name, candidates);
 }
 
 } // namespace plc::sema

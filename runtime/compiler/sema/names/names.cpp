@@ -137,7 +137,7 @@ tree::Place* place(Context& context, const syntax::Expr& e, Access access) {
 
 Denoted denoteName(Context& context, const syntax::Expr& e, Access access, TypeId hint) {
     if (!e.name.isValid()) return {};
-    const Found result = lookup(context.world, context.scope, context.world.key(e.name.text));
+    const Found result = lookup(context.world, context.scope, context.key(e.name.text));
     return found(context, result, e.name, access, hint);
 }
 
@@ -245,13 +245,14 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
     if (context.isTest && isAccessName(context.world, name.text)) return {};
     const bool isInstruction =
         context.scope.unit && context.scope.unit->pou && isOperatorOf(*context.scope.unit->pou, name.range);
-    std::vector<std::string> candidates = visibleNames(context.world, context.scope);
+    std::vector<std::string> candidates;
+    if (maySuggest(context)) candidates = visibleNames(context.world, context.scope);
     if (isInstruction)
         for (const char* op :
              {"LD",  "LDN", "ST",   "STN",   "AND", "ANDN", "ORN",   "XOR", "ADD",  "SUB",   "MUL", "DIV",
               "MOD", "JMP", "JMPC", "JMPCN", "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "NOT"})
             candidates.emplace_back(op);
-    suggest(context.world,
+    suggest(context,
             context.emit(name.range,
                          isInstruction ? findings::IlUnknownOperator(name.text) : findings::UndeclaredName(name.text)),
             name.range, name.text, candidates);
@@ -356,10 +357,10 @@ Denoted ofVariable(Context& context, Variable& declared, tree::Place* instance, 
 Denoted memberOf(Context& context, tree::Place* base, Denoted from, const syntax::Name& name, SourceRange range,
                  Access access) {
     const TypeId type = base->type;
-    const NameId id = context.world.key(name.text);
+    const NameId id = context.key(name.text);
     const auto unknownMember = [&]() -> Denoted {
-        suggest(context.world, context.emit(name.range, findings::UnknownMember(context.nameOf(type), name.text)),
-                name.range, name.text, memberNames(context.world, type));
+        suggest(context, context.emit(name.range, findings::UnknownMember(context.nameOf(type), name.text)), name.range,
+                name.text, memberNames(context.world, type));
         return {};
     };
     switch (context.types.kind(type)) {
@@ -467,11 +468,11 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
     if (!e.base) return {};
     const syntax::Expr& base = *e.base;
     if (!e.name.isValid()) return {};
-    const NameId id = context.world.key(e.name.text);
+    const NameId id = context.key(e.name.text);
     Denoted from;
     const Access baseAccess = access == Access::Address ? Access::ReadWrite : access;
     if (base.kind == ExprKind::NameRef) {
-        const Found result = lookup(context.world, context.scope, context.world.key(base.name.text));
+        const Found result = lookup(context.world, context.scope, context.key(base.name.text));
         Variable* own = result.member.variable     ? result.member.variable
                         : result.ambiguous.empty() ? result.entity.variable
                                                    : nullptr;
@@ -481,7 +482,7 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
                     context.world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text)))
                 return placeOf(absolutePlace(context, place->offset, place->type, place->bit, e.range));
         if (own && !hasMembers(context, *own, e.name.text)) { // a variable may have the name of its type: Light.Red
-            const Found outer = lookup(context.world, context.scope, context.world.key(base.name.text), true);
+            const Found outer = lookup(context.world, context.scope, context.key(base.name.text), true);
             if (outer.entity.type &&
                 context.world.enumsByType.count(resolveDeclared(context.world, *outer.entity.type))) {
                 Found typeOnly;
@@ -497,8 +498,7 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
             if (!result.entity.unit && !result.entity.type && !result.space) {
                 std::vector<std::string> candidates;
                 for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
-                suggest(context.world,
-                        context.emit(e.name.range, findings::UnknownMember(result.list->name, e.name.text)),
+                suggest(context, context.emit(e.name.range, findings::UnknownMember(result.list->name, e.name.text)),
                         e.name.range, e.name.text, candidates);
                 return {};
             }
@@ -556,8 +556,7 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
                 return valueOf(value);
             }
         }
-        suggest(context.world,
-                context.emit(e.name.range, findings::UnknownMember(context.textOf(base.range), e.name.text)),
+        suggest(context, context.emit(e.name.range, findings::UnknownMember(context.textOf(base.range), e.name.text)),
                 e.name.range, e.name.text, memberNames(context.world, from.type));
         return {};
     }
@@ -590,8 +589,8 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
         if (unit.kind == UnitKind::Program)
             context.emit(base.range, findings::NoValue(unit.name));
         else
-            suggest(context.world, context.emit(e.name.range, findings::UnknownMember(unit.name, e.name.text)),
-                    e.name.range, e.name.text, memberNames(context.world, unit.type));
+            suggest(context, context.emit(e.name.range, findings::UnknownMember(unit.name, e.name.text)), e.name.range,
+                    e.name.text, memberNames(context.world, unit.type));
         return {};
     }
     case DK::List: {
@@ -599,7 +598,7 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
         if (it != from.list->variables.end()) return ofVariable(context, *it->second, nullptr, e.range, access);
         std::vector<std::string> candidates;
         for (const auto& [known, variable] : from.list->variables) candidates.push_back(variable->name);
-        suggest(context.world, context.emit(e.name.range, findings::UnknownMember(from.list->name, e.name.text)),
+        suggest(context, context.emit(e.name.range, findings::UnknownMember(from.list->name, e.name.text)),
                 e.name.range, e.name.text, candidates);
         return {};
     }
@@ -610,7 +609,7 @@ Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, Typ
             return found(context, result, e.name, access, hint);
         std::vector<std::string> candidates;
         addNames(context.world, *from.space, candidates);
-        suggest(context.world, context.emit(e.name.range, findings::UnknownMember(from.space->qualified, e.name.text)),
+        suggest(context, context.emit(e.name.range, findings::UnknownMember(from.space->qualified, e.name.text)),
                 e.name.range, e.name.text, candidates);
         return {};
     }

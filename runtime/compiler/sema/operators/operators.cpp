@@ -473,7 +473,7 @@ Operand compare(Context& context, BinaryOp op, std::string_view spelling, Operan
             const auto bits = [&](Operand o) -> Operand {
                 if (context.isKind(o.type(), TypeKind::Block))
                     o = addressOf(context, o.expr->place,
-                                  context.world.frozen ? lword : context.types.pointer(o.type()), o.expr->range);
+                                  context.isExpression ? lword : context.types.pointer(o.type()), o.expr->range);
                 return isNumeric(context, o.type()) ? convertNode(context, settled(context, o), lword)
                                                     : sameBits(context, o, lword);
             };

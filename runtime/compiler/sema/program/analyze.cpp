@@ -60,7 +60,7 @@ bool hasSyntaxErrorAt(const World& world, SourceRange range) {
 }
 
 void refer(World& world, SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
-    if (world.frozen || !symbol.isValid() || !range.file.isValid() || isLibraryFile(world, range.file)) return;
+    if (!symbol.isValid() || !range.file.isValid() || isLibraryFile(world, range.file)) return;
     world.references.push_back({range, symbol, isWrite, isRead});
 }
 
@@ -112,7 +112,6 @@ void build(World& world, std::vector<std::unique_ptr<syntax::SyntaxFile>>& files
     finishLayout(world);
     world.program->functions.assign(std::make_move_iterator(world.functions.begin()),
                                     std::make_move_iterator(world.functions.end()));
-    world.frozen = true;
 }
 
 /// What stands where nothing is analysed counts as used.

@@ -14,7 +14,7 @@ namespace plc::sema {
 void resolveBases(World& world, Unit& unit) {
     if (unit.baseProgress != Progress::Open) return;
     unit.baseProgress = Progress::Working;
-    const Waiting wait(world.waitingCounter(), kMaximumWaiting / kMaximumBases);
+    const Waiting wait(world.waiting, kMaximumWaiting / kMaximumBases);
     const auto resolve = [&](const syntax::Path& path, bool wantsInterface) -> Unit* {
         if (path.empty()) return nullptr;
         const SourceRange range = joined(path.front().range, path.back().range);

@@ -291,7 +291,7 @@ void assignAggregate(Context& context, tree::Place* place, const syntax::Expr& v
 bool isAssociable(Context& context, const syntax::Stmt& stmt) {
     const syntax::Expr& name = *stmt.target;
     if (!name.name.isValid()) return true;
-    const Found found = lookup(context.world, context.scope, context.world.key(name.name.text));
+    const Found found = lookup(context.world, context.scope, context.key(name.name.text));
     Variable* variable = found.member.variable ? found.member.variable : found.entity.variable;
     const TypeId type = variable ? typeOf(context.world, *variable) : TypeId();
     if (variable ? context.isKind(type, TypeKind::Unknown) || context.types.storageKind(type) == TypeKind::Bool
@@ -305,8 +305,8 @@ bool isAssociable(Context& context, const syntax::Stmt& stmt) {
             if (!own.name.starts_with("__") && context.types.storageKind(typeOf(context.world, own)) == TypeKind::Bool)
                 candidates.push_back(own.name);
     }
-    suggest(context.world, context.emit(name.range, findings::UnknownAction(name.name.text)), name.range,
-            name.name.text, candidates);
+    suggest(context, context.emit(name.range, findings::UnknownAction(name.name.text)), name.range, name.name.text,
+            candidates);
     return false;
 }
 
@@ -332,7 +332,7 @@ void assignment(Context& context, const syntax::Stmt& stmt, std::vector<tree::St
         const bool isCall = !stmt.branches.empty(); // what runs where the name is an action of a base
         if (stmt.target->name.isValid())
             if (const Unit* unit =
-                    lookup(context.world, context.scope, context.world.key(stmt.target->name.text)).member.unit;
+                    lookup(context.world, context.scope, context.key(stmt.target->name.text)).member.unit;
                 unit && unit->kind == UnitKind::Action) {
                 if (isCall) statements(context, stmt.branches[0].body, out);
                 return;
@@ -578,7 +578,7 @@ void declareLabels(Context& context, const syntax::Block& block) {
             Label label;
             label.id = tree::LabelId(context.function->labelCount++);
             label.range = stmt->name.range;
-            const NameId id = context.world.key(stmt->name.text);
+            const NameId id = context.key(stmt->name.text);
             if (context.labels.count(id))
                 context.emit(stmt->name.range, findings::DuplicateName(stmt->name.text));
             else {
@@ -596,7 +596,7 @@ void declareLabels(Context& context, const syntax::Block& block) {
 }
 
 void labelStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
-    const auto it = context.labels.find(context.world.key(stmt.name.text));
+    const auto it = context.labels.find(context.key(stmt.name.text));
     if (it == context.labels.end()) return;
     tree::Stmt* made = newStmt(context, tree::StmtKind::Label, {});
     made->label = it->second.id;
@@ -607,12 +607,12 @@ void labelStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree
 ///   ok:    JMP here; … here: x := 2;      wrong: JMP there;  (P3019)
 void jumpStatement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     for (Loop& loop : context.loops) loop.isLeft = true;
-    const auto it = context.labels.find(context.world.key(stmt.name.text));
+    const auto it = context.labels.find(context.key(stmt.name.text));
     tree::Expr* when = stmt.value ? condition(context, *stmt.value) : nullptr;
     if (it == context.labels.end()) {
         std::vector<std::string> candidates;
         for (const auto& [id, label] : context.labels) candidates.emplace_back(context.world.textOf(label.range));
-        suggest(context.world, context.emit(stmt.name.range, findings::UnknownLabel(stmt.name.text)), stmt.name.range,
+        suggest(context, context.emit(stmt.name.range, findings::UnknownLabel(stmt.name.text)), stmt.name.range,
                 stmt.name.text, candidates);
         return;
     }

@@ -53,7 +53,7 @@ std::optional<TypeKind> elementaryNamed(std::string_view name) {
 ///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[1..x] OF INT  with a variable x (P2019)
 std::optional<int64_t> constantInteger(World& world, const syntax::Expr* expr, const Scope& scope) {
     if (!expr) return std::nullopt;
-    const Waiting wait(world.waitingCounter(), expr->height);
+    const Waiting wait(world.waiting, expr->height);
     if (wait.isTooDeep) {
         world.emit(expr->range, findings::NestedTooDeep());
         return std::nullopt;
@@ -151,7 +151,7 @@ TypeId resolveDeclared(World& world, DeclaredType& declared) {
         world.emit(declared.declaration->name.range, findings::TypeCycle(declared.name));
         return TypeTable::of(TypeKind::Unknown);
     }
-    const Waiting wait(world.waitingCounter(), 4);
+    const Waiting wait(world.waiting, 4);
     if (wait.isTooDeep) {
         world.emit(declared.declaration->name.range, findings::NestedTooDeep());
         return TypeTable::of(TypeKind::Unknown);
@@ -378,7 +378,7 @@ TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& 
 TypeId typeOf(World& world, Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
-    const Waiting wait(world.waitingCounter(), 4);
+    const Waiting wait(world.waiting, 4);
     if (wait.isTooDeep) {
         world.emit(variable.range, findings::NestedTooDeep());
         return TypeTable::of(TypeKind::Unknown);
@@ -473,7 +473,7 @@ bool completeType(World& world, TypeId type, SourceRange usedAt) {
             reportCycle(world, type, usedAt);
             return false;
         }
-        const Waiting wait(world.completingCounter(), 1, kMaximumNesting + kMaximumBases);
+        const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
         if (wait.isTooDeep) {
             world.emit(usedAt, findings::NestedTooDeep());
             return false;
@@ -488,7 +488,7 @@ bool completeType(World& world, TypeId type, SourceRange usedAt) {
             reportCycle(world, type, usedAt);
             return false;
         }
-        const Waiting wait(world.completingCounter(), 1, kMaximumNesting + kMaximumBases);
+        const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
         if (wait.isTooDeep) {
             world.emit(usedAt, findings::NestedTooDeep());
             return false;
@@ -545,7 +545,7 @@ void completeAlias(World& world, DeclaredType& declared, SourceRange usedAt) {
 
 void completeEnum(World& world, EnumType& enumeration) {
     if (enumeration.progress != Progress::Open) return;
-    const Waiting wait(world.waitingCounter(), 8);
+    const Waiting wait(world.waiting, 8);
     if (wait.isTooDeep) return (void)world.emit(enumeration.spec->range, findings::NestedTooDeep());
     enumeration.progress = Progress::Working;
     const syntax::TypeSpec& spec = *enumeration.spec;
@@ -595,10 +595,10 @@ void completeEnum(World& world, EnumType& enumeration) {
 }
 
 /// A field by its name; of a structure without a search, because a machine's whole data may be one.
-const types::Field* fieldOf(World& world, TypeId type, std::string_view name) {
+const types::Field* fieldOf(const World& world, TypeId type, std::string_view name) {
     const auto made = world.structsByType.find(type);
     if (made == world.structsByType.end() || made->second->indices.empty()) return world.types[type].findField(name);
-    const auto found = made->second->indices.find(world.key(name));
+    const auto found = made->second->indices.find(world.names.find(name));
     return found == made->second->indices.end() ? nullptr : &world.types[type].fields[found->second];
 }
 

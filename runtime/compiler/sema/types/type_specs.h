@@ -17,7 +17,7 @@ TypeId typeOf(World& world, Variable& variable);
 void reportCycle(World& world, TypeId type, SourceRange usedAt);
 bool completeType(World& world, TypeId type, SourceRange usedAt);
 void completeEnum(World& world, EnumType& type);
-[[nodiscard]] const types::Field* fieldOf(World& world, TypeId type, std::string_view name);
+[[nodiscard]] const types::Field* fieldOf(const World& world, TypeId type, std::string_view name);
 void completeStruct(World& world, StructType& type);
 
 } // namespace plc::sema

@@ -20,11 +20,11 @@ static const types::Value* fold(World& world, Variable& variable);
 Variable* constantNamed(World& world, const syntax::Expr& e, const Scope& scope) {
     Variable* variable = nullptr;
     if (e.kind == syntax::ExprKind::NameRef) {
-        const Found found = lookup(world, scope, world.key(e.name.text));
+        const Found found = lookup(world, scope, world.names.find(e.name.text));
         variable = found.member.variable ? found.member.variable : found.entity.variable;
     } else if (e.kind == syntax::ExprKind::Member && e.base && e.base->kind == syntax::ExprKind::NameRef) {
-        const Found found = lookup(world, scope, world.key(e.base->name.text));
-        const NameId id = world.key(e.name.text);
+        const Found found = lookup(world, scope, world.names.find(e.base->name.text));
+        const NameId id = world.names.find(e.name.text);
         if (found.list) {
             const auto it = found.list->variables.find(id);
             variable = it == found.list->variables.end() ? nullptr : it->second;
@@ -100,7 +100,7 @@ const types::Value* fold(World& world, Variable& variable) {
         break;
     }
     const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
-    const Waiting wait(world.waitingCounter(), 4 + (initial ? initial->height : 0));
+    const Waiting wait(world.waiting, 4 + (initial ? initial->height : 0));
     if (wait.isTooDeep) {
         world.emit(variable.range, findings::NestedTooDeep());
         return nullptr;

@@ -63,7 +63,7 @@ void refer(Context& context, SourceRange range, SymbolId symbol, Access access) 
 }
 
 TypeId textType(Context& context, size_t length, bool isWide) {
-    if (context.world.frozen) length = length <= 80 ? 80 : 255; // no new types once others may read the table
+    if (context.isExpression) length = length <= 80 ? 80 : 255; // no new types once others may read the table
     const auto capacity = static_cast<uint32_t>(std::max<size_t>(1, length));
     return isWide ? context.types.wstring(capacity) : context.types.string(capacity);
 }
@@ -179,7 +179,7 @@ Operand anyExpression(Context& context, const syntax::Expr& e, TypeId hint) {
         if (self.kind != Denoted::Kind::Place) return unknown(context, e.range);
         if (self.place->type.isValid() && context.isKind(self.place->type, TypeKind::Block))
             return addressOf(context, self.place,
-                             context.world.frozen ? context.elementary(TypeKind::Lword)
+                             context.isExpression ? context.elementary(TypeKind::Lword)
                                                   : context.types.pointer(self.place->type),
                              e.range);
         return load(context, self.place, e.range);

@@ -241,7 +241,7 @@ Operand literal(Context& context, const syntax::Expr& e, TypeId hint) {
 
 /// "Motor speed" where a variable was declared with that name in quotes.
 std::optional<Operand> quotedName(Context& context, const syntax::Expr& e, TypeId hint) {
-    if (e.text.size() < 3 || context.world.frozen) return std::nullopt;
+    if (e.text.size() < 3 || context.isExpression) return std::nullopt;
     const std::string_view inner = e.text.substr(1, e.text.size() - 2);
     const NameId id = context.world.names.find(inner);
     if (!id.isValid()) return std::nullopt;
@@ -270,11 +270,11 @@ Operand typedName(Context& context, const syntax::Expr& e) {
         return unknown(context, e.range);
     }
     EnumType& enumeration = *it->second;
-    const NameId id = context.world.key(e.name.text);
+    const NameId id = context.key(e.name.text);
     for (uint32_t i = 0; i < enumeration.spec->enumerators.size(); ++i)
-        if (context.world.key(enumeration.spec->enumerators[i].name.text) == id)
+        if (context.key(enumeration.spec->enumerators[i].name.text) == id)
             return enumerator(context, {&enumeration, i}, e.name.range);
-    suggest(context.world, context.emit(e.name.range, findings::UnknownMember(context.nameOf(type), e.name.text)),
+    suggest(context, context.emit(e.name.range, findings::UnknownMember(context.nameOf(type), e.name.text)),
             e.name.range, e.name.text, memberNames(context.world, enumeration.type));
     return unknown(context, e.range);
 }
