@@ -464,157 +464,194 @@ bool hasMembers(Context& context, Variable& variable, std::string_view name) {
            kind == TypeKind::Reference || kind == TypeKind::Unknown;
 }
 
+/// A member of a value that no variable holds: the value is kept in a temporary for it.
+static Denoted memberOfValue(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
+    if (context.isKind(from.value.type(), TypeKind::Interface)) {
+        Denoted out = memberOf(context, temporary(context, from.value), from, e.name, e.range, access);
+        out.interface = from.value.expr;
+        return out;
+    }
+    Denoted out = memberOf(context, temporary(context, from.value), from, e.name, e.range, access);
+    out.isReadOnly = true;
+    out.whyReadOnly = context.textOf(e.range);
+    return out;
+}
+
+/// A member of what a property gives; behind a REFERENCE TO it can be written.
+static Denoted memberOfProperty(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
+    const syntax::Expr& base = *e.base;
+    const Operand value = propertyValue(context, from, base.range);
+    if (value.isUnknown()) return {};
+    tree::Place* held = temporary(context, value);
+    const bool isReference = context.isKind(value.type(), TypeKind::Reference);
+    if (isReference) {
+        tree::Place* place = context.arena.make<tree::Place>();
+        place->kind = tree::PlaceKind::Deref;
+        place->type = context.types[value.type()].element;
+        place->range = base.range;
+        place->pointer = value.expr;
+        held = place;
+    }
+    Denoted out = memberOf(context, held, {}, e.name, e.range, access);
+    if (!isReference && out.kind == DK::Place && !context.isKind(value.type(), TypeKind::Interface)) {
+        out.isReadOnly = true;
+        out.whyReadOnly = context.textOf(e.range);
+    }
+    return out;
+}
+
+/// Color.Red
+static Denoted memberOfType(Context& context, const Denoted& from, const syntax::Expr& e) {
+    const syntax::Expr& base = *e.base;
+    const NameId id = context.key(e.name.text);
+    if (const auto it = context.world.enumsByType.find(from.type); it != context.world.enumsByType.end()) {
+        EnumType& enumeration = *it->second;
+        if (const auto named = enumeration.indices.find(id); named != enumeration.indices.end()) {
+            Operand value = enumerator(context, {&enumeration, named->second}, e.name.range);
+            value.expr->range = e.range;
+            return valueOf(value);
+        }
+    }
+    suggest(context, context.emit(e.name.range, findings::UnknownMember(context.textOf(base.range), e.name.text)),
+            e.name.range, e.name.text, memberNames(context.world, from.type));
+    return {};
+}
+
+/// A constant of a block by its type, or a variable of a program by the name of the program.
+static Denoted memberOfUnit(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
+    const syntax::Expr& base = *e.base;
+    const NameId id = context.key(e.name.text);
+    Unit& unit = *from.unit;
+    const Member member = unit.isInstanced() ? findMember(context.world, unit, id) : Member{};
+    if (member.variable &&
+        ((member.variable->isConstant && isFoldable(context.types, typeOf(context.world, *member.variable))) ||
+         member.variable->storage == Storage::Absolute))
+        return ofVariable(context, *member.variable, nullptr, e.range, access);
+    if (unit.kind == UnitKind::Program) {
+        Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
+        tree::Place* instance = nullptr;
+        if (self == &unit)
+            instance = thisPlace(context, base.range);
+        else if (unit.instance)
+            instance = absolutePlace(context, unit.instance->offset, unit.type, -1, base.range);
+        if (instance) {
+            Denoted exact;
+            exact.isExact = true;
+            Denoted out = memberOf(context, instance, exact, e.name, e.range, access);
+            if (!context.isKind(unit.type, TypeKind::Unknown) && out.kind == DK::Place && out.variable &&
+                out.variable->owner && out.variable->owner->kind == UnitKind::Program && !out.variable->isConstant)
+                out.isReadOnly = false;
+            return out;
+        }
+        if (!context.function && !context.isExpression && member.variable)
+            return ofVariable(context, *member.variable, nullptr, e.range, access);
+    }
+    if (unit.kind == UnitKind::Program)
+        context.emit(base.range, findings::NoValue(unit.name));
+    else
+        suggest(context, context.emit(e.name.range, findings::UnknownMember(unit.name, e.name.text)), e.name.range,
+                e.name.text, memberNames(context.world, unit.type));
+    return {};
+}
+
+/// GVL.x
+static Denoted memberOfList(Context& context, const Denoted& from, const syntax::Expr& e, Access access) {
+    const NameId id = context.key(e.name.text);
+    const auto it = from.list->variables.find(id);
+    if (it != from.list->variables.end()) return ofVariable(context, *it->second, nullptr, e.range, access);
+    std::vector<std::string> candidates;
+    for (const auto& [known, variable] : from.list->variables) candidates.push_back(variable->name);
+    suggest(context, context.emit(e.name.range, findings::UnknownMember(from.list->name, e.name.text)), e.name.range,
+            e.name.text, candidates);
+    return {};
+}
+
+/// Lib.F, also of the standard functions.
+static Denoted memberOfSpace(Context& context, const Denoted& from, const syntax::Expr& e, Access access, TypeId hint) {
+    const NameId id = context.key(e.name.text);
+    const Found result = lookupIn(*from.space, id);
+    const bool isStandard = library::findSignature(e.name.text) || library::findConversion(e.name.text);
+    if (!result.isNothing() || isStandard || elementaryNamed(e.name.text))
+        return found(context, result, e.name, access, hint);
+    std::vector<std::string> candidates;
+    addNames(context.world, *from.space, candidates);
+    suggest(context, context.emit(e.name.range, findings::UnknownMember(from.space->qualified, e.name.text)),
+            e.name.range, e.name.text, candidates);
+    return {};
+}
+
+/// What stands before the dot. `isWhole`: the answer is that for all of `name.member`, found or reported.
+static Denoted denoteBase(Context& context, const syntax::Expr& e, Access access, TypeId hint, bool& isWhole) {
+    const syntax::Expr& base = *e.base;
+    const NameId id = context.key(e.name.text);
+    const Access baseAccess = access == Access::Call || access == Access::Address ? Access::ReadWrite : access;
+    isWhole = false;
+    if (base.kind != ExprKind::NameRef) return denote(context, base, baseAccess);
+    isWhole = true;
+    Denoted from;
+    const Found result = lookup(context.world, context.scope, context.key(base.name.text));
+    Variable* own = result.member.variable     ? result.member.variable
+                    : result.ambiguous.empty() ? result.entity.variable
+                                               : nullptr;
+    if (context.isExpression && own && own->isProgramInstance && own->program &&
+        !findMember(context.world, *own->program, id)) // a name only the image has: VAR_ACCESS of a program
+        if (const auto place =
+                context.world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text)))
+            return placeOf(absolutePlace(context, place->offset, place->type, place->bit, e.range));
+    if (own && !hasMembers(context, *own, e.name.text)) { // a variable may have the name of its type: Light.Red
+        const Found outer = lookup(context.world, context.scope, context.key(base.name.text), true);
+        if (outer.entity.type && context.world.enumsByType.count(resolveDeclared(context.world, *outer.entity.type))) {
+            Found typeOnly;
+            typeOnly.entity.type = outer.entity.type;
+            from = found(context, typeOnly, base.name, Access::Read, {});
+            own = nullptr;
+        }
+    }
+    const bool isOwn = own || from.kind != DK::Nothing;
+    if (!isOwn && result.list) { // GVL.x, also where a program unit has the list's name
+        if (const auto it = result.list->variables.find(id); it != result.list->variables.end())
+            return ofVariable(context, *it->second, nullptr, e.range, access);
+        if (!result.entity.unit && !result.entity.type && !result.space) {
+            std::vector<std::string> candidates;
+            for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
+            suggest(context, context.emit(e.name.range, findings::UnknownMember(result.list->name, e.name.text)),
+                    e.name.range, e.name.text, candidates);
+            return {};
+        }
+    }
+    if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
+        return found(context, lookupIn(*result.space, id), e.name, access, hint);
+    }
+    isWhole = false;
+    if (from.kind != DK::Nothing) return from;
+    return found(context, result, base.name, baseAccess, {});
+}
+
 Denoted denoteMember(Context& context, const syntax::Expr& e, Access access, TypeId hint) {
     if (!e.base) return {};
-    const syntax::Expr& base = *e.base;
     if (!e.name.isValid()) return {};
-    const NameId id = context.key(e.name.text);
-    Denoted from;
-    const Access baseAccess = access == Access::Address ? Access::ReadWrite : access;
-    if (base.kind == ExprKind::NameRef) {
-        const Found result = lookup(context.world, context.scope, context.key(base.name.text));
-        Variable* own = result.member.variable     ? result.member.variable
-                        : result.ambiguous.empty() ? result.entity.variable
-                                                   : nullptr;
-        if (context.isExpression && own && own->isProgramInstance && own->program &&
-            !findMember(context.world, *own->program, id)) // a name only the image has: VAR_ACCESS of a program
-            if (const auto place =
-                    context.world.program->layout.find(std::string(base.name.text) + "." + std::string(e.name.text)))
-                return placeOf(absolutePlace(context, place->offset, place->type, place->bit, e.range));
-        if (own && !hasMembers(context, *own, e.name.text)) { // a variable may have the name of its type: Light.Red
-            const Found outer = lookup(context.world, context.scope, context.key(base.name.text), true);
-            if (outer.entity.type &&
-                context.world.enumsByType.count(resolveDeclared(context.world, *outer.entity.type))) {
-                Found typeOnly;
-                typeOnly.entity.type = outer.entity.type;
-                from = found(context, typeOnly, base.name, Access::Read, {});
-                own = nullptr;
-            }
-        }
-        const bool isOwn = own || from.kind != DK::Nothing;
-        if (!isOwn && result.list) { // GVL.x, also where a program unit has the list's name
-            if (const auto it = result.list->variables.find(id); it != result.list->variables.end())
-                return ofVariable(context, *it->second, nullptr, e.range, access);
-            if (!result.entity.unit && !result.entity.type && !result.space) {
-                std::vector<std::string> candidates;
-                for (const auto& [key, variable] : result.list->variables) candidates.push_back(variable->name);
-                suggest(context, context.emit(e.name.range, findings::UnknownMember(result.list->name, e.name.text)),
-                        e.name.range, e.name.text, candidates);
-                return {};
-            }
-        }
-        if (!isOwn && result.space && !result.entity.unit && !result.entity.type && !result.member) {
-            return found(context, lookupIn(*result.space, id), e.name, access, hint);
-        }
-        if (from.kind == DK::Nothing)
-            from = found(context, result, base.name, baseAccess == Access::Call ? Access::ReadWrite : baseAccess, {});
-    } else {
-        from = denote(context, base, baseAccess == Access::Call ? Access::ReadWrite : baseAccess);
-    }
+    bool isWhole = false;
+    const Denoted from = denoteBase(context, e, access, hint, isWhole);
+    if (isWhole) return from;
     switch (from.kind) {
     case DK::Nothing:
         return {};
     case DK::Place:
         return memberOf(context, from.place, from, e.name, e.range, access);
-    case DK::Value: {
-        if (context.isKind(from.value.type(), TypeKind::Interface)) {
-            Denoted out = memberOf(context, temporary(context, from.value), from, e.name, e.range, access);
-            out.interface = from.value.expr;
-            return out;
-        }
-        Denoted out = memberOf(context, temporary(context, from.value), from, e.name, e.range, access);
-        out.isReadOnly = true;
-        out.whyReadOnly = context.textOf(e.range);
-        return out;
-    }
-    case DK::Property: {
-        const Operand value = propertyValue(context, from, base.range);
-        if (value.isUnknown()) return {};
-        tree::Place* held = temporary(context, value);
-        const bool isReference = context.isKind(value.type(), TypeKind::Reference);
-        if (isReference) {
-            tree::Place* place = context.arena.make<tree::Place>();
-            place->kind = tree::PlaceKind::Deref;
-            place->type = context.types[value.type()].element;
-            place->range = base.range;
-            place->pointer = value.expr;
-            held = place;
-        }
-        Denoted out = memberOf(context, held, {}, e.name, e.range, access);
-        if (!isReference && out.kind == DK::Place && !context.isKind(value.type(), TypeKind::Interface)) {
-            out.isReadOnly = true;
-            out.whyReadOnly = context.textOf(e.range);
-        }
-        return out;
-    }
-    case DK::Type: {
-        if (const auto it = context.world.enumsByType.find(from.type); it != context.world.enumsByType.end()) {
-            EnumType& enumeration = *it->second;
-            if (const auto named = enumeration.indices.find(id); named != enumeration.indices.end()) {
-                Operand value = enumerator(context, {&enumeration, named->second}, e.name.range);
-                value.expr->range = e.range;
-                return valueOf(value);
-            }
-        }
-        suggest(context, context.emit(e.name.range, findings::UnknownMember(context.textOf(base.range), e.name.text)),
-                e.name.range, e.name.text, memberNames(context.world, from.type));
-        return {};
-    }
-    case DK::Unit: {
-        Unit& unit = *from.unit;
-        const Member member = unit.isInstanced() ? findMember(context.world, unit, id) : Member{};
-        if (member.variable &&
-            ((member.variable->isConstant && isFoldable(context.types, typeOf(context.world, *member.variable))) ||
-             member.variable->storage == Storage::Absolute))
-            return ofVariable(context, *member.variable, nullptr, e.range, access);
-        if (unit.kind == UnitKind::Program) {
-            Unit* self = context.scope.unit ? context.scope.unit->self() : nullptr;
-            tree::Place* instance = nullptr;
-            if (self == &unit)
-                instance = thisPlace(context, base.range);
-            else if (unit.instance)
-                instance = absolutePlace(context, unit.instance->offset, unit.type, -1, base.range);
-            if (instance) {
-                Denoted exact;
-                exact.isExact = true;
-                Denoted out = memberOf(context, instance, exact, e.name, e.range, access);
-                if (!context.isKind(unit.type, TypeKind::Unknown) && out.kind == DK::Place && out.variable &&
-                    out.variable->owner && out.variable->owner->kind == UnitKind::Program && !out.variable->isConstant)
-                    out.isReadOnly = false;
-                return out;
-            }
-            if (!context.function && !context.isExpression && member.variable)
-                return ofVariable(context, *member.variable, nullptr, e.range, access);
-        }
-        if (unit.kind == UnitKind::Program)
-            context.emit(base.range, findings::NoValue(unit.name));
-        else
-            suggest(context, context.emit(e.name.range, findings::UnknownMember(unit.name, e.name.text)), e.name.range,
-                    e.name.text, memberNames(context.world, unit.type));
-        return {};
-    }
-    case DK::List: {
-        const auto it = from.list->variables.find(id);
-        if (it != from.list->variables.end()) return ofVariable(context, *it->second, nullptr, e.range, access);
-        std::vector<std::string> candidates;
-        for (const auto& [known, variable] : from.list->variables) candidates.push_back(variable->name);
-        suggest(context, context.emit(e.name.range, findings::UnknownMember(from.list->name, e.name.text)),
-                e.name.range, e.name.text, candidates);
-        return {};
-    }
-    case DK::Space: {
-        const Found result = lookupIn(*from.space, id);
-        const bool isStandard = library::findSignature(e.name.text) || library::findConversion(e.name.text);
-        if (!result.isNothing() || isStandard || elementaryNamed(e.name.text))
-            return found(context, result, e.name, access, hint);
-        std::vector<std::string> candidates;
-        addNames(context.world, *from.space, candidates);
-        suggest(context, context.emit(e.name.range, findings::UnknownMember(from.space->qualified, e.name.text)),
-                e.name.range, e.name.text, candidates);
-        return {};
-    }
+    case DK::Value:
+        return memberOfValue(context, from, e, access);
+    case DK::Property:
+        return memberOfProperty(context, from, e, access);
+    case DK::Type:
+        return memberOfType(context, from, e);
+    case DK::Unit:
+        return memberOfUnit(context, from, e, access);
+    case DK::List:
+        return memberOfList(context, from, e, access);
+    case DK::Space:
+        return memberOfSpace(context, from, e, access, hint);
     case DK::Standard:
-        context.emit(base.range, findings::NoValue(context.textOf(base.range)));
+        context.emit(e.base->range, findings::NoValue(context.textOf(e.base->range)));
         return {};
     }
     return {};
