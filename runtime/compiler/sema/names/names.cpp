@@ -141,8 +141,9 @@ Denoted denoteName(Context& context, const syntax::Expr& e, Access access, TypeI
     return found(context, result, e.name, access, hint);
 }
 
-///   ok:    x := x + 1;      wrong: x := y;  where nothing is called y (P2001)
-Denoted found(Context& context, const Found& result, const syntax::Name& name, Access access, TypeId hint) {
+/// A name of the unit itself or of those around it. Nothing: it has none.
+static std::optional<Denoted> foundMember(Context& context, const Found& result, const syntax::Name& name,
+                                          Access access) {
     if (result.member.variable && result.member.variable->isResult && access == Access::Call &&
         !result.member.unit) { // F(…) inside F
         Unit& own = *result.member.variable->owner;
@@ -165,34 +166,63 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
         refer(context, name.range, out.property->symbol, access);
         return out;
     }
-    if (!result.ambiguous.empty()) {
-        std::vector<std::string> all;
-        for (const std::string& where : result.ambiguous)
-            all.push_back((where.empty() ? "" : where + ".") + std::string(name.text));
-        auto& diagnostic = context.emit(name.range, findings::AmbiguousName(name.text, all));
-        for (const std::string& where : result.ambiguous)
-            if (!where.empty())
-                diagnostic.fixes.push_back({fixes::Write(where + "." + std::string(name.text)),
-                                            {{name.range, where + "." + std::string(name.text)}}});
-        return {};
-    }
+    return std::nullopt;
+}
+
+static Denoted refuseAmbiguous(Context& context, const Found& result, const syntax::Name& name) {
+    std::vector<std::string> all;
+    for (const std::string& where : result.ambiguous)
+        all.push_back((where.empty() ? "" : where + ".") + std::string(name.text));
+    auto& diagnostic = context.emit(name.range, findings::AmbiguousName(name.text, all));
+    for (const std::string& where : result.ambiguous)
+        if (!where.empty())
+            diagnostic.fixes.push_back({fixes::Write(where + "." + std::string(name.text)),
+                                        {{name.range, where + "." + std::string(name.text)}}});
+    return {};
+}
+
+/// Several enumerations may have the name: the type wanted chooses.
+static Denoted foundEnumerator(Context& context, const Found& result, const syntax::Name& name, TypeId hint) {
+    const EnumeratorRef* chosen = result.enumerators.size() == 1 ? &result.enumerators.front() : nullptr;
+    for (const EnumeratorRef& ref : result.enumerators)
+        if (hint.isValid() && (ref.type->type == hint || (context.world.enumsByType.count(hint) &&
+                                                          context.world.enumsByType.at(hint) == ref.type)))
+            chosen = &ref;
+    if (chosen) return valueOf(enumerator(context, *chosen, name.range));
+    std::vector<std::string> all;
+    for (const EnumeratorRef& ref : result.enumerators) all.push_back(ref.type->name + "." + std::string(name.text));
+    auto& diagnostic = context.emit(name.range, findings::AmbiguousName(name.text, all));
+    for (const EnumeratorRef& ref : result.enumerators)
+        diagnostic.fixes.push_back({fixes::Write(ref.type->name + "." + std::string(name.text)),
+                                    {{name.range, ref.type->name + "." + std::string(name.text)}}});
+    return {};
+}
+
+static Denoted refuseUnknown(Context& context, const syntax::Name& name) {
+    if (context.isTest && isAccessName(context.world, name.text)) return {};
+    const bool isInstruction =
+        context.scope.unit && context.scope.unit->pou && isOperatorOf(*context.scope.unit->pou, name.range);
+    std::vector<std::string> candidates;
+    if (maySuggest(context)) candidates = visibleNames(context.world, context.scope);
+    if (isInstruction)
+        for (const char* op :
+             {"LD",  "LDN", "ST",   "STN",   "AND", "ANDN", "ORN",   "XOR", "ADD",  "SUB",   "MUL", "DIV",
+              "MOD", "JMP", "JMPC", "JMPCN", "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "NOT"})
+            candidates.emplace_back(op);
+    suggest(context,
+            context.emit(name.range,
+                         isInstruction ? findings::IlUnknownOperator(name.text) : findings::UndeclaredName(name.text)),
+            name.range, name.text, candidates);
+    return {};
+}
+
+///   ok:    x := x + 1;      wrong: x := y;  where nothing is called y (P2001)
+Denoted found(Context& context, const Found& result, const syntax::Name& name, Access access, TypeId hint) {
+    if (const auto member = foundMember(context, result, name, access)) return *member;
+    if (!result.ambiguous.empty()) return refuseAmbiguous(context, result, name);
     if (result.entity.variable) return ofVariable(context, *result.entity.variable, nullptr, name.range, access);
-    if (!result.enumerators.empty() && !(access == Access::Call && result.entity.unit)) {
-        const EnumeratorRef* chosen = result.enumerators.size() == 1 ? &result.enumerators.front() : nullptr;
-        for (const EnumeratorRef& ref : result.enumerators)
-            if (hint.isValid() && (ref.type->type == hint || (context.world.enumsByType.count(hint) &&
-                                                              context.world.enumsByType.at(hint) == ref.type)))
-                chosen = &ref;
-        if (chosen) return valueOf(enumerator(context, *chosen, name.range));
-        std::vector<std::string> all;
-        for (const EnumeratorRef& ref : result.enumerators)
-            all.push_back(ref.type->name + "." + std::string(name.text));
-        auto& diagnostic = context.emit(name.range, findings::AmbiguousName(name.text, all));
-        for (const EnumeratorRef& ref : result.enumerators)
-            diagnostic.fixes.push_back({fixes::Write(ref.type->name + "." + std::string(name.text)),
-                                        {{name.range, ref.type->name + "." + std::string(name.text)}}});
-        return {};
-    }
+    if (!result.enumerators.empty() && !(access == Access::Call && result.entity.unit))
+        return foundEnumerator(context, result, name, hint);
     if (result.entity.unit) {
         Unit& unit = *result.entity.unit;
         refer(context, name.range, unit.symbol, Access::Read);
@@ -242,21 +272,7 @@ Denoted found(Context& context, const Found& result, const syntax::Name& name, A
         if (const auto place = context.world.program->layout.find(name.text))
             return placeOf(absolutePlace(context, place->offset, place->type, place->bit, name.range));
     }
-    if (context.isTest && isAccessName(context.world, name.text)) return {};
-    const bool isInstruction =
-        context.scope.unit && context.scope.unit->pou && isOperatorOf(*context.scope.unit->pou, name.range);
-    std::vector<std::string> candidates;
-    if (maySuggest(context)) candidates = visibleNames(context.world, context.scope);
-    if (isInstruction)
-        for (const char* op :
-             {"LD",  "LDN", "ST",   "STN",   "AND", "ANDN", "ORN",   "XOR", "ADD",  "SUB",   "MUL", "DIV",
-              "MOD", "JMP", "JMPC", "JMPCN", "CAL", "CALC", "CALCN", "RET", "RETC", "RETCN", "NOT"})
-            candidates.emplace_back(op);
-    suggest(context,
-            context.emit(name.range,
-                         isInstruction ? findings::IlUnknownOperator(name.text) : findings::UndeclaredName(name.text)),
-            name.range, name.text, candidates);
-    return {};
+    return refuseUnknown(context, name);
 }
 
 /// `instance`: the block it is a variable of; null: seen from inside, or a global.
