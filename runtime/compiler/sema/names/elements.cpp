@@ -18,14 +18,8 @@ using syntax::ExprKind;
 
 using DK = Denoted::Kind;
 
-/// An element of an array, a character of a text, what lies behind a pointer.
-///   ok:    a[i, 2]; s[1]; p[3]      wrong: x[1]  with x : INT (P2014)   a[1]  of two dimensions (P2015)
-///          a[3]  of ARRAY[1..2] (P2016)
-Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
-    Denoted from = denote(context, *e.base,
-                          access == Access::Address ? Access::ReadWrite
-                          : access == Access::Call  ? Access::ReadWrite
-                                                    : access);
+/// The indices as LINT, unknown where they are no integers.
+static std::vector<Operand> indicesOf(Context& context, const syntax::Expr& e) {
     std::vector<Operand> indices;
     for (const syntax::Argument& argument : e.arguments) {
         if (!argument.value) continue;
@@ -41,9 +35,14 @@ Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
         }
         indices.push_back(index);
     }
+    return indices;
+}
+
+/// Makes a place of what is indexed: a value is kept in a temporary. False: it has no elements, or was reported.
+static bool becomePlace(Context& context, Denoted& from, const syntax::Expr& e) {
     if (from.kind == DK::Property) {
         const Operand value = propertyValue(context, from, e.base->range);
-        if (value.isUnknown()) return {};
+        if (value.isUnknown()) return false;
         from = valueOf(value);
     }
     if (from.kind == DK::Value) {
@@ -52,112 +51,148 @@ Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
         from.isReadOnly = true;
         from.whyReadOnly = context.textOf(e.range);
     }
-    if (from.kind == DK::Nothing) return {};
-    if (from.kind != DK::Place) {
-        context.emit(e.base->range, findings::NotAnArray(context.textOf(e.base->range)));
+    if (from.kind == DK::Nothing) return false;
+    if (from.kind == DK::Place) return true;
+    context.emit(e.base->range, findings::NotAnArray(context.textOf(e.base->range)));
+    return false;
+}
+
+static bool areKnown(const std::vector<Operand>& indices) {
+    return std::none_of(indices.begin(), indices.end(), [](const Operand& o) { return o.isUnknown(); });
+}
+
+/// Where the element lies when all indices are constant. `isGood` false: one is out of range, and reported.
+static std::optional<uint64_t> constantElement(Context& context, const types::Type& type, const syntax::Expr& e,
+                                               const std::vector<Operand>& indices, bool& isGood) {
+    bool allConstant = type.kind == TypeKind::Array;
+    uint64_t number = 0;
+    for (size_t i = 0; i < indices.size(); ++i) {
+        if (!indices[i].isConstant()) {
+            allConstant = false;
+            continue;
+        }
+        if (type.kind != TypeKind::Array) continue;
+        const int64_t index = indices[i].expr->value.integer();
+        const types::Dimension& dimension = type.dimensions[i];
+        if (index < dimension.low || index > dimension.high) {
+            context.emit(e.arguments[i].value->range,
+                         findings::ConstantIndexOutOfRange(index, dimension.low, dimension.high));
+            isGood = false;
+            return std::nullopt;
+        }
+        number = number * dimension.count() + static_cast<uint64_t>(index - dimension.low);
+    }
+    return allConstant ? std::optional(number) : std::nullopt;
+}
+
+static Denoted elementOfArray(Context& context, Denoted out, const syntax::Expr& e,
+                              const std::vector<Operand>& indices) {
+    tree::Place* base = out.place;
+    const types::Type& type = context.types[base->type];
+    if (indices.size() != type.dimensions.size()) {
+        context.emit(e.range, findings::WrongIndexCount(type.dimensions.size(), indices.size()));
         return {};
     }
-    tree::Place* base = from.place;
+    if (!areKnown(indices)) return {};
+    bool isGood = true;
+    const std::optional<uint64_t> number = constantElement(context, type, e, indices, isGood);
+    if (!isGood) return {};
+    const bool isStatic = base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance ||
+                          base->kind == tree::PlaceKind::Field;
+    tree::Place* place = nullptr;
+    if (number && isStatic) {
+        place = fieldPlace(context, base, static_cast<uint32_t>(*number * context.types[type.element].size),
+                           type.element, -1, e.range);
+    } else {
+        place = context.arena.make<tree::Place>();
+        place->kind = tree::PlaceKind::Index;
+        place->type = type.element;
+        place->range = e.range;
+        place->base = base;
+        for (const Operand& index : indices) place->indices.push_back(index.expr);
+    }
+    out.place = context.isKind(place->type, TypeKind::Reference) ? dereferenced(context, place, e.range) : place;
+    return out;
+}
+
+static Denoted characterOfText(Context& context, Denoted out, const syntax::Expr& e,
+                               const std::vector<Operand>& indices) {
+    tree::Place* base = out.place;
     const types::Type& type = context.types[base->type];
-    const auto good = [&] {
-        return std::none_of(indices.begin(), indices.end(), [](const Operand& o) { return o.isUnknown(); });
-    };
+    if (indices.size() != 1) {
+        context.emit(e.range, findings::WrongIndexCount(1, indices.size()));
+        return {};
+    }
+    if (!areKnown(indices)) return {};
+    if (indices[0].isConstant()) {
+        const int64_t index = indices[0].expr->value.integer();
+        if (index < 0 || index >= static_cast<int64_t>(type.capacity)) {
+            context.emit(e.arguments[0].value->range,
+                         findings::ConstantIndexOutOfRange(index, 0, int64_t(type.capacity) - 1));
+            return {};
+        }
+    }
+    tree::Place* place = context.arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::TextIndex;
+    place->type = context.elementary(type.kind == TypeKind::String ? TypeKind::Char : TypeKind::Wchar);
+    place->range = e.range;
+    place->base = base;
+    place->indices.push_back(indices[0].expr);
+    out.place = place;
+    return out;
+}
+
+/// p[i], as in CODESYS: the i-th variable from where it points to.
+static Denoted elementBehind(Context& context, Denoted out, const syntax::Expr& e,
+                             const std::vector<Operand>& indices) {
+    tree::Place* base = out.place;
+    const types::Type& type = context.types[base->type];
+    if (indices.size() != 1 || !areKnown(indices)) {
+        if (areKnown(indices)) context.emit(e.range, findings::WrongIndexCount(1, indices.size()));
+        return {};
+    }
+    const Operand address = sameBits(context, load(context, base, e.base->range), context.elementary(TypeKind::Lword));
+    const Operand size =
+        constant(context, {context.elementary(TypeKind::Lword), int64_t(context.types[type.element].size)}, e.range);
+    const Operand step =
+        makeBinary(context, library::BinaryOp::Multiply, context.elementary(TypeKind::Lword),
+                   convertNode(context, indices[0], context.elementary(TypeKind::Lword)), size, e.range);
+    const Operand sum =
+        makeBinary(context, library::BinaryOp::Add, context.elementary(TypeKind::Lword), address, step, e.range);
+    tree::Place* place = context.arena.make<tree::Place>();
+    place->kind = tree::PlaceKind::Deref;
+    place->type = type.element;
+    place->range = e.range;
+    place->pointer = sameBits(context, sum, base->type).expr;
+    out.place = place;
+    out.isReadOnly = false;
+    return out;
+}
+
+/// An element of an array, a character of a text, what lies behind a pointer.
+///   ok:    a[i, 2]; s[1]; p[3]      wrong: x[1]  with x : INT (P2014)   a[1]  of two dimensions (P2015)
+///          a[3]  of ARRAY[1..2] (P2016)
+Denoted denoteIndex(Context& context, const syntax::Expr& e, Access access) {
+    Denoted from = denote(context, *e.base,
+                          access == Access::Address ? Access::ReadWrite
+                          : access == Access::Call  ? Access::ReadWrite
+                                                    : access);
+    const std::vector<Operand> indices = indicesOf(context, e);
+    if (!becomePlace(context, from, e)) return {};
     Denoted out = from;
     out.isExact = true;
     out.isSuper = false;
-    switch (type.kind) {
+    switch (context.types.kind(from.place->type)) {
     case TypeKind::Unknown:
         return {};
     case TypeKind::Array:
-    case TypeKind::OpenArray: {
-        if (indices.size() != type.dimensions.size()) {
-            if (type.kind == TypeKind::Array && indices.size() == 1 && e.arguments.size() == 1) {
-            }
-            context.emit(e.range, findings::WrongIndexCount(type.dimensions.size(), indices.size()));
-            return {};
-        }
-        if (!good()) return {};
-        bool allConstant = type.kind == TypeKind::Array;
-        uint64_t number = 0;
-        for (size_t i = 0; i < indices.size(); ++i) {
-            if (!indices[i].isConstant()) {
-                allConstant = false;
-                continue;
-            }
-            if (type.kind != TypeKind::Array) continue;
-            const int64_t index = indices[i].expr->value.integer();
-            const types::Dimension& dimension = type.dimensions[i];
-            if (index < dimension.low || index > dimension.high) {
-                context.emit(e.arguments[i].value->range,
-                             findings::ConstantIndexOutOfRange(index, dimension.low, dimension.high));
-                return {};
-            }
-            number = number * dimension.count() + static_cast<uint64_t>(index - dimension.low);
-        }
-        const bool isStatic = base->kind == tree::PlaceKind::Absolute || base->kind == tree::PlaceKind::Instance ||
-                              base->kind == tree::PlaceKind::Field;
-        tree::Place* place = nullptr;
-        if (allConstant && isStatic) {
-            place = fieldPlace(context, base, static_cast<uint32_t>(number * context.types[type.element].size),
-                               type.element, -1, e.range);
-        } else {
-            place = context.arena.make<tree::Place>();
-            place->kind = tree::PlaceKind::Index;
-            place->type = type.element;
-            place->range = e.range;
-            place->base = base;
-            for (const Operand& index : indices) place->indices.push_back(index.expr);
-        }
-        out.place = context.isKind(place->type, TypeKind::Reference) ? dereferenced(context, place, e.range) : place;
-        return out;
-    }
+    case TypeKind::OpenArray:
+        return elementOfArray(context, out, e, indices);
     case TypeKind::String:
-    case TypeKind::Wstring: {
-        if (indices.size() != 1) {
-            context.emit(e.range, findings::WrongIndexCount(1, indices.size()));
-            return {};
-        }
-        if (!good()) return {};
-        if (indices[0].isConstant()) {
-            const int64_t index = indices[0].expr->value.integer();
-            if (index < 0 || index >= static_cast<int64_t>(type.capacity)) {
-                context.emit(e.arguments[0].value->range,
-                             findings::ConstantIndexOutOfRange(index, 0, int64_t(type.capacity) - 1));
-                return {};
-            }
-        }
-        tree::Place* place = context.arena.make<tree::Place>();
-        place->kind = tree::PlaceKind::TextIndex;
-        place->type = context.elementary(type.kind == TypeKind::String ? TypeKind::Char : TypeKind::Wchar);
-        place->range = e.range;
-        place->base = base;
-        place->indices.push_back(indices[0].expr);
-        out.place = place;
-        return out;
-    }
-    case TypeKind::Pointer: { // p[i], as in CODESYS: the i-th variable from where it points to
-        if (indices.size() != 1 || !good()) {
-            if (good()) context.emit(e.range, findings::WrongIndexCount(1, indices.size()));
-            return {};
-        }
-        const Operand address =
-            sameBits(context, load(context, base, e.base->range), context.elementary(TypeKind::Lword));
-        const Operand size = constant(
-            context, {context.elementary(TypeKind::Lword), int64_t(context.types[type.element].size)}, e.range);
-        const Operand step =
-            makeBinary(context, library::BinaryOp::Multiply, context.elementary(TypeKind::Lword),
-                       convertNode(context, indices[0], context.elementary(TypeKind::Lword)), size, e.range);
-        const Operand sum =
-            makeBinary(context, library::BinaryOp::Add, context.elementary(TypeKind::Lword), address, step, e.range);
-        tree::Place* place = context.arena.make<tree::Place>();
-        place->kind = tree::PlaceKind::Deref;
-        place->type = type.element;
-        place->range = e.range;
-        place->pointer = sameBits(context, sum, base->type).expr;
-        out.place = place;
-        out.isReadOnly = false;
-        return out;
-    }
+    case TypeKind::Wstring:
+        return characterOfText(context, out, e, indices);
+    case TypeKind::Pointer:
+        return elementBehind(context, out, e, indices);
     default:
         context.emit(e.base->range, findings::NotAnArray(context.textOf(e.base->range)));
         return {};
