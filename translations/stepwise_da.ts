@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>{0} is not a valid {1} literal</source>
-        <translation>{0} er ikke en gyldig konstant ({1})</translation>
+        <translation>{0} er ikke en gyldig literal ({1})</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Denne heltalsdivision fjerner brøkdelen før konverteringen til {0}</translation>
+        <translation>Denne heltalsdivision fjerner decimalerne før konverteringen til {0}</translation>
     </message>
     <message>
         <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
-        <translation>Der er flere programmer og ingen CONFIGURATION; kald ét Main, eller skriv en CONFIGURATION</translation>
+        <translation>Der er flere programmer og ingen CONFIGURATION; omdøb ét til Main, eller skriv en CONFIGURATION</translation>
     </message>
     <message>
         <source>There is no namespace {0}</source>
@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Denne transition er altid sand; trinnet før den varer ét scan</translation>
+        <translation>Denne transition er altid sand; trinnet før den er kun aktivt i ét scan</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -473,11 +473,11 @@
     </message>
     <message>
         <source>This loop never ends and would stop the controller</source>
-        <translation>Denne løkke slutter aldrig og ville standse styringen</translation>
+        <translation>Denne løkke slutter aldrig; styringen ville blive hængende i den</translation>
     </message>
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} er mærket OVERRIDE, men ingen basis har en metode med dette navn</translation>
+        <translation>{0} er mærket OVERRIDE, men ingen basisblok har en metode med dette navn</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -535,7 +535,7 @@
     </message>
     <message>
         <source>index {0} is used on an empty array</source>
-        <translation>indeks {0} er brugt på et tomt array</translation>
+        <translation>adgang til indeks {0} i et tomt array</translation>
     </message>
     <message>
         <source>index {0} is outside {1}..{2}</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>character {0} is read from an empty string</source>
-        <translation>tegn {0} er læst fra en tom tekst</translation>
+        <translation>adgang til tegn {0} i en tom tekst</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>the watchdog stopped a task that did not end</source>
-        <translation>watchdoggen stoppede en task, der ikke sluttede</translation>
+        <translation>watchdoggen afbrød en task, der ikke sluttede</translation>
     </message>
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>not in this image</source>
-        <translation>ikke i dette billede</translation>
+        <translation>ikke i dette programs hukommelsesbillede</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>a cast to an interface cannot be watched</source>
-        <translation>en omdannelse til en grænseflade kan ikke overvåges</translation>
+        <translation>en konvertering til et interface kan ikke overvåges</translation>
     </message>
     <message>
         <source>this cannot be evaluated</source>
@@ -1379,7 +1379,7 @@
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
-        <translation>Denne ændring kan ikke laves i billedet; ret teksten.</translation>
+        <translation>Denne ændring kan ikke laves i tegningen; ret teksten.</translation>
     </message>
     <message>
         <source>This has no operand.</source>
@@ -1479,7 +1479,7 @@
     </message>
     <message>
         <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
+        <translation>Grenene efter denne transition samles ikke; forbind dem først i teksten</translation>
     </message>
     <message>
         <source>The panel is not valid JSON</source>
@@ -1667,11 +1667,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
+        <translation>”{0}” kan ikke være der: kræver {1} px, der er {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
+        <translation>”{0}” kan ikke være der: kræver en højde på {1} px, der er {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1751,7 +1751,7 @@
     </message>
     <message>
         <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
+        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til livevisning</translation>
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
@@ -2215,7 +2215,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>ingen</translation>
+        <translation>(intet valgt)</translation>
     </message>
     <message>
         <source>Other…</source>
@@ -2231,7 +2231,7 @@
     </message>
     <message>
         <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Vises til operatøren. En indtastet tekst får selv sin nøgle; @key nævner en.</translation>
+        <translation>Vises til operatøren. Indtastet tekst får automatisk en nøgle; med @nøgle vælger du en, der findes.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2339,19 +2339,19 @@
     </message>
     <message>
         <source>Limit low-low</source>
-        <translation>Grænse lav-lav</translation>
+        <translation>Nederste grænseværdi (LL)</translation>
     </message>
     <message>
         <source>Limit low</source>
-        <translation>Grænse lav</translation>
+        <translation>Nedre grænseværdi (L)</translation>
     </message>
     <message>
         <source>Limit high</source>
-        <translation>Grænse høj</translation>
+        <translation>Øvre grænseværdi (H)</translation>
     </message>
     <message>
         <source>Limit high-high</source>
-        <translation>Grænse høj-høj</translation>
+        <translation>Øverste grænseværdi (HH)</translation>
     </message>
     <message>
         <source>Choices</source>
@@ -2415,7 +2415,7 @@
     </message>
     <message>
         <source>Must be acknowledged</source>
-        <translation>Skal kvitteres</translation>
+        <translation>Kræver kvittering</translation>
     </message>
     <message>
         <source>Suppressed if</source>
@@ -2431,15 +2431,15 @@
     </message>
     <message>
         <source>Group</source>
-        <translation>Gruppér</translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Tab page</source>
-        <translation>Faneside</translation>
+        <translation>Faneblad</translation>
     </message>
     <message>
         <source>Place and size</source>
-        <translation>Placering og størrelse</translation>
+        <translation>Position og størrelse</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -2455,7 +2455,7 @@
     </message>
     <message>
         <source>Enabled if</source>
-        <translation>Aktiv hvis</translation>
+        <translation>Kan betjenes, hvis</translation>
     </message>
     <message>
         <source>Appearance by condition</source>
@@ -2471,7 +2471,7 @@
     </message>
     <message>
         <source>Rotate by</source>
-        <translation>Rotér med</translation>
+        <translation>Roter med</translation>
     </message>
     <message>
         <source>Fixed language</source>
@@ -2491,7 +2491,7 @@
     </message>
     <message>
         <source>Enabled</source>
-        <translation>Aktiv</translation>
+        <translation>Kan betjenes</translation>
     </message>
     <message>
         <source>On if</source>
@@ -2559,7 +2559,7 @@
     </message>
     <message>
         <source>Span</source>
-        <translation>Spænd</translation>
+        <translation>Buevinkel</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -2583,7 +2583,7 @@
     </message>
     <message>
         <source>Wraps</source>
-        <translation>Ombrydes</translation>
+        <translation>Tekstombrydning</translation>
     </message>
     <message>
         <source>Image</source>
@@ -2635,7 +2635,7 @@
     </message>
     <message>
         <source>Action</source>
-        <translation>Handling</translation>
+        <translation>Aktion</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -2715,11 +2715,11 @@
     </message>
     <message>
         <source>Orientation</source>
-        <translation>Retning</translation>
+        <translation>Orientering</translation>
     </message>
     <message>
         <source>Shows the value</source>
-        <translation>Viser værdien</translation>
+        <translation>Vis værdien</translation>
     </message>
     <message>
         <source>Turning knob</source>
@@ -2759,7 +2759,7 @@
     </message>
     <message>
         <source>Hides the value</source>
-        <translation>Skjuler værdien</translation>
+        <translation>Skjul værdien</translation>
     </message>
     <message>
         <source>Numeric display</source>
@@ -2779,7 +2779,7 @@
     </message>
     <message>
         <source>Shows</source>
-        <translation>Viser</translation>
+        <translation>Visning</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -2803,7 +2803,7 @@
     </message>
     <message>
         <source>Bar</source>
-        <translation>Bjælke</translation>
+        <translation>Bjælkevisning</translation>
     </message>
     <message>
         <source>Set point</source>
@@ -2819,11 +2819,11 @@
     </message>
     <message>
         <source>Span of the scale</source>
-        <translation>Skalaens spænd</translation>
+        <translation>Skalaens vinkel</translation>
     </message>
     <message>
         <source>Divisions</source>
-        <translation>Inddelinger</translation>
+        <translation>Skalainddeling</translation>
     </message>
     <message>
         <source>7-segment display</source>
@@ -2899,7 +2899,7 @@
     </message>
     <message>
         <source>Shows the numbers</source>
-        <translation>Viser numrene</translation>
+        <translation>Vis numrene</translation>
     </message>
     <message>
         <source>Table</source>
@@ -2923,11 +2923,11 @@
     </message>
     <message>
         <source>Array of x</source>
-        <translation>Array for x</translation>
+        <translation>Array med x-værdier</translation>
     </message>
     <message>
         <source>Array of y</source>
-        <translation>Array for y</translation>
+        <translation>Array med y-værdier</translation>
     </message>
     <message>
         <source>Operating point x</source>
@@ -2955,11 +2955,11 @@
     </message>
     <message>
         <source>Title of x</source>
-        <translation>Titel for x</translation>
+        <translation>x-aksens titel</translation>
     </message>
     <message>
         <source>Title of y</source>
-        <translation>Titel for y</translation>
+        <translation>y-aksens titel</translation>
     </message>
     <message>
         <source>Trend chart</source>
@@ -3019,7 +3019,7 @@
     </message>
     <message>
         <source>Tab</source>
-        <translation>Fane</translation>
+        <translation>Faneblade</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -3043,11 +3043,11 @@
     </message>
     <message>
         <source>Operation</source>
-        <translation>Betjening</translation>
+        <translation>Betjeningselementer</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation>Visning</translation>
+        <translation>Visningselementer</translation>
     </message>
     <message>
         <source>Arrays and charts</source>
@@ -3059,7 +3059,7 @@
     </message>
     <message>
         <source>Containers</source>
-        <translation>Beholdere</translation>
+        <translation>Containere</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -3113,15 +3113,15 @@
     </message>
     <message>
         <source>Forced</source>
-        <translation>Tvunget</translation>
+        <translation>Forceret</translation>
     </message>
     <message>
         <source>All forces released</source>
-        <translation>Alle tvungne værdier frigivet</translation>
+        <translation>Al forcering ophævet</translation>
     </message>
     <message>
         <source>Released</source>
-        <translation>Frigivet</translation>
+        <translation>Forcering ophævet</translation>
     </message>
     <message>
         <source>Online change</source>
@@ -3129,7 +3129,7 @@
     </message>
     <message>
         <source>Breakpoint</source>
-        <translation>Brudpunkt</translation>
+        <translation>Stoppunkt</translation>
     </message>
     <message>
         <source>Retained values saved</source>
@@ -3199,11 +3199,11 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation>Middel</translation>
+        <translation>Middelværdi</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation>RMS</translation>
+        <translation>Effektivværdi</translation>
     </message>
     <message>
         <source>Rise time</source>
@@ -3215,7 +3215,7 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation>Indsvingning</translation>
+        <translation>Indsvingningstid</translation>
     </message>
 </context>
 <context>
@@ -3241,11 +3241,11 @@
     </message>
     <message>
         <source>Instruction list, as it stands</source>
-        <translation>Instruktionsliste, som den står</translation>
+        <translation>Instruktionsliste (nuværende tekst)</translation>
     </message>
     <message>
         <source>ST, as it stands</source>
-        <translation>ST, som det står</translation>
+        <translation>ST (nuværende tekst)</translation>
     </message>
     <message>
         <source>The same as ST</source>
@@ -3257,7 +3257,7 @@
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
-        <translation>Begge giver samme resultater. Erstatning er ét trin at fortryde; kommentarer bliver, hver over sin sætning.</translation>
+        <translation>Begge giver samme resultater. Erstatningen kan fortrydes i ét trin; kommentarer bevares, hver over sin sætning.</translation>
     </message>
     <message>
         <source>Replace the Text</source>
@@ -3265,7 +3265,7 @@
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
 </context>
 <context>
@@ -3288,7 +3288,7 @@
     </message>
     <message>
         <source>%1 was changed. Save it?</source>
-        <translation>%1 er ændret. Gem?</translation>
+        <translation>%1 er ændret. Skal ændringerne gemmes?</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) were changed: %1. Save them?</source>
@@ -3341,7 +3341,7 @@
     </message>
     <message>
         <source>Force</source>
-        <translation>Tving</translation>
+        <translation>Forcer</translation>
     </message>
     <message>
         <source>Write</source>
@@ -3370,7 +3370,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Gemmer optagelsen …</translation>
+        <translation>Gemmer optagelsen…</translation>
     </message>
 </context>
 <context>
@@ -3401,11 +3401,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation>Tvungne værdier</translation>
+        <translation>Forcerede værdier</translation>
     </message>
     <message>
         <source>Call Path</source>
-        <translation>Kaldesti</translation>
+        <translation>Kaldestak</translation>
     </message>
     <message>
         <source>Breakpoints</source>
@@ -3449,7 +3449,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Main</source>
-        <translation>Hovedlinje</translation>
+        <translation>Værktøjslinje</translation>
     </message>
     <message>
         <source>State of the controller</source>
@@ -3493,7 +3493,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % last</translation>
+        <translation>%1 µs · %2 % belastning</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
@@ -3525,7 +3525,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Studiet sluttede uden at gemme. Ændringer i %1, der ikke var gemt, er bevaret. Gendan dem?</translation>
+        <translation>Studiet blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -3656,11 +3656,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
-        <translation>F5 oversætter til maskinkode og kører den. Værdierne står derefter ved hver linje.</translation>
+        <translation>F5 oversætter til maskinkode og kører den. Værdierne vises derefter ved hver linje.</translation>
     </message>
     <message>
         <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
-        <translation>Ethvert udtryk, når som helst. Forbered en værdi, og skriv eller tving den med ét klik.</translation>
+        <translation>Ethvert udtryk, når som helst. Forbered en værdi, og skriv eller forcer den med ét klik.</translation>
     </message>
     <message>
         <source>The trace</source>
@@ -3684,7 +3684,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. “Fortsæt herfra” går videre derfra.</translation>
+        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” går videre derfra.</translation>
     </message>
     <message>
         <source>That is it</source>
@@ -3772,7 +3772,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -3804,7 +3804,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Gå til erklæringen</translation>
+        <translation>Gå til definitionen</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -3824,19 +3824,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation>Formatér</translation>
+        <translation>Formater</translation>
     </message>
     <message>
         <source>Comment In or Out (Ctrl+/)</source>
-        <translation>Kommentér ind eller ud (Ctrl+/)</translation>
+        <translation>Kommenter ind eller ud (Ctrl+/)</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Dublér</translation>
+        <translation>Dupliker linjen</translation>
     </message>
     <message>
         <source>Select the Block Around</source>
-        <translation>Markér den omgivende blok</translation>
+        <translation>Marker den omgivende blok</translation>
     </message>
     <message>
         <source>Go to the Matching Word</source>
@@ -3928,11 +3928,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force Prepared Values</source>
-        <translation>Tving forberedte værdier</translation>
+        <translation>Forcer forberedte værdier</translation>
     </message>
     <message>
         <source>Release All Forces</source>
-        <translation>Frigiv alle tvungne værdier</translation>
+        <translation>Ophæv al forcering</translation>
     </message>
     <message>
         <source>Run the Tests</source>
@@ -3948,7 +3948,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Back to Live</source>
-        <translation>Tilbage til nutiden</translation>
+        <translation>Tilbage til livevisning</translation>
     </message>
     <message>
         <source>Resume From Here</source>
@@ -3968,7 +3968,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Chart Beside the Text</source>
-        <translation>Diagram ved siden af teksten</translation>
+        <translation>SFC-diagram ved siden af teksten</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
@@ -4020,7 +4020,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 – back to live</source>
-        <translation>%1 – tilbage til styringen</translation>
+        <translation>%1 – tilbage til livevisning</translation>
     </message>
     <message>
         <source>Panel %1</source>
@@ -4028,11 +4028,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation>Ikke-gemte ændringer</translation>
+        <translation>Ændringer, der ikke er gemt</translation>
     </message>
     <message>
         <source>%1 was changed. Save it?</source>
-        <translation>%1 blev ændret. Skal det gemmes?</translation>
+        <translation>%1 er ændret. Skal ændringerne gemmes?</translation>
     </message>
     <message>
         <source>Open a Recording</source>
@@ -4048,7 +4048,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Sæt markøren i en enhed, der er skrevet i ST eller IL</translation>
+        <translation>Sæt markøren i en programenhed, der er skrevet i ST eller IL</translation>
     </message>
     <message>
         <source>The text has changed meanwhile</source>
@@ -4067,7 +4067,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Delete and Comment Out the Uses</source>
-        <translation>Slet og udkommentér anvendelserne</translation>
+        <translation>Slet, udkommenter anvendelserne</translation>
     </message>
     <message>
         <source>Show the Uses</source>
@@ -4103,15 +4103,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The file can not be renamed; check the permissions of the folder</source>
-        <translation>Filen kan ikke omdøbes; kontrollér mappens rettigheder</translation>
+        <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>These panels lead to it; their buttons will be problems: %1</source>
-        <translation>Disse paneler fører dertil; deres knapper bliver til problemer: %1</translation>
+        <translation>Disse paneler henviser til det; deres knapper fører så ingen steder hen: %1</translation>
     </message>
     <message>
         <source>The file can not be removed; check the permissions of the folder</source>
-        <translation>Filen kan ikke slettes; kontrollér mappens rettigheder</translation>
+        <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -4155,7 +4155,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Fault of the controller</source>
-        <translation>Styringens fejl</translation>
+        <translation>Styringsfejl</translation>
     </message>
     <message>
         <source>RUN %1</source>
@@ -4163,7 +4163,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>at full speed</source>
-        <translation>for fuld kraft</translation>
+        <translation>så hurtigt som muligt</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -4199,19 +4199,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Arrange for Editing</source>
-        <translation>Arrangér til redigering</translation>
+        <translation>Arranger til redigering</translation>
     </message>
     <message>
         <source>Arrange for Debugging</source>
-        <translation>Arrangér til fejlfinding</translation>
+        <translation>Arranger til fejlfinding</translation>
     </message>
     <message>
         <source>Arrange for Drawing Panels</source>
-        <translation>Arrangér til tegning af paneler</translation>
+        <translation>Arranger til tegning af paneler</translation>
     </message>
     <message>
         <source>Maximise the Editor</source>
-        <translation>Maksimér editoren</translation>
+        <translation>Maksimer editoren</translation>
     </message>
     <message>
         <source>Keeping the recording of the last run…</source>
@@ -4246,11 +4246,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Sekvens</translation>
+        <translation>Sekvensstyring</translation>
     </message>
     <message>
         <source>Fill, mix, empty as a sequential function chart</source>
-        <translation>Fyld, bland, tøm som sekventielt funktionsdiagram</translation>
+        <translation>Fyld, bland, tøm som SFC-diagram</translation>
     </message>
     <message>
         <source>New Project</source>
@@ -4329,7 +4329,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Sequential function chart</source>
-        <translation>Sekventielt funktionsdiagram</translation>
+        <translation>SFC-diagram</translation>
     </message>
     <message>
         <source>Simulation of the plant</source>
@@ -4435,7 +4435,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation>Diagram</translation>
+        <translation>SFC-diagram</translation>
     </message>
     <message>
         <source>Programs</source>
@@ -4455,7 +4455,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Globals</source>
-        <translation>Globale</translation>
+        <translation>Globale variabler</translation>
     </message>
     <message>
         <source>Tasks</source>
@@ -4515,7 +4515,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Watch</source>
-        <translation>Overvåg</translation>
+        <translation>Føj til overvågning</translation>
     </message>
     <message>
         <source>Arrange by file</source>
@@ -4578,7 +4578,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Not a pattern: %1</source>
-        <translation>Ikke et mønster: %1</translation>
+        <translation>Ugyldigt regulært udtryk: %1</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -4690,7 +4690,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Write keywords in capitals while typing</source>
-        <translation>Skriv nøgleord med store bogstaver under indtastning</translation>
+        <translation>Ændr nøgleord til store bogstaver under indtastning</translation>
     </message>
     <message>
         <source>Close blocks with Enter (IF … END_IF)</source>
@@ -4702,11 +4702,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Format when saving</source>
-        <translation>Formatér ved lagring</translation>
+        <translation>Formater ved lagring</translation>
     </message>
     <message>
         <source>Saving changes the running controller (online change)</source>
-        <translation>At gemme ændrer den kørende styring (online-change)</translation>
+        <translation>Udfør onlineændring, når der gemmes</translation>
     </message>
     <message>
         <source>Memory for the recording of every scan</source>
@@ -4718,7 +4718,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Handling</translation>
+        <translation>Kommando</translation>
     </message>
     <message>
         <source>Shortcut</source>
@@ -4726,7 +4726,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Another action has the same shortcut</source>
-        <translation>En anden handling har samme genvej</translation>
+        <translation>En anden kommando har samme genvej</translation>
     </message>
     <message>
         <source>Shortcut of %1</source>
@@ -4738,11 +4738,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>All Defaults</source>
-        <translation>Alle standarder</translation>
+        <translation>Gendan standarder</translation>
     </message>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
+        <translation>%1 hører nu til ”%2”; ”%3” mister den.</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -4869,7 +4869,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::CallPathView</name>
     <message>
         <source>Unit</source>
-        <translation>Enhed</translation>
+        <translation>Programenhed</translation>
     </message>
     <message>
         <source>Instance</source>
@@ -4881,7 +4881,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Call path</source>
-        <translation>Kaldesti</translation>
+        <translation>Kaldestak</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -4900,27 +4900,27 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::ChartView</name>
     <message>
         <source>Sequential function chart</source>
-        <translation>Sekventielt funktionsdiagram</translation>
+        <translation>SFC-diagram</translation>
     </message>
     <message>
         <source>Insert a step behind (Ins)</source>
-        <translation>Indsæt et trin bagefter (Ins)</translation>
+        <translation>Indsæt et trin efter (Ins)</translation>
     </message>
     <message>
         <source>Insert a branch beside</source>
-        <translation>Indsæt en gren ved siden af</translation>
+        <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
         <source>Insert a simultaneous branch</source>
-        <translation>Indsæt en samtidig gren</translation>
+        <translation>Indsæt en parallelgren</translation>
     </message>
     <message>
         <source>Add an action</source>
-        <translation>Tilføj en handling</translation>
+        <translation>Tilføj en aktion</translation>
     </message>
     <message>
         <source>Edit name or condition (F2)</source>
-        <translation>Redigér navn eller betingelse (F2)</translation>
+        <translation>Rediger navn eller betingelse (F2)</translation>
     </message>
     <message>
         <source>Delete (Del)</source>
@@ -4932,7 +4932,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Export the chart</source>
-        <translation>Eksportér diagrammet</translation>
+        <translation>Eksporter diagrammet</translation>
     </message>
     <message>
         <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
@@ -4948,7 +4948,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The unit %1 is not in the text any more</source>
-        <translation>Enheden %1 er ikke længere i teksten</translation>
+        <translation>Programenheden %1 er ikke længere i teksten</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -4956,7 +4956,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 is not a chart</source>
-        <translation>%1 er ikke et diagram</translation>
+        <translation>%1 er ikke et SFC-diagram</translation>
     </message>
     <message>
         <source>Mend the text first: this is the last good drawing</source>
@@ -4968,27 +4968,27 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Select the transition behind which the steps run at the same time</source>
-        <translation>Vælg den transition, efter hvilken trinene kører samtidig</translation>
+        <translation>Vælg den transition, efter hvilken trinnene kører samtidig</translation>
     </message>
     <message>
         <source>Select the step that gets the action</source>
-        <translation>Vælg det trin, der får handlingen</translation>
+        <translation>Vælg det trin, der får aktionen</translation>
     </message>
     <message>
         <source>Insert a Step Behind</source>
-        <translation>Indsæt et trin bagefter</translation>
+        <translation>Indsæt et trin efter</translation>
     </message>
     <message>
         <source>Insert a Branch Beside</source>
-        <translation>Indsæt en gren ved siden af</translation>
+        <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
         <source>Insert a Simultaneous Branch</source>
-        <translation>Indsæt en samtidig gren</translation>
+        <translation>Indsæt en parallelgren</translation>
     </message>
     <message>
         <source>Add an Action</source>
-        <translation>Tilføj en handling</translation>
+        <translation>Tilføj en aktion</translation>
     </message>
     <message>
         <source>Make It the Initial Step</source>
@@ -4996,11 +4996,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force the Step On</source>
-        <translation>Tving trinet til</translation>
+        <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
         <source>Release the Step</source>
-        <translation>Frigiv trinet</translation>
+        <translation>Ophæv forcering af trinnet</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
@@ -5008,7 +5008,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation>Redigér</translation>
+        <translation>Rediger</translation>
     </message>
     <message>
         <source>Move Left</source>
@@ -5064,23 +5064,23 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>To the chart around (Backspace)</source>
-        <translation>Til diagrammet uden om (Tilbage)</translation>
+        <translation>Til det overordnede SFC-diagram (Backspace)</translation>
     </message>
     <message>
         <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
-        <translation>Stoppunkt: stopper, når trinnet bliver aktivt, når transitionen tages (F9)</translation>
+        <translation>Stoppunkt: stopper, når trinnet bliver aktivt, eller transitionen udløses (F9)</translation>
     </message>
     <message>
         <source>Force the step on</source>
-        <translation>Tving trinnet aktivt</translation>
+        <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
         <source>Release the step</source>
-        <translation>Frigiv trinnet</translation>
+        <translation>Ophæv forcering af trinnet</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+        <translation>Eksporter som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -5096,7 +5096,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Open Its Chart or Text</source>
-        <translation>Åbn dens diagram eller tekst</translation>
+        <translation>Åbn dets SFC-diagram eller tekst</translation>
     </message>
     <message>
         <source>Priority…</source>
@@ -5194,11 +5194,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy the selected rows, else all</source>
-        <translation>Kopiér de valgte rækker, ellers alle</translation>
+        <translation>Kopier de valgte rækker, ellers alle</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
     <message>
         <source>Only faults and refusals</source>
@@ -5281,7 +5281,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>not a pattern</source>
-        <translation>ikke et mønster</translation>
+        <translation>ugyldigt regulært udtryk</translation>
     </message>
     <message numerus="yes">
         <source>%n found</source>
@@ -5303,37 +5303,37 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Forced value</source>
-        <translation>Tvungen værdi</translation>
+        <translation>Forceret værdi</translation>
     </message>
     <message>
         <source>Forced variables</source>
-        <translation>Tvungne variabler</translation>
+        <translation>Forcerede variabler</translation>
     </message>
     <message>
         <source>Release selected</source>
-        <translation>Frigiv valgte</translation>
+        <translation>Ophæv valgte</translation>
     </message>
     <message>
         <source>Release all</source>
-        <translation>Frigiv alle</translation>
+        <translation>Ophæv alle</translation>
     </message>
 </context>
 <context>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Bygget på %1 ms</translation>
+        <translation>Oversat på %1 ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
         <translation>
-            <numerusform>%n fejl: programmet blev ikke bygget</numerusform>
-            <numerusform>%n fejl: programmet blev ikke bygget</numerusform>
+            <numerusform>%n fejl: programmet blev ikke oversat</numerusform>
+            <numerusform>%n fejl: programmet blev ikke oversat</numerusform>
         </translation>
     </message>
     <message>
         <source>Online change: %1 kept, %2 new, %3 lost</source>
-        <translation>Online-change: %1 bevaret, %2 nye, %3 tabt</translation>
+        <translation>Onlineændring: %1 variabler bevaret, %2 nye, %3 fjernet</translation>
     </message>
     <message>
         <source>The change waits for the end of the scan</source>
@@ -5384,7 +5384,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Gå til definition</translation>
+        <translation>Gå til definitionen</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -5429,11 +5429,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force…</source>
-        <translation>Tving…</translation>
+        <translation>Forcer…</translation>
     </message>
     <message>
         <source>Release the Force</source>
-        <translation>Ophæv tvangen</translation>
+        <translation>Ophæv forcering</translation>
     </message>
 </context>
 <context>
@@ -5452,7 +5452,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation>Kørsler</translation>
+        <translation>Antal kørsler</translation>
     </message>
     <message>
         <source>Last</source>
@@ -5464,7 +5464,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Middel</translation>
+        <translation>Gennemsnit</translation>
     </message>
     <message>
         <source>Max</source>
@@ -5476,11 +5476,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Overruns</source>
-        <translation>Overløb</translation>
+        <translation>Tidsoverskridelser</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation>Last</translation>
+        <translation>Belastning</translation>
     </message>
     <message>
         <source>Tasks</source>
@@ -5531,11 +5531,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force prepared values</source>
-        <translation>Tving forberedte værdier</translation>
+        <translation>Forcer forberedte værdier</translation>
     </message>
     <message>
         <source>Release the selected forces</source>
-        <translation>Frigiv de valgte tvungne værdier</translation>
+        <translation>Ophæv forcering af de valgte værdier</translation>
     </message>
     <message>
         <source>Decimal</source>
@@ -5559,11 +5559,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force to %1</source>
-        <translation>Tving til %1</translation>
+        <translation>Forcer til %1</translation>
     </message>
     <message>
         <source>Release force</source>
-        <translation>Frigiv tvungen værdi</translation>
+        <translation>Ophæv forcering</translation>
     </message>
     <message>
         <source>Show in trace</source>
@@ -5691,7 +5691,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
-        <translation>Duplikér som array</translation>
+        <translation>Dupliker som array</translation>
     </message>
     <message>
         <source>Number of elements</source>
@@ -5768,7 +5768,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Reorder</source>
-        <translation>Omarrangér</translation>
+        <translation>Omarranger</translation>
     </message>
 </context>
 <context>
@@ -5782,7 +5782,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Finding</source>
-        <translation>Fund</translation>
+        <translation>Meddelelse</translation>
     </message>
     <message>
         <source>Element</source>
@@ -5798,7 +5798,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -5806,15 +5806,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Duplikér</translation>
+        <translation>Dupliker</translation>
     </message>
     <message>
         <source>Duplicate as array…</source>
-        <translation>Duplikér som array…</translation>
+        <translation>Dupliker som array…</translation>
     </message>
     <message>
         <source>Select all</source>
-        <translation>Markér alt</translation>
+        <translation>Marker alt</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -5822,35 +5822,35 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Align left</source>
-        <translation>Justér til venstre</translation>
+        <translation>Juster til venstre</translation>
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Justér centre</translation>
+        <translation>Juster centre</translation>
     </message>
     <message>
         <source>Align right</source>
-        <translation>Justér til højre</translation>
+        <translation>Juster til højre</translation>
     </message>
     <message>
         <source>Align top</source>
-        <translation>Justér foroven</translation>
+        <translation>Juster foroven</translation>
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Justér midter</translation>
+        <translation>Juster midter</translation>
     </message>
     <message>
         <source>Align bottom</source>
-        <translation>Justér forneden</translation>
+        <translation>Juster forneden</translation>
     </message>
     <message>
         <source>Equal gaps across</source>
-        <translation>Lige afstande vandret</translation>
+        <translation>Ens afstande vandret</translation>
     </message>
     <message>
         <source>Equal gaps down</source>
-        <translation>Lige afstande lodret</translation>
+        <translation>Ens afstande lodret</translation>
     </message>
     <message>
         <source>Same width</source>
@@ -5884,7 +5884,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation>Gruppér</translation>
+        <translation>Grupper</translation>
     </message>
     <message>
         <source>Ungroup</source>
@@ -5904,7 +5904,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Live preview</source>
-        <translation>Live-visning</translation>
+        <translation>Liveforhåndsvisning</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -5948,7 +5948,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Duplicate as array</source>
-        <translation>Duplikér som array</translation>
+        <translation>Dupliker som array</translation>
     </message>
     <message>
         <source>Elements</source>
@@ -6028,7 +6028,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Import CSV</source>
-        <translation>Importér CSV</translation>
+        <translation>Importer CSV</translation>
     </message>
     <message>
         <source>Text tables (*.csv *.txt)</source>
@@ -6036,7 +6036,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Export CSV</source>
-        <translation>Eksportér CSV</translation>
+        <translation>Eksporter CSV</translation>
     </message>
     <message>
         <source>Text tables (*.csv)</source>
@@ -6160,7 +6160,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Edit in a window</source>
-        <translation>Redigér i et vindue</translation>
+        <translation>Rediger i et vindue</translation>
     </message>
     <message>
         <source>Yes</source>
@@ -6234,7 +6234,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>%1 is being cancelled…</source>
-        <translation>%1: afbrydes …</translation>
+        <translation>%1: afbrydes…</translation>
     </message>
     <message>
         <source>Cancel: %1</source>
@@ -6309,7 +6309,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Hold</source>
-        <translation>Hold</translation>
+        <translation>Trappe</translation>
     </message>
     <message>
         <source>Digital</source>
@@ -6325,11 +6325,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation>Skala</translation>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation>Forskydning</translation>
+        <translation>Offset</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -6393,7 +6393,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Record while</source>
-        <translation>Optag mens</translation>
+        <translation>Optagelsesbetingelse</translation>
     </message>
     <message>
         <source>Trigger</source>
@@ -6437,11 +6437,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Shown before</source>
-        <translation>Vist før</translation>
+        <translation>Vist før triggeren</translation>
     </message>
     <message>
         <source>Shown after</source>
-        <translation>Vist efter</translation>
+        <translation>Vist efter triggeren</translation>
     </message>
     <message>
         <source>Change channel</source>
@@ -6608,11 +6608,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation>Panorér</translation>
+        <translation>Panorer</translation>
     </message>
     <message>
         <source>Drag to pan (middle button always does)</source>
-        <translation>Træk for at panorere (midterste knap gør det altid)</translation>
+        <translation>Træk for at panorere (midterste museknap gør det altid)</translation>
     </message>
     <message>
         <source>Cursors</source>
@@ -6640,7 +6640,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Arm the trigger set in the properties of the trace</source>
-        <translation>Aktivér triggeren fra tracens egenskaber</translation>
+        <translation>Aktiver triggeren fra tracens egenskaber</translation>
     </message>
     <message>
         <source>Previous trigger</source>
@@ -6720,7 +6720,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Back to the running PLC</source>
-        <translation>Tilbage til den kørende PLC</translation>
+        <translation>Tilbage til livevisning</translation>
     </message>
     <message>
         <source>Save recording…</source>
@@ -6736,11 +6736,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Eksportér</translation>
+        <translation>Eksporter</translation>
     </message>
     <message>
         <source>Copy as picture</source>
-        <translation>Kopiér som billede</translation>
+        <translation>Kopier som billede</translation>
     </message>
     <message>
         <source>Save samples in view as CSV…</source>
@@ -6764,7 +6764,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Arm trigger</source>
-        <translation>Aktivér trigger</translation>
+        <translation>Aktiver trigger</translation>
     </message>
     <message>
         <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
@@ -6795,7 +6795,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 scan bevaret  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
+        <translation>%L1 scan gemt  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -6819,11 +6819,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
-        <translation>Åbner %1 …</translation>
+        <translation>Åbner %1…</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Gemmer optagelsen …</translation>
+        <translation>Gemmer optagelsen…</translation>
     </message>
 </context>
 <context>
@@ -7217,7 +7217,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Change to a WSTRING literal</source>
-        <translation>Skift til en WSTRING-konstant</translation>
+        <translation>Skift til en WSTRING-literal</translation>
     </message>
     <message>
         <source>Replace with straight quotes</source>
@@ -7229,7 +7229,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Dereference the pointer with ^</source>
-        <translation>Følg pegeren med ^</translation>
+        <translation>Dereferer pointeren med ^</translation>
     </message>
 </context>
 <context>
@@ -7295,7 +7295,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Elementet {0} i diagrammet er ikke forbundet og blev udeladt</translation>
+        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -7331,7 +7331,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Der er to enheder med navnet {0}; den anden er i {1}</translation>
+        <translation>Der er to programenheder med navnet {0}; den anden er i {1}</translation>
     </message>
     <message>
         <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
@@ -7375,11 +7375,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML har ingen plads til tests; TEST &apos;{0}&apos; blev udeladt</translation>
+        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine enheder</translation>
+        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for USING; it was left out</source>
@@ -7456,7 +7456,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Units: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>Enheder: %1
+        <translation>Programenheder: %1
 Kroppe: %2
 Ikke bevaret: %3</translation>
     </message>
@@ -7548,7 +7548,7 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+        <translation>Eksporter som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>Export the Drawing</source>

@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>An assignment is not a condition; use = to compare</source>
-        <translation>Eine Zuweisung ist keine Bedingung; zum Vergleichen = benutzen</translation>
+        <translation>Eine Zuweisung ist keine Bedingung; zum Vergleichen = verwenden</translation>
     </message>
     <message>
         <source>A colon is missing between the name and its type</source>
@@ -85,11 +85,11 @@
     </message>
     <message>
         <source>{0} cannot be converted to {1}</source>
-        <translation>{0} kann nicht in {1} umgewandelt werden</translation>
+        <translation>{0} kann nicht in {1} konvertiert werden</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
-        <translation>Implizite Umwandlung von {0} in {1} kann Daten verlieren; explizit umwandeln</translation>
+        <translation>Bei der impliziten Konvertierung von {0} nach {1} können Daten verloren gehen; explizit konvertieren</translation>
     </message>
     <message>
         <source>{0} cannot be assigned to</source>
@@ -189,15 +189,15 @@
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Diese Ganzzahldivision verwirft den Bruchteil vor der Umwandlung in {0}</translation>
+        <translation>Diese Ganzzahldivision schneidet die Nachkommastellen vor der Konvertierung nach {0} ab</translation>
     </message>
     <message>
         <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} wird als {1} berechnet und kann vor der Umwandlung in {2} überlaufen</translation>
+        <translation>{0} wird als {1} berechnet und kann vor der Konvertierung in {2} überlaufen</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
-        <translation>{0} und {1} werden als {2} verglichen; eines davon umwandeln</translation>
+        <translation>{0} und {1} werden als {2} verglichen; eines davon konvertieren</translation>
     </message>
     <message>
         <source>{0} is not checked against the enumeration {1}; use one of its names</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>{0} ist in einer Überwachung oder Bindung nicht erlaubt; sie darf keine Nebenwirkungen haben</translation>
+        <translation>{0} ist in Überwachungen und Variablenbindungen nicht erlaubt; dort sind keine Seiteneffekte zulässig</translation>
     </message>
     <message>
         <source>{0} is {1}; write {2}</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>{0} already has a branch</source>
-        <translation>{0} hat schon einen Zweig</translation>
+        <translation>{0} hat bereits einen Zweig</translation>
     </message>
     <message>
         <source>The task {0} is declared twice</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
-        <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines Main nennen oder eine CONFIGURATION schreiben</translation>
+        <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines in Main umbenennen oder eine CONFIGURATION schreiben</translation>
     </message>
     <message>
         <source>There is no namespace {0}</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>Der Bereich {0}..{1} ist ungültig: die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
+        <translation>Der Bereich {0}..{1} ist ungültig: Die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
     </message>
     <message>
         <source>{0} is not a variable of this configuration</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand behalten</translation>
+        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand speichern</translation>
     </message>
     <message>
         <source>Too many initial values: {0} for {1} {1:element|elements}</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: die Zweige von hier werden nicht zusammengeführt</translation>
+        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: Die Zweige von hier werden nicht zusammengeführt</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Diese Transition ist immer wahr; der Schritt davor dauert einen Zyklus</translation>
+        <translation>Diese Transition ist immer wahr; der Schritt davor ist nur einen Zyklus aktiv</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
-        <translation>{0} ist eine strikte Enumeration, mit der nicht gerechnet werden kann; den Wert mit {1} umwandeln</translation>
+        <translation>{0} ist eine strikte Enumeration, mit der nicht gerechnet werden kann; den Wert mit {1} konvertieren</translation>
     </message>
     <message>
         <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
-        <translation>{0} und {1} teilen sich den Speicher bei {2}; einen davon verschieben oder STRUCT OVERLAP schreiben</translation>
+        <translation>{0} und {1} teilen sich den Speicher bei {2}; eines davon verschieben oder STRUCT OVERLAP schreiben</translation>
     </message>
     <message>
         <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
@@ -465,7 +465,7 @@
     </message>
     <message>
         <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} ist ein Schlüsselwort und kann kein Name sein</translation>
+        <translation>{0} ist ein Schlüsselwort und als Name nicht erlaubt</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
@@ -473,11 +473,11 @@
     </message>
     <message>
         <source>This loop never ends and would stop the controller</source>
-        <translation>Diese Schleife endet nie und würde die Steuerung anhalten</translation>
+        <translation>Diese Schleife endet nie; die Steuerung würde darin hängen bleiben</translation>
     </message>
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber keine Basis hat eine Methode dieses Namens</translation>
+        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber kein Basisbaustein hat eine Methode dieses Namens</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; rufen Sie {0} in einem Programm der Task {1} auf</translation>
+        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; {0} in einem Programm der Task {1} aufrufen</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -531,11 +531,11 @@
     <name>Errors</name>
     <message>
         <source>division by zero</source>
-        <translation>Division durch Null</translation>
+        <translation>Division durch null</translation>
     </message>
     <message>
         <source>index {0} is used on an empty array</source>
-        <translation>Index {0} auf ein leeres Array angewendet</translation>
+        <translation>Zugriff auf Index {0} eines leeren Arrays</translation>
     </message>
     <message>
         <source>index {0} is outside {1}..{2}</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>character {0} is read from an empty string</source>
-        <translation>Zeichen {0} einer leeren Zeichenkette gelesen</translation>
+        <translation>Zugriff auf Zeichen {0} einer leeren Zeichenkette</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>the watchdog stopped a task that did not end</source>
-        <translation>der Watchdog hat eine Task gestoppt, die nicht endete</translation>
+        <translation>der Watchdog hat eine Task abgebrochen, die nicht endete</translation>
     </message>
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>not in this image</source>
-        <translation>nicht in diesem Abbild</translation>
+        <translation>im Speicherabbild dieses Programms nicht vorhanden</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -663,7 +663,7 @@
     </message>
     <message>
         <source>it already exists</source>
-        <translation>es ist schon vorhanden</translation>
+        <translation>es ist bereits vorhanden</translation>
     </message>
     <message>
         <source>the folder is not empty</source>
@@ -739,7 +739,7 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
-        <translation>„{0}“ ist mehrdeutig; schreiben Sie eines von {1}</translation>
+        <translation>„{0}“ ist mehrdeutig; geben Sie eines von {1} an</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
@@ -883,7 +883,7 @@
     </message>
     <message>
         <source>there is no value to write</source>
-        <translation>es gibt keinen Wert zum Schreiben</translation>
+        <translation>kein Wert zum Schreiben vorhanden</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -947,7 +947,7 @@
     </message>
     <message>
         <source>There is no program to optimise</source>
-        <translation>Es gibt kein Programm zum Optimieren</translation>
+        <translation>Kein Programm zum Optimieren vorhanden</translation>
     </message>
     <message>
         <source>The expression is nested too deeply</source>
@@ -991,7 +991,7 @@
     </message>
     <message>
         <source>an expression cannot have side effects</source>
-        <translation>ein Ausdruck darf keine Nebenwirkungen haben</translation>
+        <translation>ein Ausdruck darf keine Seiteneffekte haben</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>a cast to an interface cannot be watched</source>
-        <translation>eine Umwandlung in eine Schnittstelle kann nicht überwacht werden</translation>
+        <translation>eine Konvertierung in eine Schnittstelle kann nicht überwacht werden</translation>
     </message>
     <message>
         <source>this cannot be evaluated</source>
@@ -1007,7 +1007,7 @@
     </message>
     <message>
         <source>The code generator failed: {0}</source>
-        <translation>Der Codegenerator ist gescheitert: {0}</translation>
+        <translation>Der Codegenerator ist fehlgeschlagen: {0}</translation>
     </message>
     <message>
         <source>The code generator produced an invalid module: {0}</source>
@@ -1055,11 +1055,11 @@
     </message>
     <message>
         <source>{0} is already written in ST</source>
-        <translation>{0} ist schon in ST geschrieben</translation>
+        <translation>{0} ist bereits in ST geschrieben</translation>
     </message>
     <message>
         <source>{0} is already written in IL</source>
-        <translation>{0} ist schon in AWL geschrieben</translation>
+        <translation>{0} ist bereits in AWL geschrieben</translation>
     </message>
     <message>
         <source>Fix the text first: {0}</source>
@@ -1119,7 +1119,7 @@
     </message>
     <message>
         <source>There is no such file or folder</source>
-        <translation>Diese Datei oder diesen Ordner gibt es nicht</translation>
+        <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1139,11 +1139,11 @@
     </message>
     <message>
         <source>{0} already exists in the project</source>
-        <translation>{0} gibt es schon im Projekt</translation>
+        <translation>{0} ist im Projekt bereits vorhanden</translation>
     </message>
     <message>
         <source>{0} already exists in {1}</source>
-        <translation>{0} gibt es schon in {1}</translation>
+        <translation>{0} ist in {1} bereits vorhanden</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1159,7 +1159,7 @@
     </message>
     <message>
         <source>The folder already exists and is not empty; choose another name</source>
-        <translation>Der Ordner ist schon vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
+        <translation>Der Ordner ist bereits vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>The page cannot be written</source>
@@ -1167,11 +1167,11 @@
     </message>
     <message>
         <source>There is no such file in the project</source>
-        <translation>Diese Datei gibt es im Projekt nicht</translation>
+        <translation>Diese Datei ist im Projekt nicht vorhanden</translation>
     </message>
     <message>
         <source>A file with this name already exists</source>
-        <translation>Eine Datei dieses Namens gibt es schon</translation>
+        <translation>Eine Datei dieses Namens ist bereits vorhanden</translation>
     </message>
     <message>
         <source>The file is read-only and was not overwritten</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>A panel with this name already exists</source>
-        <translation>Ein Panel dieses Namens gibt es schon</translation>
+        <translation>Ein Panel dieses Namens ist bereits vorhanden</translation>
     </message>
     <message>
         <source>The controller is not running</source>
@@ -1203,11 +1203,11 @@
     </message>
     <message>
         <source>There is no program to run</source>
-        <translation>Es gibt kein Programm zum Ausführen</translation>
+        <translation>Kein Programm zum Ausführen vorhanden</translation>
     </message>
     <message>
         <source>There is no program to test</source>
-        <translation>Es gibt kein Programm zum Testen</translation>
+        <translation>Kein Programm zum Testen vorhanden</translation>
     </message>
     <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
@@ -1279,7 +1279,7 @@
     </message>
     <message>
         <source>Delete the call in the text: other statements may use its outputs.</source>
-        <translation>Löschen Sie den Aufruf im Text: andere Anweisungen könnten seine Ausgänge verwenden.</translation>
+        <translation>Löschen Sie den Aufruf im Text: Andere Anweisungen könnten seine Ausgänge verwenden.</translation>
     </message>
     <message>
         <source>Delete this output in the text.</source>
@@ -1291,7 +1291,7 @@
     </message>
     <message>
         <source>Select a box with text.</source>
-        <translation>Wählen Sie einen Kasten mit Text.</translation>
+        <translation>Wählen Sie eine Box mit Text.</translation>
     </message>
     <message>
         <source>Select a coil.</source>
@@ -1351,7 +1351,7 @@
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
-        <translation>Diese Änderung ist im Bild nicht möglich; ändern Sie den Text.</translation>
+        <translation>Diese Änderung ist in der Zeichnung nicht möglich; ändern Sie den Text.</translation>
     </message>
     <message>
         <source>This has no operand.</source>
@@ -1403,7 +1403,7 @@
     </message>
     <message>
         <source>A step {0} already exists</source>
-        <translation>Einen Schritt {0} gibt es schon</translation>
+        <translation>Ein Schritt {0} ist bereits vorhanden</translation>
     </message>
     <message>
         <source>This edit would change the same text twice</source>
@@ -1459,7 +1459,7 @@
     </message>
     <message>
         <source>There is no such action</source>
-        <translation>Diese Aktion gibt es nicht</translation>
+        <translation>Diese Aktion ist nicht vorhanden</translation>
     </message>
     <message>
         <source>There is no chart yet</source>
@@ -1559,7 +1559,7 @@
     </message>
     <message>
         <source>The key {0} is already on line {1}</source>
-        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
+        <translation>Der Schlüssel {0} ist bereits in Zeile {1} vorhanden</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1611,7 +1611,7 @@
     </message>
     <message>
         <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
+        <translation>Die Textliste {0} ist leer: Es gibt keinen Schlüssel {1}</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1627,7 +1627,7 @@
     </message>
     <message>
         <source>The file {0} does not exist</source>
-        <translation>Die Datei {0} gibt es nicht</translation>
+        <translation>Die Datei {0} ist nicht vorhanden</translation>
     </message>
     <message>
         <source>There is no panel {0}</source>
@@ -1651,7 +1651,7 @@
     </message>
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
+        <translation>Die Platzhalter sind unterschiedlich: {0} hat {1}, {2} hat {3}</translation>
     </message>
     <message>
         <source>The key {0} has no text in {1}</source>
@@ -1667,11 +1667,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
+        <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
+        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1743,15 +1743,15 @@
     </message>
     <message>
         <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; kehren Sie zuerst zur laufenden Steuerung zurück</translation>
     </message>
     <message>
         <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
+        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst ab hier fort</translation>
     </message>
     <message>
         <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
+        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst ab hier fort oder kehren Sie zum Livebetrieb zurück</translation>
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
@@ -2243,7 +2243,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keine</translation>
+        <translation>(keine Auswahl)</translation>
     </message>
     <message>
         <source>Other…</source>
@@ -2259,7 +2259,7 @@
     </message>
     <message>
         <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Wird dem Bediener gezeigt. Ein getippter Text bekommt seinen Schlüssel von selbst; @key nennt einen.</translation>
+        <translation>Wird dem Bediener angezeigt. Eingegebener Text erhält automatisch einen Schlüssel; mit @Schlüssel wählen Sie einen vorhandenen.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2307,7 +2307,7 @@
     </message>
     <message>
         <source>Line</source>
-        <translation>Zeile</translation>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Line width</source>
@@ -2367,19 +2367,19 @@
     </message>
     <message>
         <source>Limit low-low</source>
-        <translation>Grenze unten 2</translation>
+        <translation>Unterster Grenzwert (LL)</translation>
     </message>
     <message>
         <source>Limit low</source>
-        <translation>Grenze unten</translation>
+        <translation>Unterer Grenzwert (L)</translation>
     </message>
     <message>
         <source>Limit high</source>
-        <translation>Grenze oben</translation>
+        <translation>Oberer Grenzwert (H)</translation>
     </message>
     <message>
         <source>Limit high-high</source>
-        <translation>Grenze oben 2</translation>
+        <translation>Oberster Grenzwert (HH)</translation>
     </message>
     <message>
         <source>Choices</source>
@@ -2443,11 +2443,11 @@
     </message>
     <message>
         <source>Must be acknowledged</source>
-        <translation>Muss quittiert werden</translation>
+        <translation>Quittierpflichtig</translation>
     </message>
     <message>
         <source>Suppressed if</source>
-        <translation>Unterdrückt wenn</translation>
+        <translation>Unterdrückt, wenn</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2459,15 +2459,15 @@
     </message>
     <message>
         <source>Group</source>
-        <translation>Gruppieren</translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Tab page</source>
-        <translation>Registerseite</translation>
+        <translation>Registerkarte</translation>
     </message>
     <message>
         <source>Place and size</source>
-        <translation>Lage und Größe</translation>
+        <translation>Position und Größe</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -2479,11 +2479,11 @@
     </message>
     <message>
         <source>Visible if</source>
-        <translation>Sichtbar wenn</translation>
+        <translation>Sichtbar, wenn</translation>
     </message>
     <message>
         <source>Enabled if</source>
-        <translation>Freigegeben wenn</translation>
+        <translation>Bedienbar, wenn</translation>
     </message>
     <message>
         <source>Appearance by condition</source>
@@ -2519,15 +2519,15 @@
     </message>
     <message>
         <source>Enabled</source>
-        <translation>Freigegeben</translation>
+        <translation>Bedienbar</translation>
     </message>
     <message>
         <source>On if</source>
-        <translation>Ein wenn</translation>
+        <translation>Ein, wenn</translation>
     </message>
     <message>
         <source>Blinks if</source>
-        <translation>Blinkt wenn</translation>
+        <translation>Blinkt, wenn</translation>
     </message>
     <message>
         <source>Variable with [#] as index</source>
@@ -2587,7 +2587,7 @@
     </message>
     <message>
         <source>Span</source>
-        <translation>Bogenweite</translation>
+        <translation>Bogenwinkel</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -2611,7 +2611,7 @@
     </message>
     <message>
         <source>Wraps</source>
-        <translation>Bricht um</translation>
+        <translation>Zeilenumbruch</translation>
     </message>
     <message>
         <source>Image</source>
@@ -2623,7 +2623,7 @@
     </message>
     <message>
         <source>Fit</source>
-        <translation>Anpassen</translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Symbol</source>
@@ -2631,15 +2631,15 @@
     </message>
     <message>
         <source>Running if</source>
-        <translation>Läuft wenn</translation>
+        <translation>Läuft, wenn</translation>
     </message>
     <message>
         <source>Warning if</source>
-        <translation>Warnung wenn</translation>
+        <translation>Warnung, wenn</translation>
     </message>
     <message>
         <source>Fault if</source>
-        <translation>Störung wenn</translation>
+        <translation>Störung, wenn</translation>
     </message>
     <message>
         <source>Colour off</source>
@@ -2659,7 +2659,7 @@
     </message>
     <message>
         <source>Button</source>
-        <translation>Taste</translation>
+        <translation>Schaltfläche</translation>
     </message>
     <message>
         <source>Action</source>
@@ -2687,7 +2687,7 @@
     </message>
     <message>
         <source>Lit if</source>
-        <translation>Leuchtet wenn</translation>
+        <translation>Leuchtet, wenn</translation>
     </message>
     <message>
         <source>Colour lit</source>
@@ -2695,7 +2695,7 @@
     </message>
     <message>
         <source>Icon</source>
-        <translation>Bildzeichen</translation>
+        <translation>Icon</translation>
     </message>
     <message>
         <source>Switch</source>
@@ -2731,11 +2731,11 @@
     </message>
     <message>
         <source>Combo box</source>
-        <translation>Auswahlfeld</translation>
+        <translation>Kombinationsfeld</translation>
     </message>
     <message>
         <source>Slider</source>
-        <translation>Schieber</translation>
+        <translation>Schieberegler</translation>
     </message>
     <message>
         <source>Step</source>
@@ -2743,11 +2743,11 @@
     </message>
     <message>
         <source>Orientation</source>
-        <translation>Lage</translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>Shows the value</source>
-        <translation>Zeigt den Wert</translation>
+        <translation>Wert anzeigen</translation>
     </message>
     <message>
         <source>Turning knob</source>
@@ -2787,7 +2787,7 @@
     </message>
     <message>
         <source>Hides the value</source>
-        <translation>Verbirgt den Wert</translation>
+        <translation>Wert verbergen</translation>
     </message>
     <message>
         <source>Numeric display</source>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Shows</source>
-        <translation>Zeigt</translation>
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -2815,11 +2815,11 @@
     </message>
     <message>
         <source>Lamp</source>
-        <translation>Leuchte</translation>
+        <translation>Lampe</translation>
     </message>
     <message>
         <source>Blinks when on</source>
-        <translation>Blinkt wenn ein</translation>
+        <translation>Blinkt im Ein-Zustand</translation>
     </message>
     <message>
         <source>Multi-state indicator</source>
@@ -2831,7 +2831,7 @@
     </message>
     <message>
         <source>Bar</source>
-        <translation>Balken</translation>
+        <translation>Balkenanzeige</translation>
     </message>
     <message>
         <source>Set point</source>
@@ -2839,7 +2839,7 @@
     </message>
     <message>
         <source>Tank level</source>
-        <translation>Tankfüllstand</translation>
+        <translation>Behälterfüllstand</translation>
     </message>
     <message>
         <source>Gauge</source>
@@ -2847,11 +2847,11 @@
     </message>
     <message>
         <source>Span of the scale</source>
-        <translation>Winkel der Skala</translation>
+        <translation>Skalenwinkel</translation>
     </message>
     <message>
         <source>Divisions</source>
-        <translation>Teilungen</translation>
+        <translation>Skalenteilung</translation>
     </message>
     <message>
         <source>7-segment display</source>
@@ -2883,7 +2883,7 @@
     </message>
     <message>
         <source>Siren if</source>
-        <translation>Sirene wenn</translation>
+        <translation>Sirene, wenn</translation>
     </message>
     <message>
         <source>Float switch</source>
@@ -2891,7 +2891,7 @@
     </message>
     <message>
         <source>Raised if</source>
-        <translation>Angehoben wenn</translation>
+        <translation>Angehoben, wenn</translation>
     </message>
     <message>
         <source>Colour raised</source>
@@ -2927,7 +2927,7 @@
     </message>
     <message>
         <source>Shows the numbers</source>
-        <translation>Zeigt die Nummern</translation>
+        <translation>Nummern anzeigen</translation>
     </message>
     <message>
         <source>Table</source>
@@ -2951,11 +2951,11 @@
     </message>
     <message>
         <source>Array of x</source>
-        <translation>Array für x</translation>
+        <translation>Array der x-Werte</translation>
     </message>
     <message>
         <source>Array of y</source>
-        <translation>Array für y</translation>
+        <translation>Array der y-Werte</translation>
     </message>
     <message>
         <source>Operating point x</source>
@@ -2983,11 +2983,11 @@
     </message>
     <message>
         <source>Title of x</source>
-        <translation>Titel von x</translation>
+        <translation>Titel der x-Achse</translation>
     </message>
     <message>
         <source>Title of y</source>
-        <translation>Titel von y</translation>
+        <translation>Titel der y-Achse</translation>
     </message>
     <message>
         <source>Trend chart</source>
@@ -3027,7 +3027,7 @@
     </message>
     <message>
         <source>Acknowledge buttons</source>
-        <translation>Quittiertasten</translation>
+        <translation>Quittierschaltflächen</translation>
     </message>
     <message>
         <source>Alarm banner</source>
@@ -3047,7 +3047,7 @@
     </message>
     <message>
         <source>Tab</source>
-        <translation>Register</translation>
+        <translation>Registerkarten</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -3071,11 +3071,11 @@
     </message>
     <message>
         <source>Operation</source>
-        <translation>Bedienung</translation>
+        <translation>Bedienelemente</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation>Anzeige</translation>
+        <translation>Anzeigeelemente</translation>
     </message>
     <message>
         <source>Arrays and charts</source>
@@ -3087,7 +3087,7 @@
     </message>
     <message>
         <source>Containers</source>
-        <translation>Behälter</translation>
+        <translation>Container</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -3145,15 +3145,15 @@
     </message>
     <message>
         <source>All forces released</source>
-        <translation>Alle Forces aufgehoben</translation>
+        <translation>Forcen für alle Werte aufgehoben</translation>
     </message>
     <message>
         <source>Released</source>
-        <translation>Freigegeben</translation>
+        <translation>Forcen aufgehoben</translation>
     </message>
     <message>
         <source>Online change</source>
-        <translation>Online-Änderung</translation>
+        <translation>Online-Change</translation>
     </message>
     <message>
         <source>Breakpoint</source>
@@ -3170,8 +3170,8 @@
     <message numerus="yes">
         <source>%n scan(s) skipped: the machine was late</source>
         <translation>
-            <numerusform>%n Zyklus ausgelassen: der Rechner war zu spät</numerusform>
-            <numerusform>%n Zyklen ausgelassen: der Rechner war zu spät</numerusform>
+            <numerusform>%n Zyklus ausgelassen: Der Rechner war zu spät</numerusform>
+            <numerusform>%n Zyklen ausgelassen: Der Rechner war zu spät</numerusform>
         </translation>
     </message>
     <message>
@@ -3191,7 +3191,7 @@
     </message>
     <message>
         <source>scans skipped</source>
-        <translation>Zyklen übersprungen</translation>
+        <translation>Zyklen ausgelassen</translation>
     </message>
     <message>
         <source>not recorded</source>
@@ -3227,11 +3227,11 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation>Effektiv</translation>
+        <translation>Effektivwert</translation>
     </message>
     <message>
         <source>Rise time</source>
@@ -3243,7 +3243,7 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation>Einschwingzeit</translation>
+        <translation>Ausregelzeit</translation>
     </message>
 </context>
 <context>
@@ -3269,11 +3269,11 @@
     </message>
     <message>
         <source>Instruction list, as it stands</source>
-        <translation>Anweisungsliste, wie sie dasteht</translation>
+        <translation>Anweisungsliste (vorhandener Text)</translation>
     </message>
     <message>
         <source>ST, as it stands</source>
-        <translation>ST, wie es dasteht</translation>
+        <translation>ST (vorhandener Text)</translation>
     </message>
     <message>
         <source>The same as ST</source>
@@ -3285,7 +3285,7 @@
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
-        <translation>Beide ergeben dasselbe. Ersetzen ist ein Schritt zum Rückgängigmachen; Kommentare bleiben, jeder über seiner Anweisung.</translation>
+        <translation>Beide liefern dieselben Ergebnisse. Das Ersetzen lässt sich in einem Schritt rückgängig machen; Kommentare bleiben erhalten, jeder über seiner Anweisung.</translation>
     </message>
     <message>
         <source>Replace the Text</source>
@@ -3369,7 +3369,7 @@
     </message>
     <message>
         <source>Force</source>
-        <translation>Erzwingen</translation>
+        <translation>Forcen</translation>
     </message>
     <message>
         <source>Write</source>
@@ -3380,7 +3380,7 @@
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
-        <translation>Gezeigtes Panel</translation>
+        <translation>Angezeigtes Panel</translation>
     </message>
     <message>
         <source>Full screen (Esc ends it)</source>
@@ -3394,11 +3394,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The alarm history is kept in memory only: %1</source>
-        <translation>Die Alarmgeschichte bleibt nur im Speicher: %1</translation>
+        <translation>Die Alarmhistorie bleibt nur im Speicher erhalten: %1</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Die Aufzeichnung wird gespeichert …</translation>
+        <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
 </context>
 <context>
@@ -3429,11 +3429,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation>Erzwungene Werte</translation>
+        <translation>Geforcte Werte</translation>
     </message>
     <message>
         <source>Call Path</source>
-        <translation>Aufrufpfad</translation>
+        <translation>Aufrufliste</translation>
     </message>
     <message>
         <source>Breakpoints</source>
@@ -3469,7 +3469,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Recent Projects</source>
-        <translation>Letzte Projekte</translation>
+        <translation>Zuletzt verwendete Projekte</translation>
     </message>
     <message>
         <source>View</source>
@@ -3477,7 +3477,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Main</source>
-        <translation>Hauptleiste</translation>
+        <translation>Symbolleiste</translation>
     </message>
     <message>
         <source>State of the controller</source>
@@ -3513,7 +3513,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>PAST</source>
-        <translation>VERGANGEN</translation>
+        <translation>VERGANGENHEIT</translation>
     </message>
     <message>
         <source>%1 · scan %2</source>
@@ -3521,7 +3521,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % Last</translation>
+        <translation>%1 µs · %2 % Auslastung</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
@@ -3553,7 +3553,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Das Studio endete ohne zu speichern. Ungespeicherte Änderungen von %1 sind erhalten. Wiederherstellen?</translation>
+        <translation>Das Studio wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -3569,7 +3569,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is no name at the cursor</source>
-        <translation>An der Schreibmarke steht kein Name</translation>
+        <translation>Am Cursor steht kein Name</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -3684,11 +3684,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
-        <translation>F5 übersetzt in Maschinencode und startet ihn. Die Werte stehen dann neben jeder Zeile.</translation>
+        <translation>F5 übersetzt in Maschinencode und führt ihn aus. Die Werte erscheinen dann neben jeder Zeile.</translation>
     </message>
     <message>
         <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
-        <translation>Jeder Ausdruck, jederzeit. Einen Wert vorbereiten und mit einem Klick schreiben oder erzwingen.</translation>
+        <translation>Jeder Ausdruck, jederzeit. Einen Wert vorbereiten und mit einem Klick schreiben oder forcen.</translation>
     </message>
     <message>
         <source>The trace</source>
@@ -3832,7 +3832,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Gehe zur Deklaration</translation>
+        <translation>Gehe zur Definition</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -3860,7 +3860,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Zeile verdoppeln</translation>
+        <translation>Zeile duplizieren</translation>
     </message>
     <message>
         <source>Select the Block Around</source>
@@ -3904,15 +3904,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Step In</source>
-        <translation>Einzelschritt hinein</translation>
+        <translation>Einzelschritt</translation>
     </message>
     <message>
         <source>Step Over</source>
-        <translation>Einzelschritt darüber</translation>
+        <translation>Prozedurschritt</translation>
     </message>
     <message>
         <source>Step Out</source>
-        <translation>Schritt hinaus</translation>
+        <translation>Ausführen bis Rücksprung</translation>
     </message>
     <message>
         <source>Run to Cursor</source>
@@ -3920,7 +3920,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
-        <translation>Haltepunkt setzen oder löschen</translation>
+        <translation>Haltepunkt umschalten</translation>
     </message>
     <message>
         <source>Reset Warm</source>
@@ -3936,7 +3936,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Online Change</source>
-        <translation>Online-Änderung</translation>
+        <translation>Online-Change</translation>
     </message>
     <message>
         <source>Speed…</source>
@@ -3952,15 +3952,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Write Prepared Values</source>
-        <translation>Vorbereitete Werte schreiben</translation>
+        <translation>Werte schreiben</translation>
     </message>
     <message>
         <source>Force Prepared Values</source>
-        <translation>Vorbereitete Werte erzwingen</translation>
+        <translation>Werte forcen</translation>
     </message>
     <message>
         <source>Release All Forces</source>
-        <translation>Erzwingen überall aufheben</translation>
+        <translation>Forcen für alle Werte aufheben</translation>
     </message>
     <message>
         <source>Run the Tests</source>
@@ -3976,11 +3976,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Back to Live</source>
-        <translation>Zurück zur Gegenwart</translation>
+        <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
         <source>Resume From Here</source>
-        <translation>Von hier fortsetzen</translation>
+        <translation>Ab hier fortsetzen</translation>
     </message>
     <message>
         <source>Command Palette</source>
@@ -3996,11 +3996,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Chart Beside the Text</source>
-        <translation>Diagramm neben dem Text</translation>
+        <translation>Schrittkette neben dem Text</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
-        <translation>Onlinewerte im Text</translation>
+        <translation>Online-Werte im Text</translation>
     </message>
     <message>
         <source>Larger</source>
@@ -4012,15 +4012,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Light Theme</source>
-        <translation>Helles Design</translation>
+        <translation>Helles Farbschema</translation>
     </message>
     <message>
         <source>Dark Theme</source>
-        <translation>Dunkles Design</translation>
+        <translation>Dunkles Farbschema</translation>
     </message>
     <message>
         <source>Theme of the System</source>
-        <translation>Design des Systems</translation>
+        <translation>Farbschema des Systems</translation>
     </message>
     <message>
         <source>Reset the Layout</source>
@@ -4048,7 +4048,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 – back to live</source>
-        <translation>%1 – zurück zur Steuerung</translation>
+        <translation>%1 – zurück zum Livebetrieb</translation>
     </message>
     <message>
         <source>Panel %1</source>
@@ -4068,15 +4068,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show as ST…</source>
-        <translation>Als ST zeigen…</translation>
+        <translation>Als ST anzeigen…</translation>
     </message>
     <message>
         <source>Show as an Instruction List…</source>
-        <translation>Als Anweisungsliste zeigen…</translation>
+        <translation>Als Anweisungsliste anzeigen…</translation>
     </message>
     <message>
         <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Setzen Sie die Schreibmarke in einen Baustein in ST oder AWL</translation>
+        <translation>Setzen Sie den Cursor in einen ST- oder AWL-Baustein</translation>
     </message>
     <message>
         <source>The text has changed meanwhile</source>
@@ -4089,17 +4089,17 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message numerus="yes">
         <source>It is used in %n other place(s).</source>
         <translation>
-            <numerusform>Er wird an %n anderen Stelle verwendet.</numerusform>
-            <numerusform>Er wird an %n anderen Stellen verwendet.</numerusform>
+            <numerusform>Verwendet an %n weiteren Stelle.</numerusform>
+            <numerusform>Verwendet an %n weiteren Stellen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Delete and Comment Out the Uses</source>
-        <translation>Löschen und Verwendungen auskommentieren</translation>
+        <translation>Löschen, Verwendungen auskommentieren</translation>
     </message>
     <message>
         <source>Show the Uses</source>
-        <translation>Verwendungen zeigen</translation>
+        <translation>Verwendungen anzeigen</translation>
     </message>
     <message>
         <source>New Trace</source>
@@ -4119,7 +4119,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is a trace %1 already</source>
-        <translation>Einen Trace %1 gibt es schon</translation>
+        <translation>Ein Trace %1 ist bereits vorhanden</translation>
     </message>
     <message>
         <source>New name of %1:</source>
@@ -4127,19 +4127,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is a file %1 already</source>
-        <translation>Eine Datei %1 gibt es schon</translation>
+        <translation>Eine Datei %1 ist bereits vorhanden</translation>
     </message>
     <message>
         <source>The file can not be renamed; check the permissions of the folder</source>
-        <translation>Die Datei lässt sich nicht umbenennen; bitte die Rechte des Ordners prüfen</translation>
+        <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
         <source>These panels lead to it; their buttons will be problems: %1</source>
-        <translation>Diese Panels führen dorthin; ihre Schaltflächen werden zu Problemen: %1</translation>
+        <translation>Diese Panels verweisen darauf; ihre Schaltflächen führen dann ins Leere: %1</translation>
     </message>
     <message>
         <source>The file can not be removed; check the permissions of the folder</source>
-        <translation>Die Datei lässt sich nicht löschen; bitte die Rechte des Ordners prüfen</translation>
+        <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -4183,7 +4183,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Fault of the controller</source>
-        <translation>Fehler der Steuerung</translation>
+        <translation>Steuerungsfehler</translation>
     </message>
     <message>
         <source>RUN %1</source>
@@ -4191,7 +4191,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>at full speed</source>
-        <translation>so schnell es geht</translation>
+        <translation>so schnell wie möglich</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -4274,11 +4274,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Ablauf</translation>
+        <translation>Ablaufsteuerung</translation>
     </message>
     <message>
         <source>Fill, mix, empty as a sequential function chart</source>
-        <translation>Füllen, mischen, leeren als Ablaufsprache</translation>
+        <translation>Füllen, mischen, leeren als Schrittkette</translation>
     </message>
     <message>
         <source>New Project</source>
@@ -4318,7 +4318,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 exists already and is not empty</source>
-        <translation>%1 gibt es schon, und es ist nicht leer</translation>
+        <translation>%1 ist bereits vorhanden und nicht leer</translation>
     </message>
     <message>
         <source>Will be made in %1</source>
@@ -4345,7 +4345,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Enumeration</source>
-        <translation>Aufzählung</translation>
+        <translation>Enumeration</translation>
     </message>
     <message>
         <source>Interface</source>
@@ -4357,7 +4357,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Sequential function chart</source>
-        <translation>Ablaufsprache</translation>
+        <translation>Schrittkette (AS)</translation>
     </message>
     <message>
         <source>Simulation of the plant</source>
@@ -4401,11 +4401,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is a %1 in the project already</source>
-        <translation>%1 gibt es im Projekt schon</translation>
+        <translation>%1 ist im Projekt bereits vorhanden</translation>
     </message>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
-        <translation>Die Datei %1 gibt es schon: Wählen Sie sie oder einen anderen Namen</translation>
+        <translation>Die Datei %1 ist bereits vorhanden: Wählen Sie sie oder einen anderen Namen</translation>
     </message>
 </context>
 <context>
@@ -4428,15 +4428,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show errors</source>
-        <translation>Fehler zeigen</translation>
+        <translation>Fehler anzeigen</translation>
     </message>
     <message>
         <source>Show warnings</source>
-        <translation>Warnungen zeigen</translation>
+        <translation>Warnungen anzeigen</translation>
     </message>
     <message>
         <source>Show notes</source>
-        <translation>Hinweise zeigen</translation>
+        <translation>Hinweise anzeigen</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -4463,7 +4463,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation>Diagramm</translation>
+        <translation>Schrittkette</translation>
     </message>
     <message>
         <source>Programs</source>
@@ -4543,7 +4543,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Watch</source>
-        <translation>Beobachten</translation>
+        <translation>Zur Überwachung hinzufügen</translation>
     </message>
     <message>
         <source>Arrange by file</source>
@@ -4606,7 +4606,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Not a pattern: %1</source>
-        <translation>Kein gültiges Muster: %1</translation>
+        <translation>Ungültiger regulärer Ausdruck: %1</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -4718,7 +4718,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Write keywords in capitals while typing</source>
-        <translation>Schlüsselwörter beim Tippen groß schreiben</translation>
+        <translation>Schlüsselwörter beim Tippen in Großbuchstaben umwandeln</translation>
     </message>
     <message>
         <source>Close blocks with Enter (IF … END_IF)</source>
@@ -4726,7 +4726,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show online values in the text</source>
-        <translation>Online-Werte im Text zeigen</translation>
+        <translation>Online-Werte im Text anzeigen</translation>
     </message>
     <message>
         <source>Format when saving</source>
@@ -4734,7 +4734,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Saving changes the running controller (online change)</source>
-        <translation>Speichern ändert die laufende Steuerung (Online-Change)</translation>
+        <translation>Beim Speichern Online-Change ausführen</translation>
     </message>
     <message>
         <source>Memory for the recording of every scan</source>
@@ -4746,7 +4746,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Aktion</translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Shortcut</source>
@@ -4754,7 +4754,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Another action has the same shortcut</source>
-        <translation>Eine andere Aktion hat dasselbe Kürzel</translation>
+        <translation>Ein anderer Befehl hat dasselbe Tastenkürzel</translation>
     </message>
     <message>
         <source>Shortcut of %1</source>
@@ -4766,7 +4766,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>All Defaults</source>
-        <translation>Alle zurücksetzen</translation>
+        <translation>Standard wiederherstellen</translation>
     </message>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
@@ -4796,11 +4796,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::app::StartPage</name>
     <message>
         <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
-        <translation>SPS-Programme schreiben, ausführen und beobachten. Jeder Zyklus wird aufgezeichnet; die Zeit läuft auch rückwärts.</translation>
+        <translation>SPS-Programme schreiben, ausführen und überwachen. Jeder Zyklus wird aufgezeichnet; die Zeit läuft auch rückwärts.</translation>
     </message>
     <message>
         <source>Recent projects</source>
-        <translation>Letzte Projekte</translation>
+        <translation>Zuletzt verwendete Projekte</translation>
     </message>
     <message>
         <source>Examples</source>
@@ -4820,7 +4820,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation>Zuletzt geöffnet</translation>
+        <translation>Zuletzt verwendet</translation>
     </message>
     <message>
         <source>Examples: open one and press Run</source>
@@ -4897,7 +4897,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::editor::CallPathView</name>
     <message>
         <source>Unit</source>
-        <translation>Einheit</translation>
+        <translation>Baustein</translation>
     </message>
     <message>
         <source>Instance</source>
@@ -4909,7 +4909,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Call path</source>
-        <translation>Aufrufpfad</translation>
+        <translation>Aufrufliste</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -4928,19 +4928,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::editor::ChartView</name>
     <message>
         <source>Sequential function chart</source>
-        <translation>Ablaufsprache</translation>
+        <translation>Schrittkette</translation>
     </message>
     <message>
         <source>Insert a step behind (Ins)</source>
-        <translation>Schritt dahinter einfügen (Einfg)</translation>
+        <translation>Schritt danach einfügen (Einfg)</translation>
     </message>
     <message>
         <source>Insert a branch beside</source>
-        <translation>Zweig daneben einfügen</translation>
+        <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
         <source>Insert a simultaneous branch</source>
-        <translation>Simultanzweig einfügen</translation>
+        <translation>Parallelzweig einfügen</translation>
     </message>
     <message>
         <source>Add an action</source>
@@ -4956,7 +4956,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation>Alles zeigen</translation>
+        <translation>Alles anzeigen</translation>
     </message>
     <message>
         <source>Export the chart</source>
@@ -4976,7 +4976,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The unit %1 is not in the text any more</source>
-        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
+        <translation>Der Baustein %1 ist im Text nicht mehr vorhanden</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -4984,7 +4984,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 is not a chart</source>
-        <translation>%1 ist kein Ablauf</translation>
+        <translation>%1 ist keine Schrittkette</translation>
     </message>
     <message>
         <source>Mend the text first: this is the last good drawing</source>
@@ -4992,27 +4992,27 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
-        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
+        <translation>Wählen Sie den Schritt, von dem der Zweig ausgeht</translation>
     </message>
     <message>
         <source>Select the transition behind which the steps run at the same time</source>
-        <translation>Die Transition wählen, hinter der die Schritte gleichzeitig laufen</translation>
+        <translation>Wählen Sie die Transition, nach der die Schritte gleichzeitig laufen</translation>
     </message>
     <message>
         <source>Select the step that gets the action</source>
-        <translation>Den Schritt wählen, der die Aktion bekommt</translation>
+        <translation>Wählen Sie den Schritt, der die Aktion bekommt</translation>
     </message>
     <message>
         <source>Insert a Step Behind</source>
-        <translation>Schritt dahinter einfügen</translation>
+        <translation>Schritt danach einfügen</translation>
     </message>
     <message>
         <source>Insert a Branch Beside</source>
-        <translation>Zweig daneben einfügen</translation>
+        <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
         <source>Insert a Simultaneous Branch</source>
-        <translation>Simultanzweig einfügen</translation>
+        <translation>Parallelzweig einfügen</translation>
     </message>
     <message>
         <source>Add an Action</source>
@@ -5024,11 +5024,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Force the Step On</source>
-        <translation>Schritt einschalten (erzwingen)</translation>
+        <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
         <source>Release the Step</source>
-        <translation>Schritt freigeben</translation>
+        <translation>Forcen des Schritts aufheben</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
@@ -5060,7 +5060,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 behind this transition</source>
-        <translation>%1 hinter diese Transition</translation>
+        <translation>%1 nach dieser Transition</translation>
     </message>
     <message>
         <source>leads to %1</source>
@@ -5092,27 +5092,27 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>To the chart around (Backspace)</source>
-        <translation>Zum Plan darum herum (Rücktaste)</translation>
+        <translation>Zur übergeordneten Schrittkette (Rücktaste)</translation>
     </message>
     <message>
         <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
-        <translation>Haltepunkt: hält, wenn der Schritt aktiv wird, wenn die Transition genommen wird (F9)</translation>
+        <translation>Haltepunkt: hält, wenn der Schritt aktiv wird oder die Transition schaltet (F9)</translation>
     </message>
     <message>
         <source>Force the step on</source>
-        <translation>Schritt auf aktiv zwingen</translation>
+        <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
         <source>Release the step</source>
-        <translation>Schritt freigeben</translation>
+        <translation>Forcen des Schritts aufheben</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+        <translation>Als SVG, PNG oder PDF exportieren…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
-        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
+        <translation>%1 ist eine Variable: Sie hat keinen Rumpf</translation>
     </message>
     <message>
         <source>Select a step or a transition</source>
@@ -5124,7 +5124,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Open Its Chart or Text</source>
-        <translation>Plan oder Text öffnen</translation>
+        <translation>Schrittkette oder Text öffnen</translation>
     </message>
     <message>
         <source>Priority…</source>
@@ -5163,7 +5163,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Initial value</source>
-        <translation>Anfangswert</translation>
+        <translation>Initialwert</translation>
     </message>
     <message>
         <source>Comment</source>
@@ -5222,7 +5222,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Copy the selected rows, else all</source>
-        <translation>Die ausgewählten Zeilen kopieren, sonst alle</translation>
+        <translation>Die gewählten Zeilen kopieren, sonst alle</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -5282,7 +5282,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Previous (Shift+Enter)</source>
-        <translation>Vorheriges (Umschalt+Enter)</translation>
+        <translation>Voriges (Umschalt+Enter)</translation>
     </message>
     <message>
         <source>Next (Enter)</source>
@@ -5309,7 +5309,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>not a pattern</source>
-        <translation>kein Muster</translation>
+        <translation>ungültiger regulärer Ausdruck</translation>
     </message>
     <message numerus="yes">
         <source>%n found</source>
@@ -5331,19 +5331,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Forced value</source>
-        <translation>Erzwungener Wert</translation>
+        <translation>Geforcter Wert</translation>
     </message>
     <message>
         <source>Forced variables</source>
-        <translation>Erzwungene Variablen</translation>
+        <translation>Geforcte Variablen</translation>
     </message>
     <message>
         <source>Release selected</source>
-        <translation>Auswahl freigeben</translation>
+        <translation>Forcen der Auswahl aufheben</translation>
     </message>
     <message>
         <source>Release all</source>
-        <translation>Alle freigeben</translation>
+        <translation>Forcen für alle aufheben</translation>
     </message>
 </context>
 <context>
@@ -5361,7 +5361,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Online change: %1 kept, %2 new, %3 lost</source>
-        <translation>Online-Change: %1 behalten, %2 neu, %3 verloren</translation>
+        <translation>Online-Change: %1 Variablen erhalten, %2 neu, %3 entfernt</translation>
     </message>
     <message>
         <source>The change waits for the end of the scan</source>
@@ -5389,7 +5389,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is no code at or below line %1 of %2</source>
-        <translation>In %2 steht in und unter Zeile %1 kein Code</translation>
+        <translation>In %2 gibt es in und unter Zeile %1 keinen Code</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -5412,7 +5412,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Zur Definition gehen</translation>
+        <translation>Gehe zur Definition</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -5457,11 +5457,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Force…</source>
-        <translation>Erzwingen…</translation>
+        <translation>Forcen…</translation>
     </message>
     <message>
         <source>Release the Force</source>
-        <translation>Erzwingen aufheben</translation>
+        <translation>Forcen aufheben</translation>
     </message>
 </context>
 <context>
@@ -5472,7 +5472,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Execution times appear here while the controller runs</source>
-        <translation>Hier stehen Ausführungszeiten, während die Steuerung läuft</translation>
+        <translation>Hier erscheinen die Ausführungszeiten, während die Steuerung läuft</translation>
     </message>
     <message>
         <source>Task</source>
@@ -5480,7 +5480,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation>Läufe</translation>
+        <translation>Anzahl Zyklen</translation>
     </message>
     <message>
         <source>Last</source>
@@ -5492,7 +5492,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Durchschnitt</translation>
     </message>
     <message>
         <source>Max</source>
@@ -5504,11 +5504,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Overruns</source>
-        <translation>Überläufe</translation>
+        <translation>Zeitüberschreitungen</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation>Last</translation>
+        <translation>Auslastung</translation>
     </message>
     <message>
         <source>Tasks</source>
@@ -5555,15 +5555,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Write prepared values</source>
-        <translation>Vorbereitete Werte schreiben</translation>
+        <translation>Werte schreiben</translation>
     </message>
     <message>
         <source>Force prepared values</source>
-        <translation>Vorbereitete Werte erzwingen</translation>
+        <translation>Werte forcen</translation>
     </message>
     <message>
         <source>Release the selected forces</source>
-        <translation>Gewählte erzwungene Werte freigeben</translation>
+        <translation>Forcen der gewählten Werte aufheben</translation>
     </message>
     <message>
         <source>Decimal</source>
@@ -5587,15 +5587,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Force to %1</source>
-        <translation>Erzwingen: %1</translation>
+        <translation>Auf %1 forcen</translation>
     </message>
     <message>
         <source>Release force</source>
-        <translation>Erzwungenen Wert freigeben</translation>
+        <translation>Forcen aufheben</translation>
     </message>
     <message>
         <source>Show in trace</source>
-        <translation>Im Trace zeigen</translation>
+        <translation>Im Trace anzeigen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5719,7 +5719,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
-        <translation>Als Array vervielfältigen</translation>
+        <translation>Als Array duplizieren</translation>
     </message>
     <message>
         <source>Number of elements</source>
@@ -5810,7 +5810,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Finding</source>
-        <translation>Befund</translation>
+        <translation>Meldung</translation>
     </message>
     <message>
         <source>Element</source>
@@ -5838,7 +5838,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Duplicate as array…</source>
-        <translation>Als Array vervielfältigen…</translation>
+        <translation>Als Array duplizieren…</translation>
     </message>
     <message>
         <source>Select all</source>
@@ -5924,7 +5924,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show the grid</source>
-        <translation>Raster zeigen</translation>
+        <translation>Raster anzeigen</translation>
     </message>
     <message>
         <source>Snap (Alt: not now)</source>
@@ -5952,7 +5952,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Language shown</source>
-        <translation>Gezeigte Sprache</translation>
+        <translation>Angezeigte Sprache</translation>
     </message>
     <message>
         <source>Theme of the panel</source>
@@ -5976,7 +5976,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Duplicate as array</source>
-        <translation>Als Array vervielfältigen</translation>
+        <translation>Als Array duplizieren</translation>
     </message>
     <message>
         <source>Elements</source>
@@ -6091,11 +6091,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 is not used.</source>
-        <translation>%1 wird nicht benutzt.</translation>
+        <translation>%1 wird nicht verwendet.</translation>
     </message>
     <message>
         <source>%1 is used by %2</source>
-        <translation>%1 wird benutzt von %2</translation>
+        <translation>%1 wird von %2 verwendet</translation>
     </message>
 </context>
 <context>
@@ -6173,7 +6173,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1
 Click selects, Ctrl+click shows or hides.</source>
         <translation>%1
-Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
+Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
 </context>
 <context>
@@ -6216,7 +6216,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>various</source>
-        <translation>verschieden</translation>
+        <translation>unterschiedlich</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -6262,7 +6262,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>%1 is being cancelled…</source>
-        <translation>%1: wird abgebrochen …</translation>
+        <translation>%1: wird abgebrochen…</translation>
     </message>
     <message>
         <source>Cancel: %1</source>
@@ -6297,11 +6297,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Show channel</source>
-        <translation>Kanal zeigen</translation>
+        <translation>Kanal anzeigen</translation>
     </message>
     <message>
         <source>Hide channel</source>
-        <translation>Kanal verbergen</translation>
+        <translation>Kanal ausblenden</translation>
     </message>
     <message>
         <source>Chart %1</source>
@@ -6333,11 +6333,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation>Zeile</translation>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Hold</source>
-        <translation>Halten</translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Digital</source>
@@ -6353,11 +6353,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation>Skalierung</translation>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation>Versatz</translation>
+        <translation>Offset</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -6421,7 +6421,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Record while</source>
-        <translation>Aufzeichnen solange</translation>
+        <translation>Aufzeichnungsbedingung</translation>
     </message>
     <message>
         <source>Trigger</source>
@@ -6465,11 +6465,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Shown before</source>
-        <translation>Gezeigt davor</translation>
+        <translation>Anzeige vor dem Trigger</translation>
     </message>
     <message>
         <source>Shown after</source>
-        <translation>Gezeigt danach</translation>
+        <translation>Anzeige nach dem Trigger</translation>
     </message>
     <message>
         <source>Change channel</source>
@@ -6588,11 +6588,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Show channel</source>
-        <translation>Kanal zeigen</translation>
+        <translation>Kanal anzeigen</translation>
     </message>
     <message>
         <source>Hide channel</source>
-        <translation>Kanal verbergen</translation>
+        <translation>Kanal ausblenden</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -6608,7 +6608,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Show everything recorded (Home)</source>
-        <translation>Alles Aufgezeichnete zeigen (Pos1)</translation>
+        <translation>Alles Aufgezeichnete anzeigen (Pos1)</translation>
     </message>
     <message>
         <source>Fit values</source>
@@ -6640,7 +6640,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Drag to pan (middle button always does)</source>
-        <translation>Ziehen verschiebt (mittlere Taste immer)</translation>
+        <translation>Ziehen verschiebt (mittlere Maustaste immer)</translation>
     </message>
     <message>
         <source>Cursors</source>
@@ -6712,31 +6712,31 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Trace set-up</source>
-        <translation>Trace-Einstellung</translation>
+        <translation>Trace-Konfiguration</translation>
     </message>
     <message>
         <source>Open set-up…</source>
-        <translation>Einstellung öffnen…</translation>
+        <translation>Konfiguration öffnen…</translation>
     </message>
     <message>
         <source>Open trace set-up</source>
-        <translation>Trace-Einstellung öffnen</translation>
+        <translation>Trace-Konfiguration öffnen</translation>
     </message>
     <message>
         <source>Trace set-ups (*.trace.json)</source>
-        <translation>Trace-Einstellungen (*.trace.json)</translation>
+        <translation>Trace-Konfigurationen (*.trace.json)</translation>
     </message>
     <message>
         <source>Save trace set-up</source>
-        <translation>Trace-Einstellung speichern</translation>
+        <translation>Trace-Konfiguration speichern</translation>
     </message>
     <message>
         <source>Save set-up</source>
-        <translation>Einstellung speichern</translation>
+        <translation>Konfiguration speichern</translation>
     </message>
     <message>
         <source>Save set-up as…</source>
-        <translation>Einstellung speichern unter…</translation>
+        <translation>Konfiguration speichern unter…</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -6748,7 +6748,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Back to the running PLC</source>
-        <translation>Zurück zur laufenden SPS</translation>
+        <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
         <source>Save recording…</source>
@@ -6796,7 +6796,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
-        <translation>Der Trigger hat noch keinen Ausdruck: in den Eigenschaften des Trace eingeben.</translation>
+        <translation>Der Trigger hat noch keinen Ausdruck: Geben Sie ihn in den Eigenschaften des Trace ein.</translation>
     </message>
     <message>
         <source>Trigger armed</source>
@@ -6823,7 +6823,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 Zyklen erhalten  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
+        <translation>%L1 Zyklen gespeichert  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -6847,11 +6847,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
-        <translation>%1 wird geöffnet …</translation>
+        <translation>%1 wird geöffnet…</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Die Aufzeichnung wird gespeichert …</translation>
+        <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
 </context>
 <context>
@@ -7205,7 +7205,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Convert with {0}</source>
-        <translation>Mit {0} umwandeln</translation>
+        <translation>Mit {0} konvertieren</translation>
     </message>
     <message>
         <source>Move {0} to {1}</source>
@@ -7237,7 +7237,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Remove the unused declaration</source>
-        <translation>Unbenutzte Deklaration entfernen</translation>
+        <translation>Nicht verwendete Deklaration entfernen</translation>
     </message>
     <message>
         <source>Replace with IF and ELSIF</source>
@@ -7379,7 +7379,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: ein Ausdruck wiederholt sich endlos</translation>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
     </message>
     <message>
         <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
@@ -7403,7 +7403,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; der TEST &apos;{0}&apos; wurde ausgelassen</translation>
+        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
@@ -7534,7 +7534,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>This folder is not empty; name a new one</source>
-        <translation>Dieser Ordner ist nicht leer; nennen Sie einen neuen</translation>
+        <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
     </message>
 </context>
 <context>
@@ -7572,11 +7572,11 @@ Nicht erhalten: %3</translation>
     <name>plc::editor::GraphView</name>
     <message>
         <source>Show all</source>
-        <translation>Alles zeigen</translation>
+        <translation>Alles anzeigen</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+        <translation>Als SVG, PNG oder PDF exportieren…</translation>
     </message>
     <message>
         <source>Export the Drawing</source>
@@ -7596,7 +7596,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Fix the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
     </message>
 </context>
 <context>
@@ -7660,7 +7660,7 @@ Nicht erhalten: %3</translation>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
-        <translation>Instanz, deren Werte gezeigt werden</translation>
+        <translation>Instanz, deren Werte angezeigt werden</translation>
     </message>
     <message>
         <source>Values of the instance of %1:</source>
@@ -7675,7 +7675,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Previous</source>
-        <translation>Vorheriger</translation>
+        <translation>Voriger</translation>
     </message>
     <message>
         <source>Next</source>
@@ -7800,7 +7800,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
-        <translation>Aufzeichnung des Fehlschlags zeigen</translation>
+        <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
     </message>
 </context>
 <context>
