@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
-        <translation>Decimaltal skrives med punktum: {0}</translation>
+        <translation>Decimaltal bruger punktum: {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
@@ -855,7 +855,7 @@
     </message>
     <message>
         <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:gemt værdi|gemte værdier} passer ikke til programmet: {1}</translation>
+        <translation>{0} {0:remanent værdi|remanente værdier} passer ikke til programmet: {1}</translation>
     </message>
     <message>
         <source>{0} does not fit into a variable of type {1}</source>
@@ -3684,7 +3684,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. ”Fortsæt herfra” går videre derfra.</translation>
+        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel vises på det tidspunkt. ”Fortsæt herfra” fortsætter styringen derfra.</translation>
     </message>
     <message>
         <source>That is it</source>
@@ -4012,7 +4012,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>All values are of a recording from a file. A click goes back to the controller.</source>
-        <translation>Alle værdier er fra en gemt optagelse. Et klik fører tilbage til styringen.</translation>
+        <translation>Alle værdier er fra en optagelse i en fil. Et klik fører tilbage til styringen.</translation>
     </message>
     <message>
         <source>RECORDING</source>
@@ -6672,7 +6672,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Load an older recording beneath the present one</source>
-        <translation>Læg en ældre optagelse under den nuværende</translation>
+        <translation>Indlæs en ældre optagelse under den nuværende</translation>
     </message>
     <message>
         <source>Recording to draw beneath</source>

@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
-        <translation>Dezimalzahlen werden mit Punkt geschrieben: {0}</translation>
+        <translation>In Dezimalzahlen wird ein Punkt verwendet: {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
-        <translation>{0} ist eine strikte Enumeration, mit der nicht gerechnet werden kann; den Wert mit {1} konvertieren</translation>
+        <translation>{0} ist eine strikte Enumeration und kann nicht in Berechnungen verwendet werden; den Wert mit {1} konvertieren</translation>
     </message>
     <message>
         <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
@@ -465,7 +465,7 @@
     </message>
     <message>
         <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} ist ein Schlüsselwort und als Name nicht erlaubt</translation>
+        <translation>{0} ist ein Schlüsselwort und kann nicht als Name verwendet werden</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
@@ -1275,7 +1275,7 @@
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
-        <translation>Ein Netzwerk lässt sich innerhalb seines Anweisungsblocks verschieben; nehmen Sie für mehr Ausschneiden und Einfügen im Text.</translation>
+        <translation>Ein Netzwerk lässt sich innerhalb seines Anweisungsblocks verschieben; verwenden Sie für mehr Ausschneiden und Einfügen im Text.</translation>
     </message>
     <message>
         <source>Delete the call in the text: other statements may use its outputs.</source>
@@ -3712,7 +3712,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel zeigen die Vergangenheit. „Ab hier fortsetzen“ geht von dort weiter.</translation>
+        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel werden zu diesem Zeitpunkt angezeigt. „Ab hier fortsetzen“ setzt die Steuerung von dort fort.</translation>
     </message>
     <message>
         <source>That is it</source>
@@ -4040,7 +4040,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>All values are of a recording from a file. A click goes back to the controller.</source>
-        <translation>Alle Werte stammen aus einer gespeicherten Aufzeichnung. Ein Klick führt zurück zur Steuerung.</translation>
+        <translation>Alle Werte stammen aus der Aufzeichnung in einer Datei. Ein Klick führt zurück zur Steuerung.</translation>
     </message>
     <message>
         <source>RECORDING</source>
@@ -6700,7 +6700,7 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
     <message>
         <source>Load an older recording beneath the present one</source>
-        <translation>Eine ältere Aufzeichnung unter die jetzige legen</translation>
+        <translation>Eine ältere Aufzeichnung laden und unter die jetzige legen</translation>
     </message>
     <message>
         <source>Recording to draw beneath</source>
