@@ -132,14 +132,11 @@ const std::vector<ActionSpec> kActions = {
     {"view.palette", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Command Palette"), "Ctrl+Shift+P", drawn(Icon::Command), [](MainWindow& w) { w.openPalette(); }},
     {"view.split", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Split the Editor"), "Ctrl+\\", drawn(Icon::Split), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) p->toggleSplit(); }},
     {"view.table", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Declarations as a Table"), "Ctrl+Shift+D", drawn(Icon::Table), [](MainWindow& w) { if (auto* p = w.tabs().currentPage()) { p->toggleTable(); p->table().setModel(w.workspace().model()); } }},
-    {"view.chart", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Chart Beside the Text"), "Ctrl+Shift+G", drawn(Icon::Sfc),
+    {"view.chart", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Diagram Beside the Text"), "Ctrl+Shift+G", drawn(Icon::Sfc),
      [](MainWindow& w) {
          auto* page = w.tabs().currentPage();
          const auto model = w.workspace().model();
-         const auto file = page && model ? model->fileOf(page->file().toStdString()) : std::nullopt;
-         if (!file) return;
-         if (page->chart() && page->chart()->isVisible()) page->showChart({});
-         else page->showChart(page->chartAtCursor());
+         if (page && model && model->fileOf(page->file().toStdString())) page->toggleGraph();
      }},
     {"view.values", QT_TRANSLATE_NOOP("plc::app::MainWindow", "View"), QT_TRANSLATE_NOOP("plc::app::MainWindow", "Online Values in the Text"), "Ctrl+Shift+O", none,
      [](MainWindow& w) {

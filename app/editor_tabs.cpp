@@ -52,7 +52,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
                     if (auto* page = qobject_cast<StPage*>(widget(i))) {
                         for (StEditor* editor : page->editors()) editor->setModel(model);
                         page->table().setModel(model);
-                        if (page->chart()) page->chart()->setModel(model, page->file());
+                        for (editor::GraphView* graph : page->graphs()) graph->setModel(model, page->file());
                     }
             });
     connect(&workspace, &editor::Workspace::textReplaced, this, [this](const QString& file) {
@@ -106,9 +106,9 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
             page->table().refreshOnlineValues();
             showInstance(*page);
-            if (page->chart()) {
-                page->chart()->setPast(m_control.viewed().has_value());
-                page->chart()->refreshOnline();
+            for (editor::GraphView* graph : page->graphs()) {
+                graph->setPast(m_control.viewed().has_value());
+                graph->refreshOnline();
             }
         }
     });
@@ -145,6 +145,7 @@ StPage* EditorTabs::openFile(const QString& file) {
     setCurrentIndex(index);
     markModified(file, m_workspace.isModified(file));
     page->showReadOnly(m_workspace.isReadOnly(file));
+    page->showPreferred();
     connect(page, &StPage::writableRequested, this, &EditorTabs::makeWritable);
     showBreakpoints();
     return page;
@@ -153,6 +154,7 @@ StPage* EditorTabs::openFile(const QString& file) {
 void EditorTabs::connectPage(StPage* page) {
     connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
     connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
+    connect(page, &StPage::ladderMade, this, [this, page](editor::LadderView* ladder) { connectLadder(page, ladder); });
     connectEditor(&page->first());
     connect(&page->instanceBar(), &InstanceBar::instanceChosen, &m_control, &editor::RunControl::setPreferredInstance);
     page->table().setOnlineValues(onlineValues());
@@ -236,53 +238,69 @@ void EditorTabs::connectEditor(StEditor* editor) {
     emit editorMade(editor);
 }
 
-void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
+void EditorTabs::connectGraph(StPage* page, editor::GraphView* graph) {
     StEditor* text = &page->first();
-    chart->setModel(m_workspace.model(), page->file());
-    chart->setValues([this, chart](const QString& expression) {
-        const auto shown = m_control.valueIn(expression, chart->unit().section('.', 0, 0));
+    graph->setModel(m_workspace.model(), page->file());
+    graph->setValues([this, graph](const QString& expression) {
+        const auto shown = m_control.valueIn(expression, graph->unit().section('.', 0, 0));
         const auto* program = m_control.imageProgram();
         const bool isTime =
             program && shown.type.isValid() && program->layout.types->storageKind(shown.type) == types::TypeKind::Time;
-        return editor::ChartValue{shown.text, shown.isTrue, shown.isForced,
+        return editor::GraphValue{shown.text, shown.isTrue, shown.isForced,
                                   isTime && !shown.text.isEmpty() ? shown.value.integer() : 0};
     });
-    connect(chart, &editor::ChartView::editsRequested, text,
+    connect(graph, &editor::GraphView::editsRequested, text,
             [text](const std::vector<diagnostics::TextEdit>& edits) { text->applyEdits(edits); });
-    connect(chart, &editor::ChartView::placeSelected, text, [text](uint32_t offset) {
-        const QSignalBlocker blocker(text); // the chart follows the cursor; here the cursor follows the chart
+    connect(graph, &editor::GraphView::placeSelected, text, [text](uint32_t offset) {
+        const QSignalBlocker blocker(text); // the graph follows the cursor; here the cursor follows the graph
         text->SendScintilla(QsciScintillaBase::SCI_GOTOPOS, static_cast<unsigned long>(offset));
     });
-    connect(chart, &editor::ChartView::breakpointRequested, this, [this, page, text](uint32_t offset) {
-        m_control.toggleBreakpoint(page->file(),
-                                   static_cast<int>(text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION,
-                                                                        static_cast<unsigned long>(offset))) +
-                                       1);
+    connect(graph, &editor::GraphView::breakpointRequested, this, [this, page, text](uint32_t offset) {
+        const auto line =
+            text->SendScintilla(QsciScintillaBase::SCI_LINEFROMPOSITION, static_cast<unsigned long>(offset));
+        m_control.toggleBreakpoint(page->file(), static_cast<int>(line) + 1);
     });
+    const auto addKeys = [&](const char* name, std::initializer_list<QKeySequence> keys, void (EditorTabs::*run)()) {
+        auto* action = new QAction(graph);
+        action->setObjectName(name);
+        action->setShortcuts(keys);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        connect(action, &QAction::triggered, this, run);
+        graph->addAction(action);
+    };
+    addKeys("undo", {QKeySequence::Undo}, &EditorTabs::undo); // what is drawn is an edit of the text
+    addKeys("redo", {Qt::CTRL | Qt::Key_Y, Qt::CTRL | Qt::SHIFT | Qt::Key_Z}, &EditorTabs::redo);
+    new kit::OwnKeys(graph);
+    connect(graph, &editor::GraphView::failed, this, [this](const QString& what) { emit message(what, true); });
+    connect(text, &StEditor::edited, graph, [text, graph] {
+        if (graph->isVisible()) graph->setText(text->utf8());
+    });
+    connect(text, &StEditor::cursorMoved, graph, [text, graph] {
+        if (graph->isVisible() && text->hasFocus()) graph->showCursor(text->cursorOffset());
+    });
+    kit::post(this, [this] { showBreakpoints(); });
+}
+
+void EditorTabs::connectChart(StPage* page, editor::ChartView* chart) {
+    connectGraph(page, chart);
     connect(chart, &editor::ChartView::forceStepRequested, this, [this, chart](const QString& step, bool active) {
         const QString path = m_control.preferredInstance(chart->unit().section('.', 0, 0)) + "." + step + ".X";
         if (!active) return m_control.unforce(path);
         if (auto forced = m_control.force(path, "TRUE"); !forced) emit message(kit::messageText(forced.error()), true);
     });
-    const auto addKeys = [&](const char* name, std::initializer_list<QKeySequence> keys, void (EditorTabs::*run)()) {
-        auto* action = new QAction(chart);
-        action->setObjectName(name);
-        action->setShortcuts(keys);
-        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        connect(action, &QAction::triggered, this, run);
-        chart->addAction(action);
-    };
-    addKeys("undo", {QKeySequence::Undo}, &EditorTabs::undo); // what is drawn is an edit of the text
-    addKeys("redo", {Qt::CTRL | Qt::Key_Y, Qt::CTRL | Qt::SHIFT | Qt::Key_Z}, &EditorTabs::redo);
-    new kit::OwnKeys(chart);
-    connect(chart, &editor::ChartView::failed, this, [this](const QString& text) { emit message(text, true); });
-    connect(text, &StEditor::edited, chart, [text, chart] {
-        if (chart->isVisible()) chart->setText(text->utf8());
-    });
-    connect(text, &StEditor::cursorMoved, chart, [text, chart] {
-        if (chart->isVisible() && text->hasFocus()) chart->showCursor(text->cursorOffset());
-    });
-    kit::post(this, [this] { showBreakpoints(); });
+}
+
+void EditorTabs::connectLadder(StPage* page, editor::LadderView* ladder) {
+    connectGraph(page, ladder);
+    connect(ladder, &editor::LadderView::forceRequested, this,
+            [this, ladder](const QString& variable, const QString& value) {
+                const QString path = pathOf(variable, ladder->unit());
+                if (path.isEmpty())
+                    return emit message(tr("%1 is no variable of the running program").arg(variable), true);
+                if (value.isEmpty()) return m_control.unforce(path);
+                if (auto forced = m_control.force(path, value); !forced)
+                    emit message(kit::messageText(forced.error()), true);
+            });
 }
 
 /// A local of the instance that the text shows, else a global; "" when it is neither.
@@ -616,8 +634,8 @@ void EditorTabs::showBreakpoints() {
             if (!b.isEnabled || !b.hasCode) disabled.insert(b.line);
         }
         editor->setBreakpoints(lines, disabled);
-        if (StPage* page = pageOf(editor->file()); page && page->chart())
-            page->chart()->setBreakpoints(lines, disabled);
+        if (StPage* page = pageOf(editor->file()))
+            for (editor::GraphView* graph : page->graphs()) graph->setBreakpoints(lines, disabled);
     }
 }
 

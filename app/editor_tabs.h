@@ -68,7 +68,9 @@ private:
     [[nodiscard]] std::vector<editor::StEditor*> allEditors() const;
     void connectPage(StPage* page);
     void connectEditor(editor::StEditor* editor);
+    void connectGraph(StPage* page, editor::GraphView* graph);
     void connectChart(StPage* page, editor::ChartView* chart);
+    void connectLadder(StPage* page, editor::LadderView* ladder);
     void markModified(const QString& file, bool modified);
     bool saveAsking(const QString& file); // a read-only file is asked about
     bool saveModified();

@@ -4,6 +4,8 @@
 #include "app/settings.h"
 #include "editor/analysis/workspace.h"
 #include "editor/kit/message_text.h"
+#include "projects/exchange/imported.h"
+#include "projects/exchange/plcopen_export.h"
 #include "projects/storage/project_file.h"
 
 #include <QComboBox>
@@ -169,7 +171,7 @@ void ImportDialog::preview(const QString& path) {
         return exchange::importFrom(path.toStdString());
     }();
     if (!imported) return complain(imported.error());
-    m_imported = *imported;
+    m_imported = std::make_shared<const exchange::Imported>(*imported);
     for (const exchange::ImportedFile& file : m_imported->files)
         new QTreeWidgetItem(m_files, {QString::fromStdString(file.path)});
     fill(*m_notes, m_imported->report);
@@ -264,7 +266,7 @@ void ExportDialog::preview() {
     }();
     m_export->setEnabled(static_cast<bool>(exported));
     if (!exported) return m_complaint->setText(kit::messageText(exported.error()));
-    m_exported = *exported;
+    m_exported = std::make_shared<const exchange::Exported>(*exported);
     fill(*m_notes, m_exported->report);
     m_summary->setText(summaryOf(m_exported->report));
 }

@@ -1,12 +1,9 @@
 // File > Import and File > Export: what would be read or written is shown with its report before anything is. The
 // dialogs live as long as they are open; GUI thread.
 #pragma once
-#include "projects/exchange/imported.h"
-#include "projects/exchange/plcopen_export.h"
-
 #include <QDialog>
 
-#include <optional>
+#include <memory>
 
 class QComboBox;
 class QLabel;
@@ -14,6 +11,17 @@ class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
 class QTreeWidget;
+
+namespace plc {
+struct Error;
+}
+namespace plc::exchange {
+struct Exported;
+struct Imported;
+} // namespace plc::exchange
+namespace plc::projects {
+struct Project;
+}
 
 namespace plc::app {
 
@@ -35,7 +43,7 @@ private:
     void showFile();
     void check();
     QString m_projectsFolder;
-    std::optional<exchange::Imported> m_imported;
+    std::shared_ptr<const exchange::Imported> m_imported; // null: nothing is shown
     QLineEdit *m_source, *m_target;
     QTreeWidget *m_files, *m_notes;
     QPlainTextEdit* m_text;
@@ -53,7 +61,7 @@ public:
 private:
     void preview();
     const projects::Project& m_project;
-    std::optional<exchange::Exported> m_exported;
+    std::shared_ptr<const exchange::Exported> m_exported; // null: nothing is shown
     QComboBox* m_version;
     QLineEdit* m_target;
     QTreeWidget* m_notes;

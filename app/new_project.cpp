@@ -258,6 +258,8 @@ const std::vector<UnitTemplate>& unitTemplates() {
         {"interface", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Interface"), "interface"},
         {"globals", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Global variables"), "globals"},
         {"chart", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Sequential function chart"), "chart"},
+        {"ladder", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Program as a ladder diagram"), "program"},
+        {"blocks", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Program as a function block diagram"), "program"},
         {"simulation", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Simulation of the plant"), "plant"},
         {"test", QT_TRANSLATE_NOOP("plc::app::NewUnitDialog", "Test"), "test"},
     };
@@ -266,6 +268,9 @@ const std::vector<UnitTemplate>& unitTemplates() {
 
 std::string unitText(const std::string& id, const std::string& name) {
     if (id == "program") return "/// What it does.\nPROGRAM " + name + "\nVAR\nEND_VAR\n\nEND_PROGRAM\n";
+    if (id == "ladder" || id == "blocks")
+        return std::string("/// What it does.\n{attribute 'view' := '") + (id == "ladder" ? "ladder" : "fbd") +
+               "'}\nPROGRAM " + name + "\nVAR\nEND_VAR\n\nEND_PROGRAM\n";
     if (id == "block")
         return "/// What it does.\nFUNCTION_BLOCK " + name +
                "\nVAR_INPUT\nEND_VAR\nVAR_OUTPUT\nEND_VAR\nVAR\nEND_VAR\n\nEND_FUNCTION_BLOCK\n";

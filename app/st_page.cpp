@@ -3,6 +3,7 @@
 #include "app/instance_bar.h"
 #include "editor/kit/icons.h"
 #include "projects/analysis/conversion.h"
+#include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
 
 #include <QEvent>
@@ -104,10 +105,72 @@ editor::ChartView* StPage::showChart(const QString& unit) {
         m_sides->setSizes({500, 500});
         emit chartMade(m_chart);
     }
+    if (m_ladder) m_ladder->hide();
     if (!unit.isEmpty()) m_chart->setUnit(unit);
     m_chart->show();
     m_chart->setText(m_first->utf8());
     return m_chart;
+}
+
+editor::LadderView* StPage::showLadder(const QString& unit) {
+    if (unit.isEmpty()) {
+        if (m_ladder) m_ladder->hide();
+        return nullptr;
+    }
+    if (!m_ladder) {
+        m_ladder = new editor::LadderView(m_sides);
+        m_sides->addWidget(m_ladder);
+        m_sides->setSizes({500, 600});
+        emit ladderMade(m_ladder);
+    }
+    if (m_chart) m_chart->hide();
+    const std::string text = m_first->utf8();
+    diagnostics::Sink sink;
+    const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
+    const ladder::Unit found = ladder::findUnit(*file, unit.toStdString());
+    m_ladder->setUnit(unit);
+    m_ladder->setForm(equalsIgnoringCase(found.view, "fbd") ? ladder::Form::Blocks : ladder::Form::Ladder);
+    m_ladder->show();
+    m_ladder->setText(text);
+    return m_ladder;
+}
+
+std::vector<editor::GraphView*> StPage::graphs() {
+    std::vector<editor::GraphView*> out;
+    if (m_chart) out.push_back(m_chart);
+    if (m_ladder) out.push_back(m_ladder);
+    return out;
+}
+
+void StPage::toggleGraph() {
+    bool wasShown = false;
+    for (editor::GraphView* graph : graphs()) {
+        wasShown |= graph->isVisible();
+        graph->hide();
+    }
+    if (wasShown) return;
+    const std::string text = active().utf8();
+    diagnostics::Sink sink;
+    const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
+    const uint32_t at = active().cursorOffset();
+    if (const std::string chart = editor::chartAt(*file, at); !chart.empty()) {
+        showChart(QString::fromStdString(chart));
+        return;
+    }
+    ladder::Unit unit = ladder::unitAt(*file, at);
+    if (!unit.body) unit = ladder::findUnit(*file, {});
+    if (unit.body) showLadder(QString::fromStdString(unit.name));
+}
+
+void StPage::showPreferred() {
+    const std::string text = m_first->utf8();
+    diagnostics::Sink sink;
+    const auto file = parse::parseFile(FileId(size_t(0)), text, sink);
+    for (const ladder::Unit& unit : ladder::unitsOf(*file))
+        if (equalsIgnoringCase(unit.view, "ladder") || equalsIgnoringCase(unit.view, "fbd")) {
+            showLadder(QString::fromStdString(unit.name));
+            return;
+        }
 }
 
 QString StPage::chartAtCursor() {

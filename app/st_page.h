@@ -2,6 +2,7 @@
 // about the file. A library's source is such a page, read-only. Owned by the tabs; GUI thread.
 #pragma once
 #include "editor/graph/chart_view.h"
+#include "editor/graph/ladder_view.h"
 #include "editor/text/declaration_table.h"
 #include "editor/text/find_bar.h"
 #include "editor/text/st_editor.h"
@@ -36,6 +37,15 @@ public:
     /// when it is shown.
     editor::ChartView* showChart(const QString& unit);
     [[nodiscard]] editor::ChartView* chart() { return m_chart; }
+    /// The ladder or function block diagram of a unit beside the text; null and hidden for "".
+    editor::LadderView* showLadder(const QString& unit);
+    [[nodiscard]] editor::LadderView* ladder() { return m_ladder; }
+    /// The drawings there are, shown or not.
+    [[nodiscard]] std::vector<editor::GraphView*> graphs();
+    /// Shows the unit at the cursor as a chart or as the diagram that it prefers, or hides what is shown.
+    void toggleGraph();
+    /// As {attribute 'view'} of the file's first unit that has one says.
+    void showPreferred();
     /// The chart around the cursor, of a unit or of an action in it; else the unit at the cursor.
     [[nodiscard]] QString chartAtCursor();
     [[nodiscard]] std::vector<editor::StEditor*> editors();
@@ -46,6 +56,7 @@ public:
 signals:
     void editorMade(plc::editor::StEditor* editor);
     void chartMade(plc::editor::ChartView* chart);
+    void ladderMade(plc::editor::LadderView* ladder);
     void writableRequested(const QString& file);
 
 protected:
@@ -62,6 +73,7 @@ private:
     QSplitter* m_sides;
     QSplitter* m_splitter;
     editor::ChartView* m_chart = nullptr;
+    editor::LadderView* m_ladder = nullptr;
     editor::StEditor* m_first;
     editor::StEditor* m_second = nullptr;
     editor::StEditor* m_active;

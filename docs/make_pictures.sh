@@ -5,11 +5,12 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-dev}
 if [ -z "${2:-}" ]; then
-    ninja -C "build/$preset" stepwise studio_pictures chart_pictures >/dev/null
+    ninja -C "build/$preset" stepwise studio_pictures chart_pictures ladder_pictures >/dev/null
     xvfb-run -a -s "-screen 0 1600x1000x24" "build/$preset/bin/studio_pictures" docs/pictures
 fi
 export QT_QPA_PLATFORM=offscreen
 docs/pictures/chart.sh "build/$preset/bin"
+for theme in light dark; do "build/$preset/bin/ladder_pictures" docs/pictures $theme >/dev/null; done
 # What a project's pictures are of, where it is worth more than the first seconds at rest: docs/pictures.txt in the project has a
 # line `panel OPTIONS` and a line `trace OPTIONS`, with the options of those commands (--at, --set PATH=VALUE@TIME, --for …).
 options_of() { # PROJECT panel|trace DEFAULTS…

@@ -1765,6 +1765,66 @@
         <source>The file was changed by another program and was not overwritten</source>
         <translation>Filen blev ændret af et andet program og blev ikke overskrevet</translation>
     </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Der er intet i den, som kan importeres</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Mappen findes og er ikke tom; angiv en ny</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Filen er for stor til at blive læst</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Filens elementer er for dybt indlejret</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dette er ikke velformet XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Filen har ingen elementer</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dette er XML, ikke struktureret tekst; importer det (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
+        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>Skriv et navn og en blok: T1 : TON</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -3077,6 +3137,444 @@
         <source>Motion</source>
         <translation>Bevægelse</translation>
     </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Der er allerede et trin {0}</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Denne ændring ville ændre den samme tekst to gange</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Denne transition fører endnu ikke til et trin</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Intet ville føre til sammenføringen efter dette trin</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>Starttrinnet bliver øverst</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Kun et trin med sin egen enkelte transition kan flyttes</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>Trinnet er der allerede</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Et trin kan sættes efter en transition, der fører til ét trin</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Dette trin fører kun til sig selv</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Her er ingen gren</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>En transition kræver en betingelse</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>En prioritet skal være et positivt tal</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>Den sidste gren fører ikke til et trin</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Aktionen findes ikke</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Der er endnu intet SFC-diagram</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Flere transitioner forlader dette trin; slet først dets grene</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>Betingelsen for denne transition kan ikke læses; rediger den i teksten</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>Panelet er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Et panel skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>Panelet er skrevet af en nyere version af Stepwise</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>”{0}” skal være en liste</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>Element {0} er ikke et objekt</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Arten af element {0} er ikke en tekst</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Alarmerne er ikke gyldig JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>En alarm har intet id</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>To alarmer har id&apos;et ”{0}”</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Denne linje er ikke gyldig UTF-8; gem filen som UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Der er tekst efter et afsluttende anførselstegn; fordobl et anførselstegn, der hører til teksten</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>Kolonne {0} har intet sprogmærke</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>Sproget {0} har to kolonner</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Denne linje har ingen nøgle</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>Nøglen {0} er allerede på linje {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>Alarmhistorikken kan ikke åbnes: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>Alarmhistorikken kan ikke skrives: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} kan ikke være i {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>En {0} kan ikke skrives fra et panel</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Mappen til billederne kan ikke oprettes</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>Billedet kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>Projektet har ikke det panel</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>Nøglen {0} er ikke i teksttabellen</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Denne version kender ikke elementarten ”{0}”; den bevares uændret</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>Projektet har ikke sproget {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>Elementet ligger uden for panelet</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>Filen {0} findes ikke</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>Der er intet panel {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>Alarmen har ingen betingelse</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>Der er ingen alarmklasse {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Intet panel og ingen alarm bruger nøglen {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>Nøglen {0} har ingen tekst på {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Ingen skrifttype har tegnet {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; mente du {1}?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} er ikke en variabel og kan derfor ikke skrives</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} er {1}; her kræves en BOOL</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} er {1}; her kræves et tal</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} er {1}; her kræves en STRING</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} er {1}; her kræves et array</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} er {1}; her kræves en enkelt værdi</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>En pladsholder er ikke lukket med {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>Formatet {0} er ukendt</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>En traceopsætning skal være et JSON-objekt</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>Traceopsætningen er ugyldig: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>”{0}” skal være {1}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>”{0}” mangler</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Et billedes navn skal ende på en af {0}</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>ikke længere optaget</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>En optagelse fra en fil kan ikke skrives; gå først tilbage til den kørende styring</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Optagede værdier kan ikke skrives; fortsæt først herfra</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>En prioritet er et tal; 0 fjerner den</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>De lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} er for stor til maskinens stak; del den op</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} er ikke et heltal</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} er ikke et antal scan</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} er ikke en tid</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Der er intet i den, som kan importeres</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Mappen findes og er ikke tom; angiv en ny</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Filen er for stor til at blive læst</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Filens elementer er for dybt indlejret</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dette er ikke velformet XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Filen har ingen elementer</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dette er XML, ikke struktureret tekst; importer det (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -4190,8 +4688,8 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet blev eksporteret</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 er skrevet i %2 og gemmes, som den blev fundet</translation>
     </message>
     <message>
         <source>Select the Next Occurrence Too</source>
@@ -4216,6 +4714,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Keeping the recording of the last run…</source>
         <translation>Optagelsen af den seneste kørsel gemmes…</translation>
+    </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
+    </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Diagram ved siden af teksten</translation>
     </message>
 </context>
 <context>
@@ -4378,6 +4884,14 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
         <translation>Der er allerede en fil %1: vælg den eller et andet navn</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Program som ladderdiagram</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Program som funktionsblokdiagram</translation>
     </message>
 </context>
 <context>
@@ -7787,6 +8301,237 @@ Ikke bevaret: %3</translation>
     <message>
         <source>The recording of the last run was not kept: %1</source>
         <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Ladder- eller funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Indsæt et netværk nedenunder (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Indsæt en kontakt til venstre (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Indsæt en kontakt til højre (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Indsæt en parallel kontakt (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Indsæt en spole (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Indsæt en funktionsblok (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Rediger (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Slet (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Brudpunkt på netværket (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Vis som funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Vis som ladderdiagram</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 er ikke længere i teksten</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Vælg et netværk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Vælg en spole</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Vælg en kontakt, en spole eller et ben med en variabel</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Netværket har ingen kontakt endnu</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Vælg det netværk, der skal have blokken</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>blok</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt til venstre; ved en spole den sidste kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt til højre</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spole</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsblok i netværket</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Inverter en kontakt, en spole eller et ben</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spole: normal, sæt, nulstil</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Netværkets kommentar</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Rediger det valgte (eller Enter)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Slet det valgte</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Brudpunkt på netværket</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Denne liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Piletaster</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Vælg næste del; op og ned også næste netværk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Flyt netværket op; med pil ned, ned</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Skrevet foran et navn: en inverteret kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Taster i ladder- og funktionsblokdiagrammer</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Indsæt et netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Indsæt et netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Indsæt en kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Indsæt en parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Indsæt en spole</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Indsæt en funktionsblok…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Inverter</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Sæt eller nulstil</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Flyt netværket op</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Flyt netværket ned</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Tving TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Tving FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Frigiv</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå brudpunkt til/fra</translation>
     </message>
 </context>
 </TS>

@@ -1765,6 +1765,66 @@
         <source>The file was changed by another program and was not overwritten</source>
         <translation>Die Datei wurde von einem anderen Programm geändert und nicht überschrieben</translation>
     </message>
+    <message>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Darin ist nichts, das importiert werden kann</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Die Datei hat keine Elemente</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dies ist XML, kein strukturierter Text; importieren Sie es (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
+    </message>
+    <message>
+        <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
+        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
+    </message>
+    <message>
+        <source>Type a name and a block: T1 : TON</source>
+        <translation>Geben Sie einen Namen und einen Baustein ein: T1 : TON</translation>
+    </message>
 </context>
 <context>
     <name>Hmi</name>
@@ -3105,6 +3165,472 @@
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} ist {1}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, expected {2} {3}</source>
+        <translation>{0} ist {1}, erwartet {2} {3}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, recorded {2} in scan {3}</source>
+        <translation>{0} ist {1}, aufgezeichnet {2} in Zyklus {3}</translation>
+    </message>
+    <message>
+        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
+        <translation>Die Aufzeichnung {0} hat {1} {1:Zyklus|Zyklen}, dieser Lauf {2}</translation>
+    </message>
+    <message>
+        <source>The run differs from the recording {0}</source>
+        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
+    </message>
+    <message>
+        <source>the condition cannot be evaluated</source>
+        <translation>die Bedingung kann nicht ausgewertet werden</translation>
+    </message>
+    <message>
+        <source>There is no action {0}</source>
+        <translation>Es gibt keine Aktion {0}</translation>
+    </message>
+    <message>
+        <source>{0} is not a valid name; use letters, digits and underscores</source>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
+    </message>
+    <message>
+        <source>A step {0} already exists</source>
+        <translation>Einen Schritt {0} gibt es schon</translation>
+    </message>
+    <message>
+        <source>This edit would change the same text twice</source>
+        <translation>Diese Änderung würde denselben Text zweimal ändern</translation>
+    </message>
+    <message>
+        <source>This transition does not lead to a step yet</source>
+        <translation>Diese Transition führt noch zu keinem Schritt</translation>
+    </message>
+    <message>
+        <source>Nothing would lead to the join after this step</source>
+        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
+    </message>
+    <message>
+        <source>The initial step stays at the top</source>
+        <translation>Der Initialschritt bleibt oben</translation>
+    </message>
+    <message>
+        <source>Only a step with a single transition of its own can be moved</source>
+        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden</translation>
+    </message>
+    <message>
+        <source>The step is already there</source>
+        <translation>Der Schritt ist schon dort</translation>
+    </message>
+    <message>
+        <source>A step can be placed after a transition that leads to one step</source>
+        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt</translation>
+    </message>
+    <message>
+        <source>This step only leads to itself</source>
+        <translation>Dieser Schritt führt nur zu sich selbst</translation>
+    </message>
+    <message>
+        <source>There is no branch here</source>
+        <translation>Hier gibt es keinen Zweig</translation>
+    </message>
+    <message>
+        <source>A transition needs a condition</source>
+        <translation>Eine Transition braucht eine Bedingung</translation>
+    </message>
+    <message>
+        <source>A priority must be a positive number</source>
+        <translation>Eine Priorität muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>Nothing follows this step yet; insert a step after it first</source>
+        <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
+    </message>
+    <message>
+        <source>The last branch does not lead to a step</source>
+        <translation>Der letzte Zweig führt zu keinem Schritt</translation>
+    </message>
+    <message>
+        <source>There is no such action</source>
+        <translation>Diese Aktion gibt es nicht</translation>
+    </message>
+    <message>
+        <source>There is no chart yet</source>
+        <translation>Es gibt noch keine Schrittkette</translation>
+    </message>
+    <message>
+        <source>The initial step cannot be deleted; make another step the initial step first</source>
+        <translation>Der Initialschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen Schritt zum Initialschritt</translation>
+    </message>
+    <message>
+        <source>Several transitions leave this step; delete its branches first</source>
+        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige</translation>
+    </message>
+    <message>
+        <source>The condition of this transition cannot be read; edit it in the text</source>
+        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text</translation>
+    </message>
+    <message>
+        <source>The branches after this transition do not join; connect them in the text first</source>
+        <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
+    </message>
+    <message>
+        <source>The panel is not valid JSON</source>
+        <translation>Das Panel ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>A panel must be a JSON object</source>
+        <translation>Ein Panel muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>The panel was written by a newer version of Stepwise</source>
+        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be a list</source>
+        <translation>„{0}“ muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>Element {0} is not an object</source>
+        <translation>Element {0} ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>The kind of element {0} is not a text</source>
+        <translation>Die Art von Element {0} ist kein Text</translation>
+    </message>
+    <message>
+        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
+        <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
+    </message>
+    <message>
+        <source>The alarms are not valid JSON</source>
+        <translation>Die Alarme sind kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>Every alarm and every alarm class must be a JSON object</source>
+        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>An alarm has no id</source>
+        <translation>Ein Alarm hat keine Kennung</translation>
+    </message>
+    <message>
+        <source>Two alarms have the id &quot;{0}&quot;</source>
+        <translation>Zwei Alarme haben die Kennung „{0}“</translation>
+    </message>
+    <message>
+        <source>This line is not valid UTF-8; save the file as UTF-8</source>
+        <translation>Diese Zeile ist kein gültiges UTF-8; speichern Sie die Datei als UTF-8</translation>
+    </message>
+    <message>
+        <source>There is text after a closing quote; double a quote that belongs to the text</source>
+        <translation>Nach einem schließenden Anführungszeichen steht Text; verdoppeln Sie ein Anführungszeichen, das zum Text gehört</translation>
+    </message>
+    <message>
+        <source>The quote that opens here is never closed</source>
+        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>The first line must be {0} and one language tag per column</source>
+        <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
+    </message>
+    <message>
+        <source>Column {0} has no language tag</source>
+        <translation>Spalte {0} hat kein Sprachkürzel</translation>
+    </message>
+    <message>
+        <source>The language {0} has two columns</source>
+        <translation>Die Sprache {0} hat zwei Spalten</translation>
+    </message>
+    <message>
+        <source>This line has {0} {0:field|fields}, the header has {1}</source>
+        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
+    </message>
+    <message>
+        <source>This line has no key</source>
+        <translation>Diese Zeile hat keinen Schlüssel</translation>
+    </message>
+    <message>
+        <source>The key {0} is already on line {1}</source>
+        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be opened: {0}</source>
+        <translation>Die Alarmhistorie kann nicht geöffnet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be used: {0}</source>
+        <translation>Die Alarmhistorie kann nicht verwendet werden: {0}</translation>
+    </message>
+    <message>
+        <source>The alarm history cannot be written: {0}</source>
+        <translation>Die Alarmhistorie kann nicht geschrieben werden: {0}</translation>
+    </message>
+    <message>
+        <source>{0} does not fit into {1}</source>
+        <translation>{0} passt nicht in {1}</translation>
+    </message>
+    <message>
+        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
+        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
+    </message>
+    <message>
+        <source>A {0} cannot be written from a panel</source>
+        <translation>Ein {0} kann von einem Panel nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The folder for the pictures cannot be created</source>
+        <translation>Der Ordner für die Bilder kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written</source>
+        <translation>Das Bild kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The project has no such panel</source>
+        <translation>Das Projekt hat kein solches Panel</translation>
+    </message>
+    <message>
+        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
+        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
+    </message>
+    <message>
+        <source>The key {0} is not in the text table</source>
+        <translation>Der Schlüssel {0} ist nicht in der Texttabelle</translation>
+    </message>
+    <message>
+        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
+        <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
+    </message>
+    <message>
+        <source>The text list {0} is empty: there is no key {1}</source>
+        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
+    </message>
+    <message>
+        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
+        <translation>Diese Version kennt die Elementart „{0}“ nicht; sie bleibt unverändert</translation>
+    </message>
+    <message>
+        <source>The project has no language {0}</source>
+        <translation>Das Projekt hat keine Sprache {0}</translation>
+    </message>
+    <message>
+        <source>The element is outside the panel</source>
+        <translation>Das Element liegt außerhalb des Panels</translation>
+    </message>
+    <message>
+        <source>The file {0} does not exist</source>
+        <translation>Die Datei {0} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>There is no panel {0}</source>
+        <translation>Es gibt kein Panel {0}</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known; use for example {1} or {2}</source>
+        <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
+    </message>
+    <message>
+        <source>The alarm has no condition</source>
+        <translation>Der Alarm hat keine Bedingung</translation>
+    </message>
+    <message>
+        <source>There is no alarm class {0}</source>
+        <translation>Es gibt keine Alarmklasse {0}</translation>
+    </message>
+    <message>
+        <source>No panel and no alarm uses the key {0}</source>
+        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}</translation>
+    </message>
+    <message>
+        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
+        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
+    </message>
+    <message>
+        <source>The key {0} has no text in {1}</source>
+        <translation>Der Schlüssel {0} hat keinen Text in {1}</translation>
+    </message>
+    <message>
+        <source>The font {0} is not installed here, so texts cannot be measured</source>
+        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>No font has the character {0}</source>
+        <translation>Keine Schrift hat das Zeichen {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
+        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
+        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
+    </message>
+    <message>
+        <source>{0}; did you mean {1}?</source>
+        <translation>{0}; meinten Sie {1}?</translation>
+    </message>
+    <message>
+        <source>{0} is not a variable, so it cannot be written</source>
+        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a BOOL is needed here</source>
+        <translation>{0} ist {1}; hier wird ein BOOL gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a number is needed here</source>
+        <translation>{0} ist {1}; hier wird eine Zahl gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a STRING is needed here</source>
+        <translation>{0} ist {1}; hier wird ein STRING gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; an array is needed here</source>
+        <translation>{0} ist {1}; hier wird ein Array gebraucht</translation>
+    </message>
+    <message>
+        <source>{0} is {1}; a single value is needed here</source>
+        <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
+    </message>
+    <message>
+        <source>A placeholder is not closed with {0}</source>
+        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
+    </message>
+    <message>
+        <source>The format {0} is not known</source>
+        <translation>Das Format {0} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The trace configuration is not valid JSON (see line {0})</source>
+        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0})</translation>
+    </message>
+    <message>
+        <source>A trace configuration must be a JSON object</source>
+        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
+        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0})</translation>
+    </message>
+    <message>
+        <source>The trace configuration is invalid: {0}</source>
+        <translation>Die Trace-Konfiguration ist ungültig: {0}</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; must be {1}</source>
+        <translation>„{0}“ muss {1} sein</translation>
+    </message>
+    <message>
+        <source>&quot;{0}&quot; is missing</source>
+        <translation>„{0}“ fehlt</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name must end in one of {0}</source>
+        <translation>Der Name eines Bilds muss auf eines von {0} enden</translation>
+    </message>
+    <message>
+        <source>no longer recorded</source>
+        <translation>nicht mehr aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be written; go back to the running controller first</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be written; resume from here first</source>
+        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
+    </message>
+    <message>
+        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
+        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
+    </message>
+    <message>
+        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat</translation>
+    </message>
+    <message>
+        <source>A priority is a number; 0 removes it</source>
+        <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
+    </message>
+    <message>
+        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
+        <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
+    </message>
+    <message>
+        <source>{0} is too large for the stack; divide it into several functions</source>
+        <translation>{0} ist zu groß für den Stapel der Maschine; teilen Sie es auf</translation>
+    </message>
+    <message>
+        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
+        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
+    </message>
+    <message>
+        <source>{0} is not a whole number</source>
+        <translation>{0} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>{0} is not a number of scans</source>
+        <translation>{0} ist keine Anzahl von Zyklen</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} ist keine Zeit</translation>
+        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
+        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
+    </message>
+    <message>
+        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
+        <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
+    </message>
+    <message>
+        <source>There is nothing in it that can be imported</source>
+        <translation>Darin ist nichts, das importiert werden kann</translation>
+    </message>
+    <message>
+        <source>The folder exists and is not empty; name a new one</source>
+        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
+    </message>
+    <message>
+        <source>The sources have errors of syntax; stepwise check lists them</source>
+        <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
+    </message>
+    <message>
+        <source>The file is too large to be read</source>
+        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
+        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
+        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
+    </message>
+    <message>
+        <source>The elements of the file are nested too deeply</source>
+        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>This is not well-formed XML: {0}</source>
+        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
+    </message>
+    <message>
+        <source>The file has no elements</source>
+        <translation>Die Datei hat keine Elemente</translation>
+    </message>
+    <message>
+        <source>This is XML, not structured text; import it (stepwise import --help)</source>
+        <translation>Dies ist XML, kein strukturierter Text; importieren Sie es (stepwise import --help)</translation>
+    </message>
+    <message>
+        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
+        <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>LongTask</name>
@@ -4218,8 +4744,8 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wurde exportiert</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
+        <source>%1 is written in %2 and is saved as it was found</source>
+        <translation>%1 ist in %2 geschrieben und wird so gespeichert, wie die Datei vorgefunden wurde</translation>
     </message>
     <message>
         <source>Select the Next Occurrence Too</source>
@@ -4244,6 +4770,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Keeping the recording of the last run…</source>
         <translation>Die Aufzeichnung des letzten Laufs wird aufbewahrt…</translation>
+    </message>
+    <message>
+        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
+        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
+    </message>
+    <message>
+        <source>Diagram Beside the Text</source>
+        <translation>Diagramm neben dem Text</translation>
     </message>
 </context>
 <context>
@@ -4406,6 +4940,14 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
         <translation>Die Datei %1 ist bereits vorhanden: Wählen Sie sie oder einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Program as a ladder diagram</source>
+        <translation>Programm als Kontaktplan</translation>
+    </message>
+    <message>
+        <source>Program as a function block diagram</source>
+        <translation>Programm als Funktionsplan</translation>
     </message>
 </context>
 <context>
@@ -7815,6 +8357,237 @@ Nicht erhalten: %3</translation>
     <message>
         <source>The recording of the last run was not kept: %1</source>
         <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Kontaktplan oder Funktionsplan</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Netzwerk darunter einfügen (Strg+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Kontakt links einfügen (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Kontakt rechts einfügen (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Parallelen Kontakt einfügen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Spule einfügen (Strg+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Funktionsbaustein einfügen (Strg+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Bearbeiten (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Haltepunkt am Netzwerk (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Als Funktionsplan zeigen</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Als Kontaktplan zeigen</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 steht nicht mehr im Text</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Wählen Sie ein Netzwerk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Wählen Sie eine Spule</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Wählen Sie einen Kontakt, eine Spule oder einen Anschluss mit einer Variablen</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Das Netzwerk hat noch keinen Kontakt</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Wählen Sie das Netzwerk für den Baustein</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Baustein</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt links; an einer Spule der letzte Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt rechts</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Paralleler Kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spule</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsbaustein im Netzwerk</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netzwerk darüber</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netzwerk darunter</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Kontakt, Spule oder Anschluss negieren</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spule: normal, setzen, rücksetzen</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Kommentar des Netzwerks</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Auswahl löschen</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Haltepunkt am Netzwerk</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Diese Liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Netzwerk nach oben schieben; mit Ab nach unten</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Vor einem Namen getippt: ein negierter Kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Tasten in Kontakt- und Funktionsplänen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Netzwerk darüber einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Netzwerk darunter einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Parallelen Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Spule einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Funktionsbaustein einfügen…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negieren</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Setzen oder rücksetzen</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Netzwerk nach oben</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Netzwerk nach unten</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>TRUE forcen</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>FALSE forcen</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt umschalten</translation>
     </message>
 </context>
 </TS>

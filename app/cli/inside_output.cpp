@@ -173,9 +173,11 @@ std::vector<Line> linesOf(const inside::Look& look) {
         if (event.kind == WatchKind::Statement) {
             const tree::Stmt& stmt = *event.stmt();
             const bool isNamed = !inside::placeWords(look.program(), stmt.range).empty();
-            if (!isNamed || stmt.kind == tree::StmtKind::Block) continue;
+            if (!isNamed) continue;
+            // The call of a block is several statements of one text.
             const size_t before = open[event.activation];
-            if (before != SIZE_MAX && lines[before].range == stmt.range && stmt.isHidden) continue;
+            if (before != SIZE_MAX && lines[before].range == stmt.range && lines[before].passes == look.passesAt(i))
+                continue;
             open[event.activation] = lines.size();
             lines.push_back({stmt.range, event.activation, look.passesAt(i), {}, {}});
             continue;

@@ -1,6 +1,7 @@
 // The list of forced variables and their bytes, applied twice in each scan. Scan thread only.
 #pragma once
 #include "runtime/controller/forced.h"
+#include "runtime/image/journal.h"
 
 namespace plc::controller {
 

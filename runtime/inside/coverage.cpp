@@ -68,7 +68,7 @@ size_t FunctionCoverage::conditionsMet() const {
 }
 
 Coverage::Coverage(std::shared_ptr<const image::CompiledProgram> program)
-    : m_program(std::move(program)), m_tree(driver::treeOf(*m_program)) {
+    : m_program(std::move(program)), m_tree(driver::treeOf(m_program)) {
     if (!m_tree) return;
     for (uint32_t f = 1; f < m_tree->functions.size(); ++f)
         if (isCounted(f)) gather(m_tree->functions[f].body, f);

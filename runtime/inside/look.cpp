@@ -113,7 +113,7 @@ std::vector<uint64_t> Look::passesAt(EventIndex at) const {
         range = event.expr()->range;
     std::vector<uint64_t> passes;
     for (uint32_t p = event.passes; p != kNone; p = m_passes[p].around) {
-        const SourceRange& loop = m_passes[p].loop->range;
+        const SourceRange& loop = m_passes[p].extent;
         if (loop.file == range.file && loop.begin <= range.begin && range.end <= loop.end)
             passes.push_back(m_passes[p].pass);
     }
@@ -194,7 +194,7 @@ Insight::codeFor(const std::shared_ptr<const image::CompiledProgram>& program, c
             }));
         if (holds) return known.code;
     }
-    auto code = driver::compileWatched(*program, functions);
+    auto code = driver::compileWatched(program, functions);
     if (!code) return code.error();
     if (m_codes.size() >= kCodesKept) m_codes.erase(m_codes.begin());
     m_codes.push_back({program, functions, *code});
@@ -213,7 +213,7 @@ Result<std::shared_ptr<const Look>> Insight::look(Position position, const LookO
     auto look = std::make_shared<Look>();
     look->m_position = position;
     look->m_code = *code;
-    look->m_tree = driver::treeOf(*input->program);
+    look->m_tree = driver::treeOf(input->program);
     look->m_rerun.input.program = input->program;
     Recorder recorder(*look, options);
     auto rerun = m_rerunner.run(position, {*code, [&](image::RuntimeContext& context) { recorder.attach(context); }});
@@ -230,7 +230,7 @@ Result<std::shared_ptr<const Look>> Insight::lookFrom(history::ScanInput input, 
     if (!code) return code.error();
     auto look = std::make_shared<Look>();
     look->m_code = *code;
-    look->m_tree = driver::treeOf(*input.program);
+    look->m_tree = driver::treeOf(input.program);
     look->m_rerun.input.program = input.program;
     Recorder recorder(*look, options);
     look->m_rerun = m_rerunner.runFrom(std::move(input),

@@ -58,7 +58,8 @@ struct Seen {
     std::vector<uint64_t> passes; // of the loops around it, outermost first, from 0
 };
 
-/// Loops keep the passes asked for: of a loop with this text, `count` passes from `first` on. Other loops keep all.
+/// Loops keep the passes asked for: of a loop that begins where this text does, `count` passes from `first` on. Other
+/// loops keep all.
 struct PassWindow {
     SourceRange loop;
     uint64_t first = 0, count = 1;
@@ -126,7 +127,8 @@ private:
     struct PassOf {
         const tree::Stmt* loop;
         uint64_t pass;
-        uint32_t around; // the next outer one; kNone: none
+        uint32_t around;    // the next outer one; kNone: none
+        SourceRange extent; // of the loop with its body
     };
     std::vector<PassOf> m_passes;
     uint64_t m_leftOut = 0;

@@ -134,9 +134,36 @@ void Recorder::end() {
     m_running.pop_back();
 }
 
+namespace {
+
+/// A loop's own text may end with its head: with what lies in it.
+void widen(SourceRange& extent, const std::vector<tree::Stmt*>& body) {
+    for (const tree::Stmt* stmt : body) {
+        if (!stmt) continue;
+        if (stmt->range.file == extent.file) {
+            extent.begin = std::min(extent.begin, stmt->range.begin);
+            extent.end = std::max(extent.end, stmt->range.end);
+        }
+        widen(extent, stmt->body);
+        widen(extent, stmt->elseBody);
+        for (const tree::CaseArm& arm : stmt->arms) widen(extent, arm.body);
+    }
+}
+
+} // namespace
+
+SourceRange Recorder::extentOf(const tree::Stmt& loop) {
+    const auto [known, isNew] = m_extents.try_emplace(&loop, loop.range);
+    if (isNew) {
+        widen(known->second, loop.body);
+        if (loop.a) known->second.end = std::max(known->second.end, loop.a->range.end); // UNTIL
+    }
+    return known->second;
+}
+
 const PassWindow* Recorder::windowOf(const tree::Stmt& loop) const {
     for (const PassWindow& window : m_options.windows)
-        if (window.loop == loop.range) return &window;
+        if (window.loop.file == loop.range.file && window.loop.begin == loop.range.begin) return &window;
     return nullptr;
 }
 
@@ -151,16 +178,16 @@ void Recorder::pass(const tree::Stmt& loop) {
         number = m_look.m_passes[at].pass + 1;
         around = m_look.m_passes[at].around;
     }
-    while (around != kNone && !contains(m_look.m_passes[around].loop->range, loop.range))
+    while (around != kNone && !contains(m_look.m_passes[around].extent, loop.range))
         around = m_look.m_passes[around].around;
     if (m_look.m_passes.size() < m_options.eventLimit || at == kNone) {
         running.passes = static_cast<uint32_t>(m_look.m_passes.size());
-        m_look.m_passes.push_back({&loop, number, around});
+        m_look.m_passes.push_back({&loop, number, around, extentOf(loop)});
     } else {
         m_look.m_passes[at].pass = number;
         running.passes = at;
     }
-    if (running.outside && contains(loop.range, running.outside->range)) running.outside = nullptr;
+    if (running.outside && contains(extentOf(loop), running.outside->range)) running.outside = nullptr;
     if (const PassWindow* window = windowOf(loop))
         running.outside = number >= window->first && number - window->first < window->count ? nullptr : &loop;
 }

@@ -20,6 +20,7 @@ private:
     void pass(const tree::Stmt& loop);
     [[nodiscard]] bool isLeftOut(const void* node, image::WatchKind kind);
     [[nodiscard]] uint64_t copyOf(uint64_t address, uint64_t size);
+    [[nodiscard]] SourceRange extentOf(const tree::Stmt& loop);
     [[nodiscard]] const PassWindow* windowOf(const tree::Stmt& loop) const;
 
     Look& m_look;
@@ -32,6 +33,7 @@ private:
         bool isLeftOut = false;              // beyond the limit: `activation` is its caller's
     };
     std::vector<Running> m_running;
+    std::unordered_map<const tree::Stmt*, SourceRange> m_extents; // of loops
     EventIndex m_lastCall = kNone;
 };
 

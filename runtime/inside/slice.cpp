@@ -18,6 +18,12 @@ namespace {
 constexpr size_t kMostSteps = 400;
 constexpr uint32_t kDeepest = 60;
 
+/// What lowering made of a chart: not what a person would change. A step's X is.
+bool isMachinery(const std::string& path) {
+    if (path.find("__") != std::string::npos) return true;
+    return path.ends_with(".enter") || path.ends_with(".leave");
+}
+
 uint32_t sizeOf(const types::TypeTable& types, const image::Place& place) {
     return place.bit >= 0 ? 1 : std::max(1u, types[place.type].size);
 }
@@ -117,7 +123,7 @@ void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool i
     auto index = static_cast<uint32_t>(known - m_slice.leaves.begin());
     if (known == m_slice.leaves.end()) {
         fresh.path = nameOf(layout, place);
-        fresh.isInternal = isInternal;
+        fresh.isInternal = isInternal || isMachinery(fresh.path);
         const std::span<const std::byte> image =
             read < m_look.events().size() ? std::span<const std::byte>(m_look.input().image) : m_look.image();
         if (!m_look.tree().types->isAggregate(place.type))
@@ -131,6 +137,7 @@ void Slicer::leaf(const image::Place& place, EventIndex read, Steps& out, bool i
     step.leaf = index;
     step.path = m_slice.leaves[index].path;
     step.value = m_slice.leaves[index].value;
+    step.isInternal = m_slice.leaves[index].isInternal;
     step.event = read;
     out.push_back(std::move(step));
 }
@@ -245,6 +252,15 @@ void Slicer::output(EventIndex at, Steps& out) {
     }
 }
 
+/// What a library's block was given; where nothing gave it in this scan, what kept others from it.
+void Slicer::input(const Activation& activation, const image::Place& place, Steps& out) {
+    const EventIndex given =
+        m_look.lastWriteBefore(activation.begin, place.offset, sizeOf(*m_look.tree().types, place), place.bit);
+    if (given != kNone) return write(given, place, out);
+    leaf(place, activation.begin, out, true);
+    if (m_depth < kDeepest / 4) otherWriters(place, kNone, out, false);
+}
+
 /// A block or function of a library is explained by what it was given, not by its insides.
 void Slicer::library(EventIndex at, uint32_t index, Steps& out) {
     const Activation& activation = m_look.activations()[index];
@@ -267,7 +283,7 @@ void Slicer::library(EventIndex at, uint32_t index, Steps& out) {
         step.note = blockNote(m_look, activation.instance, block);
         for (const types::Field& field : block.fields) {
             if (field.section != types::FieldSection::Input || types.isAggregate(field.type)) continue;
-            placeBefore(activation.begin, {field.type, activation.instance + field.offset, field.bit}, step.steps, {});
+            input(activation, {field.type, activation.instance + field.offset, field.bit}, step.steps);
         }
         for (const types::Field& field : block.fields) { // what it remembers
             const bool isOwn = field.section == types::FieldSection::Local ||
@@ -468,11 +484,11 @@ std::optional<image::Place> Slicer::fixedPlace(const tree::Place& place, const A
 
 /// Statements behind the last write (or all, where there is none) that would have written it had their condition come
 /// out otherwise.
-void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& out) {
+void Slicer::otherWriters(const image::Place& place, EventIndex after, Steps& out, bool followsCalls) {
     const uint32_t size = sizeOf(*m_look.tree().types, place);
     const auto events = m_look.events();
     std::set<std::pair<const Stmt*, uint32_t>> seen;
-    if (after == kNone) blockedCalls(out);
+    if (after == kNone && followsCalls) blockedCalls(out);
     for (uint32_t a = 0; a < m_look.activations().size(); ++a) {
         const Activation& activation = m_look.activations()[a];
         if (libraryActivation(a) != kNone) continue;

@@ -41,6 +41,7 @@ struct Step {
     std::string note;                     // Block: "has run 3.2 s of 5 s, 1.8 s to go"
     types::Value value;
     uint32_t leaf = kNone;
+    bool isInternal = false; // Leaf: what a library's block remembers
     EventIndex event = kNone;
     std::vector<Step> steps;
 };
@@ -76,7 +77,8 @@ private:
     void callResult(const tree::Expr& expr, EventIndex at, uint32_t activation, Steps& out);
     void guards(const tree::Stmt& stmt, EventIndex before, uint32_t activation, Steps& out);
     void guard(Step::Kind kind, const tree::Stmt& around, EventIndex before, uint32_t activation, Steps& out);
-    void otherWriters(const image::Place& place, EventIndex after, Steps& out);
+    void input(const Activation& activation, const image::Place& place, Steps& out);
+    void otherWriters(const image::Place& place, EventIndex after, Steps& out, bool followsCalls = true);
     void leaf(const image::Place& place, EventIndex read, Steps& out, bool isInternal = false);
     void clock(Steps& out);
 

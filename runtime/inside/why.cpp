@@ -82,7 +82,7 @@ std::optional<types::Value> asType(const types::TypeTable& types, types::TypeId 
 std::vector<types::Value> alternatives(const image::Layout& layout, const Leaf& leaf) {
     std::vector<types::Value> all;
     const types::TypeTable& types = *layout.types;
-    if (leaf.isClock || !leaf.value.hasValue()) return all;
+    if (leaf.isClock || !leaf.value.hasValue() || types.isText(leaf.place.type)) return all;
     if (types.storageKind(leaf.place.type) == TypeKind::Bool) {
         types::Value flipped = leaf.value;
         flipped.data = static_cast<int64_t>(leaf.value.isTrue() ? 0 : 1);
@@ -213,6 +213,40 @@ struct Toggle {
 
 } // namespace
 
+namespace {
+
+/// Variables that differ between the two beginnings and are not in `known`.
+std::vector<Leaf> otherDifferences(const history::ScanInput& before, const history::ScanInput& now,
+                                   const std::vector<Leaf>& known) {
+    constexpr size_t kMost = 200;
+    const image::Layout& layout = now.program->layout;
+    std::vector<Leaf> found;
+    const auto isKnown = [](const std::vector<Leaf>& leaves, const std::string& path) {
+        return std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& leaf) { return leaf.path == path; });
+    };
+    for (const history::Patch& patch :
+         history::difference(before.image, now.image, sizeof(image::ImageHeader), layout.dataEnd, {})) {
+        for (uint32_t at = 0; at < patch.bytes.size() && found.size() < kMost;) {
+            Leaf leaf;
+            leaf.path = layout.pathAt(patch.offset + at);
+            const Result<image::Place> place = layout.find(leaf.path);
+            if (leaf.path.empty() || !place || layout.types->isAggregate(place->type)) {
+                ++at;
+                continue;
+            }
+            at = std::max(at + 1, place->offset + sizeOf(layout, *place) - patch.offset);
+            if (isKnown(known, leaf.path) || isKnown(found, leaf.path)) continue;
+            leaf.place = *place;
+            leaf.value =
+                types::readValue(*layout.types, place->type, std::span(now.image).subspan(place->offset), place->bit);
+            found.push_back(std::move(leaf));
+        }
+    }
+    return found;
+}
+
+} // namespace
+
 void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position changed, const Slice& slice,
                             uint32_t depth) {
     const Position base = previousRun(changed, slice.task, *asked.program);
@@ -220,9 +254,10 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
     Result<history::ScanInput> before = m_insight.history().inputOf(base);
     if (!now || !before || base == changed || before->program != now->program) return;
     const image::Layout& layout = asked.program->layout;
+    std::vector<Leaf> leaves = slice.leaves;
     std::vector<Toggle> toggles;
-    for (size_t i = 0; i < slice.leaves.size(); ++i) {
-        const Leaf& leaf = slice.leaves[i];
+    for (size_t i = 0; i < leaves.size(); ++i) {
+        const Leaf& leaf = leaves[i];
         if (leaf.isClock)
             toggles.push_back({Toggle::Kind::Clock, i});
         else if (!isSame(layout, leaf.place, before->image, now->image))
@@ -236,7 +271,7 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
         Rerunner::How how;
         for (const Toggle& toggle : taken) {
             if (toggle.kind == Toggle::Kind::Leaf)
-                copyPlace(layout, slice.leaves[toggle.leaf].place, before->image, input.image);
+                copyPlace(layout, leaves[toggle.leaf].place, before->image, input.image);
             if (toggle.kind == Toggle::Kind::Clock) how.clockBack = now->stamp.time - before->stamp.time;
             if (toggle.kind == Toggle::Kind::First) input.start.isFirst = before->start.isFirst;
             if (toggle.kind == Toggle::Kind::Forces) input.start.forces = before->start.forces;
@@ -247,7 +282,8 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
     std::vector<Toggle> found;
     for (const Toggle& toggle : toggles)
         if (comesOut({toggle}) == answer.before) found.push_back(toggle);
-    if (found.empty() && !toggles.empty() && comesOut(toggles) != answer.value) {
+    const auto togetherOf = [&] {
+        if (toggles.empty() || comesOut(toggles) == answer.value) return;
         found = toggles; // only together: leave out what does not matter
         for (size_t i = 0; i < found.size() && found.size() > 1;) {
             std::vector<Toggle> fewer = found;
@@ -257,11 +293,23 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
             else
                 ++i;
         }
+    };
+    if (found.empty()) togetherOf();
+    if (found.empty()) { // it was not on the way that was followed: whatever else differs
+        for (Leaf& other : otherDifferences(*before, *now, leaves)) {
+            toggles.push_back({Toggle::Kind::Leaf, leaves.size()});
+            leaves.push_back(std::move(other));
+        }
+        togetherOf();
     }
+    const auto isInside = [&](const Toggle& toggle) {
+        return toggle.kind == Toggle::Kind::Leaf && leaves[toggle.leaf].isInternal;
+    };
+    if (!std::all_of(found.begin(), found.end(), isInside)) std::erase_if(found, isInside);
     for (const Toggle& toggle : found) {
         Part part;
         if (toggle.kind == Toggle::Kind::Leaf || toggle.kind == Toggle::Kind::Clock) {
-            const Leaf& leaf = slice.leaves[toggle.leaf];
+            const Leaf& leaf = leaves[toggle.leaf];
             part = partOf(leaf, changed, *asked.program);
             if (!leaf.isClock)
                 part.before = textOf(layout, types::readValue(*layout.types, leaf.place.type,
@@ -271,6 +319,8 @@ void Reasoner::findTriggers(Explanation& answer, const Asked& asked, Position ch
             if (goesOn)
                 if (auto deeper = why({leaf.path, {}}, changed - 1, depth - 1))
                     part.because = std::move(deeper->triggers);
+            // What counts on from itself is no news.
+            std::erase_if(part.because, [&](const Part& deeper) { return deeper.path == part.path; });
         } else {
             part.path = toggle.kind == Toggle::Kind::First ? "first scan" : "forces";
         }

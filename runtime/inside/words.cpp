@@ -161,6 +161,12 @@ void addSteps(std::string& text, const image::CompiledProgram& program, const st
     for (const Step& step : steps) {
         const std::string value = shown(step.value);
         std::string line;
+        const bool isNamed = step.kind == Step::Kind::Leaf || step.kind == Step::Kind::Block ||
+                             !statementWords(program, step.range).empty();
+        if (!isNamed) { // made by the compiler
+            addSteps(text, program, step.steps, depth);
+            continue;
+        }
         switch (step.kind) {
         case Step::Kind::Statement:
             line = statementWords(program, step.range) + "   → " + value;
@@ -180,7 +186,7 @@ void addSteps(std::string& text, const image::CompiledProgram& program, const st
                    (step.note.empty() ? "" : ": " + step.note);
             break;
         case Step::Kind::Leaf:
-            if (step.path.empty()) continue;
+            if (step.path.empty() || step.isInternal) continue;
             line = step.path + " was " + value + " when the scan began";
             break;
         }

@@ -20,7 +20,12 @@ Result<expression::Expression> Reasoner::compile(const Question& question,
     const auto key = std::tuple(&program, question.text, question.scope);
     if (const auto known = m_expressions.find(key); known != m_expressions.end()) return known->second;
     auto checked = m_checked.find(&program);
-    if (checked == m_checked.end()) checked = m_checked.emplace(&program, driver::checkedOf(program)).first;
+    if (checked == m_checked.end()) {
+        driver::Checked found;
+        for (const auto& shared : m_insight.history().programs())
+            if (shared.get() == &program) found = driver::checkedOf(shared);
+        checked = m_checked.emplace(&program, std::move(found)).first;
+    }
     if (!checked->second.analysis) return Error{"the program was not built from sources", {}};
     auto expression = driver::compileExpression(checked->second, question.text, question.scope);
     return m_expressions.emplace(key, std::move(expression)).first->second;
@@ -168,6 +173,9 @@ Result<Writer> Reasoner::writerOf(const Question&, const image::Place& place, Po
     writer.path = nameOf(program.layout, place);
     uint32_t index = event.activation;
     if (event.node) writer.range = event.stmt()->range;
+    for (EventIndex i = last; writer.range.length() == 0 && i-- > 0;) // made by the compiler: what it belongs to
+        if ((*look)->events()[i].kind == WatchKind::Statement && (*look)->events()[i].activation == index)
+            writer.range = (*look)->events()[i].stmt()->range;
     writer.function = program.functions[(*look)->activations()[index].function].name;
     writer.instance = (*look)->instanceOf(index);
     for (; index != kNone; index = (*look)->activations()[index].parent) {

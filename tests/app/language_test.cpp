@@ -8,7 +8,7 @@
 namespace plc::app {
 namespace {
 
-class StudioLanguage : public testing::TestWithParam<const char*> {};
+class StudioLanguage : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(StudioLanguage, HasEveryActionAndMenu) {
     QTranslator texts;

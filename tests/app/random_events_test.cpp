@@ -140,7 +140,7 @@ constexpr std::array kWords{"IF a THEN\n", "END_IF;",      "x := 1;",
                             ":=",          "END_VAR",      "STEP S:",
                             "\"",          "[[",           "12345678901234567890"};
 
-class RandomEvents : public testing::Test {
+class RandomEvents : public ::testing::Test {
 protected:
     void SetUp() override {
         m_home.emplace("HOME", m_folder.path() + "/home");

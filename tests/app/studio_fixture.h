@@ -33,7 +33,7 @@ pulse(IN := NOT pulse.Q, PT := T#100ms);
 END_PROGRAM
 )";
 
-class StudioTest : public testing::Test {
+class StudioTest : public ::testing::Test {
 protected:
     void SetUp() override {
         QSettings("Stepwise", "Stepwise").clear();

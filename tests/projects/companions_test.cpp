@@ -51,7 +51,7 @@ TEST(Leftovers, OfASavingThatWasKilledAreGoneWhenTheProjectIsOpened) {
         folder.write(std::string(name) + ".saving-" + alive, "half");
     }
     folder.write("src/notes.saving-later", "a file of the user's");
-    ASSERT_TRUE(projects::openProject(folder.path()));
+    ASSERT_TRUE(projects::openProject({folder.path()}));
     for (const char* name : {"project.json", "src/main.st", "hmi/start.panel.json", "traces/a.trace.json"}) {
         EXPECT_FALSE(fs::exists(folder.path() + "/" + name + ".saving-" + gone)) << name;
         EXPECT_TRUE(fs::exists(folder.path() + "/" + name + ".saving-" + alive)) << name;

@@ -5,6 +5,7 @@
 #include "runtime/compiler/codegen/codegen.h"
 #include "runtime/compiler/driver/definitions.h"
 #include "runtime/compiler/driver/expression_compiler.h"
+#include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/debug_map.h"
 #include "runtime/compiler/jit/jit.h"
 #include "runtime/compiler/lower/lower.h"
@@ -79,7 +80,7 @@ void nameReferences(const std::shared_ptr<image::CompiledProgram>& program) {
 
 std::shared_ptr<image::CompiledProgram> assemble(const Checked& checked, facts::DebugMap&& debug, uint64_t version) {
     const tree::Program& tree = *checked.analysis->program;
-    auto program = std::make_shared<image::CompiledProgram>();
+    const std::shared_ptr<image::CompiledProgram> program(new image::CompiledProgram, KeepsAnalysis{checked.analysis});
     program->layout = tree.layout;
     program->initialImage = tree.initialImage;
     program->initialImage.resize(program->layout.imageSize);

@@ -58,13 +58,13 @@ struct Built {
 [[nodiscard]] Result<void> optimise(const Built& built, Progress* progress = nullptr);
 
 /// What a built program was made from; null: made otherwise.
-[[nodiscard]] const tree::Program* treeOf(const image::CompiledProgram& program);
-[[nodiscard]] Checked checkedOf(const image::CompiledProgram& program);
+[[nodiscard]] const tree::Program* treeOf(const std::shared_ptr<const image::CompiledProgram>& program);
+[[nodiscard]] Checked checkedOf(const std::shared_ptr<const image::CompiledProgram>& program);
 /// Code that reports what it computes (image/watch.h): the functions named (none: all) and whatever leads to them; the
 /// others run in the quick code. Any thread.
-[[nodiscard]] Result<std::shared_ptr<const image::Code>> compileWatched(const image::CompiledProgram& program,
-                                                                        const std::vector<uint32_t>& functions = {},
-                                                                        Progress* progress = nullptr);
+[[nodiscard]] Result<std::shared_ptr<const image::Code>>
+compileWatched(const std::shared_ptr<const image::CompiledProgram>& program,
+               const std::vector<uint32_t>& functions = {}, Progress* progress = nullptr);
 
 /// Compiles an expression (D7) for images of `checked`'s layout, as seen from instance path `scope` ("" = top).
 /// The error text is the first diagnostic's message.

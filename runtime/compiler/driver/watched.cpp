@@ -1,17 +1,28 @@
 #include "runtime/compiler/driver/driver.h"
+#include "runtime/compiler/driver/keeps_analysis.h"
 #include "runtime/compiler/facts/program_facts.h"
 #include "runtime/compiler/jit/jit.h"
 
 namespace plc::driver {
 
-const tree::Program* treeOf(const image::CompiledProgram& program) {
-    if (!program.facts) return nullptr;
-    return static_cast<const sema::Analysis*>(program.facts.get())->program.get();
+namespace {
+
+const sema::Analysis* analysisOf(const std::shared_ptr<const image::CompiledProgram>& program) {
+    const auto* owner = std::get_deleter<KeepsAnalysis>(program);
+    return owner ? owner->analysis.get() : nullptr;
 }
 
-Checked checkedOf(const image::CompiledProgram& program) {
-    return {std::make_shared<const SourceSet>(program.sources),
-            std::static_pointer_cast<const sema::Analysis>(program.facts)};
+} // namespace
+
+const tree::Program* treeOf(const std::shared_ptr<const image::CompiledProgram>& program) {
+    const sema::Analysis* analysis = analysisOf(program);
+    return analysis ? analysis->program.get() : nullptr;
+}
+
+Checked checkedOf(const std::shared_ptr<const image::CompiledProgram>& program) {
+    const auto* owner = std::get_deleter<KeepsAnalysis>(program);
+    if (!owner) return {};
+    return {std::make_shared<const SourceSet>(program->sources), owner->analysis};
 }
 
 namespace {
@@ -42,11 +53,11 @@ std::vector<bool> withCallers(const tree::Program& tree, const std::vector<uint3
 
 } // namespace
 
-Result<std::shared_ptr<const image::Code>> compileWatched(const image::CompiledProgram& program,
+Result<std::shared_ptr<const image::Code>> compileWatched(const std::shared_ptr<const image::CompiledProgram>& program,
                                                           const std::vector<uint32_t>& functions, Progress* progress) {
     const tree::Program* tree = treeOf(program);
-    if (!tree || !program.quick) return Error{"the program was not built from sources", {}};
-    return jit::compileWatched(*tree, withCallers(*tree, functions), program.quick, progress);
+    if (!tree || !program->quick) return Error{"the program was not built from sources", {}};
+    return jit::compileWatched(*tree, withCallers(*tree, functions), program->quick, progress);
 }
 
 } // namespace plc::driver

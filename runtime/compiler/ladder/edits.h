@@ -78,7 +78,7 @@ private:
     [[nodiscard]] Edits removal(const syntax::Expr& expr, const Rung& rung) const;
     [[nodiscard]] TextEdit combined(const syntax::Expr& expr, const Rung& rung, const Operand& operand, int level,
                                     Place place) const;
-    [[nodiscard]] Result<Edits> setConditionalCoil(const Node& node, CoilKind kind) const;
+    [[nodiscard]] Result<Edits> setConditionalCoil(const Rung& rung, const Node& node, CoilKind kind) const;
     [[nodiscard]] Result<Edits> removeOutput(NodeId node) const;
     [[nodiscard]] bool writesItsPower(const Rung& rung, const std::string& power) const;
     [[nodiscard]] const syntax::Stmt* firstWithPower(const Rung& rung) const;

@@ -201,10 +201,9 @@ private:
             return bars(s, y);
         case ShapeKind::Coil: {
             const double right = middleX(s.x + s.w);
-            path("M" + point(x + 4, y - 7) + "Q" + point(x - 3, y) + " " + point(x + 4, y + 7) + "M" +
-                     point(right - 4, y - 7) + "Q" + point(right + 3, y) + " " + point(right - 4, y + 7),
+            path("M" + point(x + 1, y - 7) + "Q" + point(x - 5, y) + " " + point(x + 1, y + 7) + "M" +
+                     point(right - 1, y - 7) + "Q" + point(right + 5, y) + " " + point(right - 1, y + 7),
                  "w k");
-            path("M" + point(x, y) + "h0.5M" + point(right, y) + "h-0.5", "w");
             if (s.text == "/") return path("M" + point(x + 4, y + 5) + "L" + point(right - 4, y - 5), "w");
             return text((x + right) / 2, y + 4, s.text == " " ? "" : s.text, "t", "middle");
         }

@@ -28,7 +28,7 @@ private:
         bool isUsed = false;
     };
 
-    // statements (projector.cpp)
+    // frames, comments, text (projector_frames.cpp)
     void block(const syntax::Block& block, int depth, uint32_t begin, uint32_t end);
     size_t logicRung(const syntax::Block& block, size_t at, int depth);
     void frame(const syntax::Stmt& stmt, int depth);
@@ -104,5 +104,12 @@ private:
 /// Without parentheses around all of it.
 [[nodiscard]] std::string unparenthesised(std::string text);
 [[nodiscard]] bool isLeaf(const syntax::Expr& expr);
+/// The operands of AND in order; anything else is its only part.
+void andParts(const syntax::Expr& expr, std::vector<const syntax::Expr*>& out);
+/// The text between the parentheses around an expression; all of it without them.
+[[nodiscard]] SourceRange innerRange(const syntax::Expr& expr, std::string_view text);
+/// With those inside them; empty ones do not count.
+[[nodiscard]] size_t countStatements(const syntax::Stmt& stmt);
+[[nodiscard]] size_t countStatements(const syntax::Block& block);
 
 } // namespace plc::ladder

@@ -86,6 +86,7 @@ void emitLocals(World& world, Checker& checker, Unit& unit, std::vector<tree::St
 
 } // namespace
 
+///   ok:    IF a > 0 THEN F := 1; ELSE F := 2; END_IF      advice: IF a > 0 THEN F := 1; END_IF  in FUNCTION F (P3008)
 void World::checkBody(Unit& unit) {
     tree::Function& function = functions[unit.function.index()];
     const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;

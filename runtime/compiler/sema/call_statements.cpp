@@ -15,6 +15,9 @@ bool isInFrame(const tree::Place& place, const tree::Function& function) {
 }
 } // namespace
 
+/// A call as a statement: an instance, an action, a function for its effects.
+///   ok:    t(IN := TRUE); SetUp();      wrong: x();  with x : INT (P2008)
+///   advice: SIN(r);  (P2033)
 void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     const syntax::Expr& e = *stmt.value;
@@ -100,6 +103,7 @@ void Checker::callStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& 
 
 /// inst(in := a, io := b, out => c): a Block of assignments, bindings, the call of the body, and assignments from the
 /// outputs.
+///   wrong: b();  for VAR_IN_OUT x (P2010); b();  of FUNCTION_BLOCK ABSTRACT B (P2025)
 void Checker::instanceCall(tree::Place* instance, Unit& unit, const syntax::Expr& e, const Denoted& callee,
                            std::vector<tree::Stmt*>& out, SourceRange range) {
     world.completeUnit(unit, e.range);

@@ -21,6 +21,10 @@ bool fitsPartOfDate(const Unit& unit, const Variable& part, TypeKind to) {
 using syntax::ArgumentKind;
 using syntax::SectionKind;
 
+/// Which argument belongs to which parameter: by name, or by position.
+///   ok:    t(IN := TRUE, Q => b); F(1, 2);
+///   wrong: t(INN := TRUE);  (P2009)   F(1, 2, 3);  of two (P2011)   t(IN := TRUE, IN := FALSE);  (P2012)
+///          t(Q := b);  (P2036)
 Checker::Matched Checker::match(const syntax::Expr& call, const std::string& name,
                                 const std::vector<Variable*>& parameters) {
     Matched out;
@@ -145,6 +149,8 @@ tree::Expr* Checker::defaultOf(Variable& parameter, SourceRange range) {
     return constant(std::move(value), {}).expr;
 }
 
+/// The variable that an IN_OUT parameter stands for; what has no address goes in and out by copy.
+///   ok:    F(io := x); F(io := w.3);      wrong: F(io := 5);  (P2013)   F(io := c);  with a constant c (P2005)
 tree::Place* Checker::inOutTarget(Variable& parameter, const syntax::Argument& argument,
                                   std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after) {
     const TypeId type = world.typeOf(parameter);
@@ -233,6 +239,8 @@ void Checker::prepareCall(tree::Call& call, const Denoted& callee, SourceRange r
     recordCall(unit.function, call.dispatch != tree::Call::Dispatch::Direct, range);
 }
 
+/// A call of a function or method as a value.
+///   ok:    x := F(1, 2); x := F(a := 1);  where b has an initial value      wrong: x := F(1);  (P2010)
 Operand Checker::callUnit(const Denoted& callee, const syntax::Expr& e) {
     Unit& unit = *callee.unit;
     world.completeUnit(unit, e.range);
@@ -408,6 +416,7 @@ Operand Checker::withEnable(Operand value, const StandardArguments& arguments, S
     return {out, &types};
 }
 
+///   wrong: x := block.Speed;  where Speed has only SET (P2023)
 Operand Checker::propertyValue(const Denoted& denoted, SourceRange range) {
     Property& property = *denoted.property;
     if (!property.get) {
@@ -432,6 +441,7 @@ Operand Checker::propertyValue(const Denoted& denoted, SourceRange range) {
     return callUnit(callee, bare);
 }
 
+///   ok:    x := F(1);      wrong: b := t(IN := TRUE);  with t : TON (P2023)   x := y(1);  with y : INT (P2008)
 Operand Checker::call(const syntax::Expr& e, TypeId hint) {
     const Denoted callee = denote(*e.base, Access::Call, hint);
     const auto checkArguments = [&] { // for the names inside, although the call itself is wrong

@@ -40,6 +40,7 @@ private:
 } // namespace
 
 /// CASE by a text or a REAL: told, with the same written as IF … ELSIF where the places are clear.
+///   wrong: CASE s OF 'a': … END_CASE  with s : STRING (P2041)
 void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
     auto& diagnostic = emit(stmt.value->range, findings::CaseSelector(nameOf(type)));
     const FileId file = stmt.range.file;
@@ -72,6 +73,10 @@ void Checker::refuseSelector(const syntax::Stmt& stmt, TypeId type) {
     diagnostic.fixes.push_back({fixes::WriteIfAndElsif(), std::move(edits)});
 }
 
+/// CASE (edition 3, 7.3.3.3.3): its labels are constants, each once.
+///   ok:    CASE x OF 1..3: … 4: … END_CASE
+///   wrong: CASE x OF 1..3: … 2: … END_CASE  (P3010)   CASE x OF y: …  (P2019)   CASE x OF 3..1: …  (P3027)
+///   advice: CASE color OF Red: … END_CASE  where Green is left over (P3009)
 void Checker::caseStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.value) return;
     Operand selector = settled(expression(*stmt.value));

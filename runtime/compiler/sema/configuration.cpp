@@ -132,6 +132,8 @@ void World::accessPrograms() {
 }
 
 /// VAR_CONFIG: addresses and initial values of variables inside instances; VAR_ACCESS: other names for them.
+///   ok:    VAR_CONFIG I.x : INT := 5; END_VAR      wrong: VAR_CONFIG I.missing : INT := 5; END_VAR  (P3028)
+///          VAR_CONFIG I.x AT %QW* : INT; END_VAR  (P3029)
 void World::applyVarConfig() {
     const auto apply = [&](const syntax::VarSection& section, const Configuration& configuration,
                            const syntax::ResourceDecl* resource) {

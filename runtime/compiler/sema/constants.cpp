@@ -74,6 +74,7 @@ const types::Value* World::constantOf(Variable& variable) {
     return fold(variable);
 }
 
+///   ok:    a : INT := b; b : INT := 5;  (CONSTANT)      wrong: a : INT := b; b : INT := a;  (P3003)
 const types::Value* World::fold(Variable& variable) {
     switch (variable.folding) {
     case Folding::Constant:

@@ -77,6 +77,7 @@ TypeId Checker::commonType(const Operand& a, const Operand& b) const {
     return elementary(p == Family::Unsigned ? own : other);
 }
 
+///   wrong: x := 'a text'; b := r; t := 5;  with INT, BOOL and TIME (P2003)
 void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
     auto& diagnostic = emit(range, findings::TypeMismatch(nameOf(from), nameOf(to)));
     const TypeKind a = types.storageKind(from), b = types.storageKind(to);
@@ -106,6 +107,7 @@ void Checker::mismatch(SourceRange range, TypeId from, TypeId to) {
 
 /// A number or another enumeration's value for a strict enumeration; a name of another enumeration may be meant as one
 /// of its own.
+///   wrong: c := i;  with c of an enumeration with {attribute 'strict'} (P2038)
 void Checker::strictMismatch(SourceRange range, std::string what, TypeId to) {
     auto& diagnostic = emit(range, findings::StrictEnum(std::move(what), nameOf(to)));
     if (!range.file.isValid() || types[to].enumerators.empty() || types[to].enumerators.size() > 5) return;
@@ -115,6 +117,7 @@ void Checker::strictMismatch(SourceRange range, std::string what, TypeId to) {
     }
 }
 
+///   wrong: i := c + 1;  with c of an enumeration with {attribute 'strict'} (P2039)
 bool Checker::isStrict(const Operand& operand) {
     if (!isKind(operand.type(), TypeKind::Enum) || !types[operand.type()].isStrict) return false;
     const std::string function = "TO_" + std::string(types::spelling(types.storageKind(operand.type())));
@@ -161,6 +164,7 @@ Operand Checker::sameBits(Operand operand, TypeId to) {
     return {e, &types};
 }
 
+///   ok:    s := 'abcd';  with STRING(4)      advice: with STRING(3) (P2028)      wrong: s := 'Ω';  (P2027)
 Operand Checker::convertedText(Operand operand, TypeId to) {
     const TypeId from = operand.type();
     const SourceRange range = operand.expr->range;
@@ -205,6 +209,7 @@ bool holdsAddress(TypeKind kind) {
 
 /// A literal or a constant number as `to`: by its value, not by its type. None: as any operand of its type, which a
 /// literal then has taken.
+///   ok:    x := 40000;  with DINT      wrong: with INT (P2018)   x := 11;  with INT(1..10) (P2018)
 std::optional<Operand> Checker::convertedConstant(Operand& operand, TypeId to) {
     const TypeId from = operand.type();
     const SourceRange range = operand.expr->range;
@@ -321,6 +326,7 @@ std::optional<Operand> Checker::convertedObject(const Operand& operand, TypeId t
 
 /// Says where an operation was done in fewer bits than its result is given; returns whether it divides integers for a
 /// REAL, which is told as that and not as narrowing.
+///   ok:    d := INT_TO_DINT(i) * i; r := i / 2.0;      advice: d := i * i;  (P2030)   r := i / 2;  (P2029)
 bool Checker::tellEarlyOperation(const Operand& operand, TypeId to) {
     const tree::Expr& e = *operand.expr;
     const TypeId from = operand.type();
@@ -342,6 +348,7 @@ bool Checker::tellEarlyOperation(const Operand& operand, TypeId to) {
 }
 
 /// An implicit conversion that may lose something; false: it is refused.
+///   ok:    d := i; l := r;      advice: i := d;  (P2004)   c := i;  with an enumeration (P2032)
 bool Checker::tellNarrowing(const Operand& operand, TypeId to) {
     const SourceRange range = operand.expr->range;
     const TypeId from = operand.type();

@@ -156,6 +156,7 @@ void World::declare(const syntax::Decl& decl, Space& space, const syntax::Syntax
     }
 }
 
+///   ok:    NAMESPACE Here … END_NAMESPACE USING Here;      wrong: USING Nowhere;  (P3026)
 void World::resolveUsings() {
     const auto resolve = [&](Space& from, const syntax::Path& path) -> Space* {
         for (Space* start = &from; start; start = start->parent) {
@@ -194,6 +195,7 @@ void World::resolveUsings() {
     }
 }
 
+///   wrong: FUNCTION F … END_FUNCTION FUNCTION f … END_FUNCTION  (P3001)
 Unit* World::declareUnit(const syntax::Pou& pou, Space& space, const syntax::SyntaxFile& file) {
     Unit& unit = units.emplace_back();
     switch (pou.kind) {
@@ -271,6 +273,7 @@ Unit* World::declareMethod(const syntax::Pou& pou, Unit& owner, std::string_view
     return &unit;
 }
 
+///   wrong: VAR lamp : BOOL; END_VAR … ACTION lamp: … END_ACTION  (P4017, advice: steps and calls mean the ACTION)
 void World::declareMembers(Unit& unit) {
     const syntax::Pou& pou = *unit.pou;
     declareVariables(unit, pou.sections);
@@ -409,6 +412,7 @@ void World::declareImplicitEno(Unit& unit) {
     unit.hasImplicitEno = true;
 }
 
+///   wrong: VAR x : INT; X : BOOL; END_VAR  (P3001)
 Variable& World::addVariable(Unit& unit, Variable variable, const std::vector<syntax::Pragma>* pragmas) {
     variable.owner = &unit;
     variable.space = unit.space;
@@ -522,6 +526,7 @@ void World::declareGlobals(const syntax::GlobalList& declared, Space& space, con
     }
 }
 
+///   ok:    TYPE E : (A, B, C); END_TYPE      wrong: TYPE E : (A, B, A); END_TYPE  (P3001)
 EnumType* World::declareEnum(const syntax::TypeSpec& spec, std::string name, const Scope& scope,
                              std::unordered_map<NameId, std::vector<EnumeratorRef>>& table,
                              const std::vector<syntax::Pragma>* attributes) {

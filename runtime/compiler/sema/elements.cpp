@@ -9,6 +9,9 @@ using syntax::ExprKind;
 
 using DK = Denoted::Kind;
 
+/// An element of an array, a character of a text, what lies behind a pointer.
+///   ok:    a[i, 2]; s[1]; p[3]      wrong: x[1]  with x : INT (P2014)   a[1]  of two dimensions (P2015)
+///          a[3]  of ARRAY[1..2] (P2016)
 Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     Denoted from = denote(*e.base, access == Access::Address ? Access::ReadWrite
                                    : access == Access::Call  ? Access::ReadWrite
@@ -147,6 +150,7 @@ Denoted Checker::denoteIndex(const syntax::Expr& e, Access access) {
     }
 }
 
+///   ok:    p^ := 5;  with p : REF_TO INT      wrong: x^ := 5;  with x : INT (P2020)
 Denoted Checker::denoteDeref(const syntax::Expr& e, Access access) {
     if (e.base->kind == ExprKind::This || e.base->kind == ExprKind::Super) {
         Denoted out = denote(*e.base, access);
@@ -176,6 +180,7 @@ Denoted Checker::denoteDeref(const syntax::Expr& e, Access access) {
     return out;
 }
 
+///   ok:    b.7  with b : BYTE      wrong: b.8  (P2021)
 Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
     const Access baseAccess = access == Access::Write || access == Access::Address ? Access::ReadWrite : access;
     Denoted from = denote(*e.base, baseAccess);
@@ -255,6 +260,7 @@ Denoted Checker::denoteBit(const syntax::Expr& e, Access access) {
     return out;
 }
 
+///   ok:    %IX0.7      wrong: %IX99999999.0  (P2034)
 Denoted Checker::denoteAddress(const syntax::Expr& e) {
     const auto address = parseAddress(e.text);
     if (!address || address->isOpen) {

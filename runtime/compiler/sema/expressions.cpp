@@ -65,6 +65,7 @@ Operand Checker::settled(Operand operand, TypeId hint) {
     return convertNode(operand, type);
 }
 
+///   wrong: x := F;  with a FUNCTION F that has parameters (P2023)
 Operand Checker::value(Denoted denoted, const syntax::Expr& e, TypeId hint) {
     switch (denoted.kind) {
     case Denoted::Kind::Nothing:
@@ -201,6 +202,7 @@ Operand Checker::aggregate(const syntax::Expr& e, TypeId hint) {
     return constant(types::readValue(types, hint, initial.bytes), e.range);
 }
 
+///   ok:    IF x > 0 THEN      wrong: IF x THEN  with x : INT (P2022)
 tree::Expr* Checker::condition(const syntax::Expr& e) {
     Operand operand = expression(e, elementary(TypeKind::Bool));
     if (operand.isUnknown()) return operand.expr;

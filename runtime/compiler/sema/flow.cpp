@@ -58,6 +58,8 @@ void World::checkUnusedActions() {
     }
 }
 
+///   ok:    VAR x : INT := 1; y : INT; END_VAR y := x;
+///   advice: VAR x : INT; END_VAR  that nothing names (P3005)   y := x;  where nothing writes x (P3006)
 void World::checkUsage() {
     gatherConfigured();
     checkUnusedGlobals();
@@ -181,6 +183,9 @@ void World::checkFrames(const std::vector<std::vector<uint32_t>>& edges,
     }
 }
 
+/// Recursion of functions is not allowed (edition 2, 2.5); that of methods is guarded while it runs.
+///   wrong: FUNCTION F … F := F(n - 1); END_FUNCTION  (P3004)
+///   advice: METHOD M … M := M(n - 1); END_METHOD  (P3032)
 void World::checkRecursion() {
     std::vector<std::vector<uint32_t>> edges(functions.size());
     std::vector<Unit*> unitOfFunction(functions.size(), nullptr);

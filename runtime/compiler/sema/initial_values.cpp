@@ -60,6 +60,9 @@ void World::writeConstant(InitialValue& out, TypeId type, uint32_t offset, int16
     types::writeValue(types, type, value, std::span(out.bytes).subspan(offset, size), bit);
 }
 
+/// An initial value at a place of its type.
+///   ok:    a : ARRAY[1..3] OF INT := [1, 2(0)]; p : Point := (x := 1);
+///   wrong: a : ARRAY[1..2] OF INT := [1, 2, 3];  (P3031)   p : Point := (z := 1);  (P2002)
 void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
                        const Scope& scope, const std::vector<syntax::Argument>* constructor) {
     const TypeKind kind = types.kind(type);
@@ -82,7 +85,7 @@ void World::initialise(InitialValue& out, TypeId type, uint32_t offset, int16_t 
                 emit(argument.range, findings::Expected(phrases::AMembersName(), textOf(argument.value->range)));
                 continue;
             }
-            const types::Field* field = types[type].findField(argument.name.text);
+            const types::Field* field = fieldOf(type, argument.name.text);
             if (!field) {
                 suggest(emit(argument.name.range, findings::UnknownMember(nameOf(type), argument.name.text)),
                         argument.name.range, argument.name.text, memberNames(type));

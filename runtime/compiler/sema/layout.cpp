@@ -105,6 +105,7 @@ image::AreaRange World::areaOf(Area area) const {
 }
 
 /// Gives a variable with a complete address its place (again once the areas are measured).
+///   wrong: x AT %IX99999999.0 : BOOL;  (P2034)
 void World::locate(Variable& variable, std::string_view text) {
     const auto address = parseAddress(text);
     const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid()
@@ -329,6 +330,7 @@ private:
 };
 } // namespace
 
+///   ok:    a AT %MW0 : WORD; b AT %MB2 : BYTE;      advice: a AT %MW0 : WORD; b AT %MB1 : BYTE;  (P3011)
 void World::checkOverlaps() {
     struct Used {
         const Variable* variable;

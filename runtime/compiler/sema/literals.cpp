@@ -106,6 +106,7 @@ std::u32string parseText(std::string_view text, bool isWide) {
 
 } // namespace
 
+///   ok:    16#FF, T#1s500ms      wrong: SINT#200  (P2018)   T#1x  (P1005)
 Operand Checker::literal(const syntax::Expr& e, TypeId hint) {
     TypeId typed;
     if (e.prefix.isValid()) {

@@ -61,12 +61,14 @@ syntax::Access accessOf(const syntax::VarSection* section) {
 }
 } // namespace
 
+///   ok:    METHOD PUBLIC M      wrong: b.M()  of METHOD PRIVATE M (P2026)
 bool Checker::checkAccess(syntax::Access access, const Unit* owner, const std::string& name, SourceRange range) {
     if (isExpression || isTest || world.isAccessible(access, owner, scope)) return true; // a watch sees everything
     emit(range, findings::NoAccess(name, accessWord(access)));
     return false;
 }
 
+///   wrong: THIS^.x  in a FUNCTION (P3018)
 Denoted Checker::denote(const syntax::Expr& e, Access access, TypeId hint) {
     switch (e.kind) {
     case ExprKind::NameRef:
@@ -119,6 +121,7 @@ Denoted Checker::denoteName(const syntax::Expr& e, Access access, TypeId hint) {
     return found(result, e.name, access, hint);
 }
 
+///   ok:    x := x + 1;      wrong: x := y;  where nothing is called y (P2001)
 Denoted Checker::found(const World::Found& result, const syntax::Name& name, Access access, TypeId hint) {
     if (result.member.variable && result.member.variable->isResult && access == Access::Call &&
         !result.member.unit) { // F(…) inside F
@@ -233,6 +236,7 @@ Denoted Checker::found(const World::Found& result, const syntax::Name& name, Acc
 }
 
 /// `instance`: the block it is a variable of; null: seen from inside, or a global.
+///   wrong: c := 6;  with VAR CONSTANT c (P2005)   x := b.temp;  with VAR_TEMP temp (P2026)
 Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRange range, Access access) {
     const TypeId type = world.typeOf(declared);
     refer(range, declared.symbol, access);
@@ -323,6 +327,7 @@ Denoted Checker::ofVariable(Variable& declared, tree::Place* instance, SourceRan
     return out;
 }
 
+///   ok:    t.Q; p.x      wrong: t.Z  with t : TON (P2002)
 Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& name, SourceRange range, Access access) {
     const TypeId type = base->type;
     const NameId id = world.key(name.text);
@@ -336,7 +341,7 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
         return {};
     case TypeKind::Struct:
     case TypeKind::Union: {
-        const types::Field* field = types[type].findField(name.text);
+        const types::Field* field = world.fieldOf(type, name.text);
         if (!field) return unknownMember();
         if (const auto it = world.structsByType.find(type); it != world.structsByType.end()) {
             const auto index = static_cast<size_t>(field - types[type].fields.data());
@@ -424,7 +429,7 @@ Denoted Checker::memberOf(tree::Place* base, Denoted from, const syntax::Name& n
 bool Checker::hasMembers(Variable& variable, std::string_view name) {
     const TypeId type = world.typeOf(variable);
     const TypeKind kind = types.kind(type);
-    if (kind == TypeKind::Struct || kind == TypeKind::Union) return types[type].findField(name) != nullptr;
+    if (kind == TypeKind::Struct || kind == TypeKind::Union) return world.fieldOf(type, name) != nullptr;
     return kind == TypeKind::Block || kind == TypeKind::Interface || kind == TypeKind::Pointer ||
            kind == TypeKind::Reference || kind == TypeKind::Unknown;
 }

@@ -170,6 +170,9 @@ void addProperty(const World& world, const Unit& unit, const Property& property,
 
 } // namespace
 
+/// What a block takes over is kept (edition 3, 6.6.5 to 6.6.7).
+///   wrong: FUNCTION_BLOCK B IMPLEMENTS I  without the METHOD M of I (P3014)
+///          METHOD M : REAL  where the base has METHOD M : INT (P3015)   METHOD OVERRIDE N  where no base has N (P3034)
 void World::checkInheritance(Unit& unit) {
     for (Unit* method : unit.methods) {
         Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;

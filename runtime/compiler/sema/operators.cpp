@@ -58,6 +58,7 @@ bool isTimeFamily(Family family) {
 
 } // namespace
 
+///   wrong: x := x / 0; x := x MOD (1 - 1);  (P2017)
 Operand Checker::makeBinary(BinaryOp op, TypeId operandType, Operand a, Operand b, SourceRange range) {
     const TypeId result = isCompare(op) ? elementary(TypeKind::Bool) : operandType;
     const bool divides = op == BinaryOp::Divide || op == BinaryOp::Modulo;
@@ -184,6 +185,7 @@ Operand Checker::unary(const syntax::Expr& e, TypeId hint) {
     return negated(operand, e.range);
 }
 
+///   ok:    -i      wrong: -s  with s : STRING (P2006)
 Operand Checker::negated(Operand operand, SourceRange range) {
     if (operand.isUnknown()) return operand;
     if (isStrict(operand)) return unknown(range);
@@ -218,6 +220,7 @@ Operand Checker::negated(Operand operand, SourceRange range) {
     return {out, &types};
 }
 
+///   ok:    NOT w      wrong: NOT r  with r : REAL (P2006)
 Operand Checker::inverted(Operand operand, SourceRange range) {
     if (operand.isUnknown()) return operand;
     operand = settled(operand);
@@ -263,6 +266,10 @@ Operand Checker::binary(const syntax::Expr& e, TypeId hint) {
                     : combine(*op, spelling, a, b, e.range, e.operatorRange, hint);
 }
 
+/// An operator between two operands (edition 3, table 71).
+///   ok:    b OR c; i MOD 2; d + t  with d : DT, t : TIME
+///   wrong: b + c  with BOOL (P2006)   r MOD 2.0  (P2006)   t + d  with t : TIME, d : DATE (P2007)
+///   advice: r := 1 / 2;  (P2029)
 Operand Checker::combine(BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
                          SourceRange operatorRange, TypeId hint) {
     if (a.isUnknown() || b.isUnknown() || isStrict(a) || isStrict(b)) return unknown(range);
@@ -404,6 +411,8 @@ Operand Checker::arithmeticOnTimes(BinaryOp op, std::string_view spelling, Opera
     return unknown(range);
 }
 
+///   ok:    s = 'a'; i < u  with INT and UINT
+///   wrong: s = i  (P2007)   a = b  with arrays (P2040)      advice: l < u  with LINT and ULINT (P2031)
 Operand Checker::compare(BinaryOp op, std::string_view spelling, Operand a, Operand b, SourceRange range,
                          SourceRange operatorRange) {
     if (a.isUnknown() || b.isUnknown()) return unknown(range);

@@ -190,7 +190,8 @@ struct StructType {
     std::string name;
     bool isUnion = false;
     Progress progress = Progress::Open;
-    std::vector<SymbolId> symbols; // by field
+    std::vector<SymbolId> symbols;                // by field
+    std::unordered_map<NameId, uint32_t> indices; // of its fields by name and alias, once it is laid out
 };
 
 struct GlobalsList {

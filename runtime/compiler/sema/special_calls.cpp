@@ -7,6 +7,7 @@ namespace plc::sema {
 
 using types::Family;
 
+///   ok:    p := REF(w);      wrong: p := REF(w.3);  (P2037)
 Operand Checker::addressOf(tree::Place* place, TypeId pointer, SourceRange range) {
     if (!hasAddress(place)) {
         emit(range, findings::TemporaryReference());
@@ -30,6 +31,8 @@ Operand Checker::isNull(Operand pointer, SourceRange range) {
     return {e, &types};
 }
 
+/// LOWER_BOUND and UPPER_BOUND of ARRAY[*] .
+///   ok:    UPPER_BOUND(a, 1)      wrong: UPPER_BOUND(x, 1)  with x : INT (P2014)   UPPER_BOUND(a, 3)  of two (P2016)
 Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
     const library::Signature* signature = library::findSignature(isUpper ? "UPPER_BOUND" : "LOWER_BOUND");
     const StandardArguments arguments = standardArguments(*signature, e);
@@ -67,6 +70,7 @@ Operand Checker::boundCall(const syntax::Expr& e, bool isUpper) {
     return {out, &types};
 }
 
+///   ok:    SIZEOF(a); SIZEOF(INT)      wrong: SIZEOF(a, b)  (P2011)
 Operand Checker::sizeCall(const syntax::Expr& e, TypeKind result) {
     if (e.arguments.size() != 1 || !e.arguments[0].value) {
         const Verbatim name("SIZEOF");
@@ -182,6 +186,7 @@ Operand Checker::exptCall(Operand base, Operand exponent, SourceRange range, Sou
 }
 
 /// __QUERYINTERFACE(from, to): to becomes from's block seen through its interface, or null; gives whether it could.
+///   ok:    __QUERYINTERFACE(i, j)      wrong: __QUERYINTERFACE(i)  (P2010)
 Operand Checker::queryCall(const syntax::Expr& e) {
     if (e.arguments.size() != 2 || !e.arguments[0].value || !e.arguments[1].value) {
         emit(e.base->range, findings::MissingArgument(Verbatim("TO"), textOf(e.base->range)));

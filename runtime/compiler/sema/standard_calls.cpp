@@ -32,6 +32,9 @@ Operand Checker::standardCall(std::string_view name, const syntax::Expr& e, Type
     return unknown(e.range);
 }
 
+/// Arguments of a standard function, by name (tables 22 to 36) or by position.
+///   ok:    LIMIT(MN := 1.0, IN := r, MX := 2.0)      wrong: LIMIT(MN := 1.0, INN := r, MX := 2.0)  (P2009)
+///          SIN(1.0, 2.0)  (P2011)   SIN()  (P2010)   SEL(G := b, G := b, IN0 := 1, IN1 := 2)  (P2012)
 Checker::StandardArguments Checker::standardArguments(const Signature& signature, const syntax::Expr& e) {
     StandardArguments out;
     const size_t count = signature.parameters.size();
@@ -108,6 +111,8 @@ Checker::StandardArguments Checker::standardArguments(const Signature& signature
     return out;
 }
 
+/// The generic types of the standard (edition 3, 6.4.3).
+///   ok:    ABS(i)      wrong: ABS(s)  with s : STRING (P2006)
 bool Checker::accepts(const library::Parameter& parameter, const Operand& operand, std::string_view functionName) {
     const TypeId type = operand.type();
     const Family family = types.family(type);
@@ -458,6 +463,7 @@ bool Checker::suitsConversion(const Operand& literal, TypeId from) const {
     return types::isInteger(family) || family == Family::Real;
 }
 
+///   ok:    INT_TO_REAL(i)      wrong: INT_TO_REAL(s)  with s : STRING (P2003)
 Operand Checker::conversionCall(const library::Conversion& conversion, std::string_view name, const syntax::Expr& e,
                                 TypeId hint) {
     Signature signature;

@@ -24,6 +24,7 @@ tree::Stmt* Checker::assignStmt(tree::Place* place, tree::Expr* value, SourceRan
     return stmt;
 }
 
+///   ok:    IF x > 1 THEN RETURN; END_IF x := 1;      advice: RETURN; x := 1;  (P3007)
 void Checker::statements(const syntax::Block& block, std::vector<tree::Stmt*>& out) {
     bool reported = false;
     for (size_t i = 0; i < block.size(); ++i) {
@@ -40,6 +41,7 @@ void Checker::statements(const syntax::Block& block, std::vector<tree::Stmt*>& o
     }
 }
 
+///   ok:    WHILE x < 5 DO EXIT; END_WHILE      wrong: x := 1; EXIT;  (P3020)   ASSERT x = 1;  in a PROGRAM (P6001)
 void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     switch (stmt.kind) {
     case StmtKind::Empty:
@@ -102,6 +104,7 @@ void Checker::statement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out)
 }
 
 /// Where a value goes: a place or a property. Reports what can not be written.
+///   ok:    x := 5;      wrong: t.Q := TRUE;  (P2005)      advice: FOR i := 1 TO 5 DO i := i + 1; END_FOR  (P3021)
 Denoted Checker::target(const syntax::Expr& e, TypeId* type) {
     Denoted denoted = denote(e, Access::Write);
     switch (denoted.kind) {
@@ -208,6 +211,7 @@ void Checker::bindReference(tree::Place* raw, const syntax::Expr& value, SourceR
     if (!source.isUnknown()) out.push_back(assignStmt(raw, source.expr, range));
 }
 
+///   ok:    p REF= x;  with p : REFERENCE TO INT      wrong: x REF= y;  with x : INT (P2020)
 void Checker::assignReference(const Denoted& target, const syntax::Expr& value, SourceRange range,
                               std::vector<tree::Stmt*>& out) {
     tree::Place* place = target.place;
@@ -246,6 +250,7 @@ void Checker::assignAggregate(tree::Place* place, const syntax::Expr& value, Sou
 
 /// What a step names with a qualifier is an ACTION or a BOOL variable (2.6.4.1). A reset of the chart says nothing
 /// again.
+///   wrong: STEP s: missing(N); END_STEP  (P4010)
 bool Checker::isAssociable(const syntax::Stmt& stmt) {
     const syntax::Expr& name = *stmt.target;
     if (!name.name.isValid()) return true;
@@ -374,6 +379,9 @@ void Checker::ifStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& ou
     if (!before.isReachable) flow.isReachable = false;
 }
 
+/// FOR (edition 3, 7.3.3.4.2): the variable and its bounds are integers; they are computed once.
+///   ok:    FOR i := 1 TO 10 BY 2 DO … END_FOR      wrong: FOR r := 1.0 TO 2.0 DO … END_FOR  (P2006)
+///   advice: FOR i := 1 TO 10 BY 0 DO … END_FOR  (P3033)   FOR i := 5 TO 1 DO … END_FOR  (P3007)
 void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     if (!stmt.target) return;
     const Denoted variable = target(*stmt.target);
@@ -452,6 +460,7 @@ void Checker::forStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& o
     if (good && !from.isUnknown() && !to.isUnknown() && !by.isUnknown()) out.push_back(made);
 }
 
+///   advice: WHILE TRUE DO x := 1; END_WHILE  (P3033)
 void Checker::whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     tree::Stmt* made =
         newStmt(tree::StmtKind::While,
@@ -475,6 +484,7 @@ void Checker::whileStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>&
     if (made->a) out.push_back(made);
 }
 
+///   advice: REPEAT x := 1; UNTIL FALSE END_REPEAT  (P3033)
 void Checker::repeatStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     tree::Stmt* made =
         newStmt(tree::StmtKind::Repeat, stmt.range.file.isValid() && stmt.value ? stmt.value->range : stmt.range);
@@ -547,6 +557,7 @@ void Checker::labelStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>&
     flow.isReachable = true;
 }
 
+///   ok:    JMP here; … here: x := 2;      wrong: JMP there;  (P3019)
 void Checker::jumpStatement(const syntax::Stmt& stmt, std::vector<tree::Stmt*>& out) {
     for (Loop& loop : loops) loop.isLeft = true;
     const auto it = labels.find(world.key(stmt.name.text));

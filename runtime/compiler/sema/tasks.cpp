@@ -236,6 +236,8 @@ struct DeclaredTask {
     NameId id;
 };
 
+/// Task names are unique within a resource (edition 2, 2.7.2).
+///   wrong: TASK Fast(INTERVAL := T#10ms); TASK Fast(INTERVAL := T#20ms);  (P3012)
 std::vector<DeclaredTask> declaredTasks(World& world) {
     std::vector<DeclaredTask> tasks;
     world.forEachResource([&](const World::Configuration& configuration, const syntax::ResourceDecl& resource) {

@@ -33,6 +33,7 @@ std::optional<TypeKind> elementaryNamed(std::string_view name) {
     return std::nullopt;
 }
 
+///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[1..x] OF INT  with a variable x (P2019)
 std::optional<int64_t> World::constantInteger(const syntax::Expr* expr, const Scope& scope) {
     if (!expr) return std::nullopt;
     const Waiting wait(waitingCounter(), expr->height);
@@ -67,6 +68,7 @@ std::string_view ownNameOf(std::string_view foreign) {
 
 } // namespace
 
+///   wrong: x : Motr;  where nothing is called so (P3002)
 TypeId World::resolveNamed(const syntax::Path& path, const Scope& scope, SourceRange range) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     if (path.empty()) return unknown;
@@ -241,6 +243,7 @@ TypeId World::resolveSpec(const syntax::TypeSpec* spec, const Scope& scope, std:
     return unknown;
 }
 
+///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[3..1] OF INT  (P3027)
 TypeId World::resolveArray(const syntax::TypeSpec& spec, const Scope& scope) {
     const TypeId unknown = TypeTable::of(TypeKind::Unknown);
     const TypeId element = resolveSpec(spec.element, scope);
@@ -343,6 +346,8 @@ TypeId World::resolveSubrange(const syntax::TypeSpec& spec, const Scope& scope) 
     return types.subrange(types.storage(base), *low, *high);
 }
 
+///   ok:    VAR_GLOBAL g : INT; END_VAR … VAR_EXTERNAL g : INT; END_VAR      wrong: without the VAR_GLOBAL (P3022)
+///          VAR a : ARRAY[*] OF INT; END_VAR  (P3018)
 TypeId World::typeOf(Variable& variable) {
     if (variable.typeProgress == Progress::Done) return variable.type;
     if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
@@ -411,6 +416,7 @@ bool World::sameType(TypeId a, TypeId b) const {
     return false;
 }
 
+///   ok:    A : STRUCT b : REF_TO A; END_STRUCT      wrong: A : STRUCT b : A; END_STRUCT  (P3003)
 void World::reportCycle(TypeId type, SourceRange usedAt) {
     const types::Type& t = types[type];
     emit(usedAt.file.isValid() ? usedAt : t.declaration, findings::TypeCycle(t.name));
@@ -559,6 +565,14 @@ void World::completeEnum(EnumType& enumeration) {
     }
 }
 
+/// A field by its name; of a structure without a search, because a machine's whole data may be one.
+const types::Field* World::fieldOf(TypeId type, std::string_view name) {
+    const auto made = structsByType.find(type);
+    if (made == structsByType.end() || made->second->indices.empty()) return types[type].findField(name);
+    const auto found = made->second->indices.find(key(name));
+    return found == made->second->indices.end() ? nullptr : &types[type].fields[found->second];
+}
+
 void World::completeStruct(StructType& made) {
     if (made.progress != Progress::Open) return;
     made.progress = Progress::Working;
@@ -625,6 +639,10 @@ void World::completeStruct(StructType& made) {
                    types[made.type].declaration.file.isValid() ? types[made.type].declaration : made.spec->range)) {
         made.progress = Progress::Done;
         return;
+    }
+    for (uint32_t i = 0; i < type.fields.size(); ++i) {
+        made.indices.try_emplace(key(type.fields[i].name), i);
+        for (const std::string& alias : type.fields[i].aliases) made.indices.try_emplace(key(alias), i);
     }
     if (std::any_of(type.fields.begin(), type.fields.end(), [](const types::Field& f) { return f.isLocated; }))
         for (types::Field& field : type.fields) field.isLocated = true; // where it lies for those that extend it

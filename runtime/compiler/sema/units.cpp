@@ -83,6 +83,8 @@ void World::makeStatic(Variable& variable) {
     variable.storage = Storage::Absolute; // offset: layoutGlobals
 }
 
+/// Where the variables of a block or program live.
+///   wrong: FUNCTION_BLOCK B VAR_GLOBAL x : INT; END_VAR  (P3018)
 void World::placeVariables(Unit& unit, std::vector<std::pair<Variable*, uint32_t>>& fields) {
     types::Type& type = types.edit(unit.type);
     const auto add = [&](Variable& variable, std::string name, TypeId fieldType, bool isHidden) {
@@ -265,6 +267,8 @@ void World::completeUnit(Unit& unit, SourceRange usedAt) {
     types.edit(unit.type).base = unit.base ? unit.base->type : TypeId();
 }
 
+/// A function keeps nothing between its calls (edition 3, 6.6.2).
+///   wrong: FUNCTION F VAR RETAIN x : INT; END_VAR  (P3018)      advice: FUNCTION F VAR t : TON; END_VAR  (P3030)
 void World::completeFunction(Unit& unit) {
     const auto addLocal = [&](Variable& variable, tree::LocalKind kind) {
         tree::Function& function = functions[unit.function.index()];

@@ -132,6 +132,7 @@ public:
     TypeId resolveDeclared(DeclaredType& type);
     TypeId typeOf(Variable& variable);
     bool completeType(TypeId type, SourceRange usedAt);
+    [[nodiscard]] const types::Field* fieldOf(TypeId type, std::string_view name);
     [[nodiscard]] uint32_t nestingOf(TypeId type) const;
     TypeId nested(TypeId type, SourceRange range);
     void noteNesting(TypeId type, uint32_t nesting);

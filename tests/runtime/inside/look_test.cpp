@@ -121,13 +121,12 @@ TEST(Look, LoopsKeepThePassesAskedForWithinTheLimit) {
     session.controller().start();
     session.controller().scan();
     Insight insight(session.history());
-    const SourceRange loop = rangeOf(*session.program(), "FOR i := 1 TO 20000 DO n := n + i; END_FOR");
+    const SourceRange loop = rangeOf(*session.program(), "FOR i := 1 TO 20000 DO");
     LookOptions options;
     options.windows.push_back({loop, 15'000, 2});
     const auto look = insight.look(0, options);
     ASSERT_TRUE(look);
     EXPECT_TRUE((*look)->isExact());
-    const auto seen = (*look)->valuesOf(rangeOf(*session.program(), "i", "n + i"));
     EXPECT_EQ(texts(**look, (*look)->valuesOf(rangeOf(*session.program(), "n + i"))).size(), 2u);
     EXPECT_GT((*look)->leftOut(), 10'000u);
     LookOptions small;

@@ -1,6 +1,7 @@
 // Programs run by tests of runtime/inside, and places in their text.
 #pragma once
 #include "projects/session/session.h"
+#include "runtime/compiler/jit/jit.h"
 #include "runtime/inside/look.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 namespace plc::testing {
 
 inline driver::Built buildText(const std::string& text, std::vector<std::string> libraries = {}) {
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
     driver::BuildInput input;
     input.files.push_back({"main.st", text});
     input.libraries = std::move(libraries);

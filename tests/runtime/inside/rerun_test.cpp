@@ -1,7 +1,9 @@
 #include "runtime/inside/rerun.h"
 
 #include "projects/session/session.h"
+#include "projects/session/versions.h"
 #include "tests/projects/random_program.h"
+#include "tests/runtime/inside/recorded.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -10,15 +12,9 @@
 using namespace plc;
 using namespace std::chrono_literals;
 
-namespace {
+using plc::testing::buildText;
 
-driver::Built buildText(const std::string& text) {
-    driver::BuildInput input;
-    input.files.push_back({"main.st", text});
-    driver::Built built = driver::build(input);
-    EXPECT_TRUE(built.program) << built.failure << text;
-    return built;
-}
+namespace {
 
 types::Value integer(const image::Layout& layout, const std::string& path, int64_t value) {
     const auto place = layout.find(path);
@@ -127,14 +123,7 @@ TEST(RunAgain, EveryScanOfRandomProgramsWithInfluenceFromOutside) {
             (std::filesystem::temp_directory_path() / ("again" + std::to_string(::getpid()) + ".rec")).string();
         ASSERT_TRUE(session.history().save(file));
         const auto loaded = history::History::load(file, [](const history::History::Sources& sources) {
-            return driver::build({{{sources.files[0].first, sources.files[0].second}},
-                                  sources.libraries,
-                                  false,
-                                  {},
-                                  true,
-                                  false,
-                                  sources.libraryTexts})
-                .program;
+            return driver::build(session::recordedInput(sources)).program;
         });
         ASSERT_TRUE(loaded) << loaded.error().english();
         expectEveryScanAgain(**loaded, "file of seed " + std::to_string(seed + run));

@@ -38,16 +38,18 @@ protected:
         EXPECT_TRUE(found) << found.error().english();
         return found ? *found : WhyNot();
     }
+    /// Without the name of the list, which is the file's.
+    static std::string bare(const std::string& path) { return path.starts_with("main.") ? path.substr(5) : path; }
     static std::vector<std::string> names(const std::vector<Part>& parts) {
         std::vector<std::string> all;
-        for (const Part& part : parts) all.push_back(part.isClock ? "time" : part.path);
+        for (const Part& part : parts) all.push_back(part.isClock ? "time" : bare(part.path));
         return all;
     }
     static std::vector<std::string> ways(const WhyNot& answer) {
         std::vector<std::string> all;
         for (const std::vector<Change>& way : answer.ways) {
             std::string text;
-            for (const Change& change : way) text += (text.empty() ? "" : " ") + change.path + "=" + change.to;
+            for (const Change& change : way) text += (text.empty() ? "" : " ") + bare(change.path) + "=" + change.to;
             all.push_back(text);
         }
         return all;

@@ -95,8 +95,10 @@ private:
             const int left = value(*e.base, state), right = value(*e.right, state);
             switch (e.op) {
             case TokenKind::And:
+            case TokenKind::AndThen:
                 return left && right;
             case TokenKind::Or:
+            case TokenKind::OrElse:
                 return left || right;
             case TokenKind::Xor:
                 return left != right;

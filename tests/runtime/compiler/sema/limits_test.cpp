@@ -247,7 +247,10 @@ TEST(Limits, LongListsAreNoLongerThanTheyAre) {
                        "END_CASE\nEND_PROGRAM\n"),
               "");
     const std::string fields = lines(0, kMany, [](auto& i, auto&) { return "f" + i + " : INT;"; });
-    EXPECT_EQ(errorsOf("TYPE S : STRUCT\n" + fields + "END_STRUCT END_TYPE\n" + kMain), "");
+    const std::string uses = lines(0, kMany, [](auto& i, auto&) { return "s.F" + i + " := 1;"; });
+    EXPECT_EQ(errorsOf("TYPE S : STRUCT\n" + fields + "END_STRUCT END_TYPE\nPROGRAM Main\nVAR s : S; END_VAR\n" + uses +
+                       "s.g := 1;\nEND_PROGRAM\n"),
+              "P2002");
     const std::string located = lines(1, kMany, [](auto& i, auto&) { return "v" + i + " AT %MW" + i + " : INT;"; });
     EXPECT_EQ(errorsOf("VAR_GLOBAL\n" + located + "END_VAR\n" + kMain), "");
     EXPECT_EQ(errorsOf("NAMESPACE " + repeated("n.", kMany) + "n\nEND_NAMESPACE\n" + kMain), "P1019");

@@ -1,0 +1,13 @@
+// How a built program keeps what it was made from: its shared owner's deleter holds it, so that image/program.h need
+// not know the compiler. Private to driver.
+#pragma once
+#include "runtime/compiler/driver/driver.h"
+
+namespace plc::driver {
+
+struct KeepsAnalysis {
+    std::shared_ptr<const sema::Analysis> analysis;
+    void operator()(image::CompiledProgram* program) const { delete program; }
+};
+
+} // namespace plc::driver

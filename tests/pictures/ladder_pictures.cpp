@@ -1,0 +1,93 @@
+// Draws the ladder and function block diagrams of docs/ladder.md with the studio's own view, idle and running.
+// usage: ladder_pictures FOLDER light|dark
+#include "editor/graph/ladder_view.h"
+#include "editor/kit/theme.h"
+#include "projects/session/session.h"
+#include "projects/storage/project_file.h"
+#include "runtime/compiler/jit/jit.h"
+#include "runtime/controller/controller.h"
+#include "tests/support/paths.h"
+
+#include <QApplication>
+
+#include <cstdio>
+
+using namespace plc;
+
+namespace {
+
+struct Shot {
+    const char* project;
+    const char* file;
+    const char* unit;
+    const char* instance;
+    const char* name;
+    std::vector<const char*> pressed; // written once, before the first scan
+    int64_t ms;                       // how long it runs
+};
+
+const Shot kShots[] = {
+    {"workbook", "src/ladder.st", "LadderRungs", "LadderRungs", "rungs", {"LadderRungs.S1", "LadderRungs.S3"}, 2000},
+    {"command_monitor", "src/ladder.st", "CmdMonitorLadder", "Main.drawn.FWD_MON", "monitor", {"Plant.Open"}, 4000},
+    {"command_monitor", "src/ladder.st", "FwdRevMonBlocks", "Main.drawn", "blocks", {"Plant.Open"}, 4000},
+};
+
+void save(editor::LadderView& view, const QString& folder, const Shot& shot, const char* state) {
+    const QString path =
+        QString("%1/ladder_%2_%3_%4.png").arg(folder, shot.name, state, kit::colors().dark ? "dark" : "light");
+    const bool good = view.canvas().exportPng(path, 1.25);
+    std::fprintf(good ? stdout : stderr, good ? "%s\n" : "%s cannot be written\n", qPrintable(path));
+}
+
+bool take(const Shot& shot, const QString& folder) {
+    const auto project = projects::openProject({plc::sourceDir() + "/projects/examples/" + shot.project});
+    if (!project) return std::fprintf(stderr, "%s\n", project.error().english().c_str()), false;
+    driver::Built built = driver::build(project->buildInput());
+    if (!built.program) return std::fprintf(stderr, "%s has errors\n", shot.project), false;
+    std::string text;
+    for (const driver::SourceFile& file : project->sources)
+        if (file.path == shot.file) text = file.text;
+    editor::LadderView view;
+    view.setModel(analysis::CodeModel::make(project->buildInput()), shot.file);
+    view.setUnit(shot.unit);
+    view.setForm(std::string_view(shot.name) == "blocks" ? ladder::Form::Blocks : ladder::Form::Ladder);
+    view.resize(3000, 6000);
+    view.show();
+    view.setText(text);
+    QApplication::processEvents();
+    view.canvas().setZoom(1);
+    save(view, folder, shot, "idle");
+
+    session::Session session(std::move(built));
+    view.setValues([&](const QString& expression) {
+        editor::GraphValue out;
+        const auto compiled = session.expression(expression.toStdString(), shot.instance);
+        if (!compiled) return out;
+        const auto outcome = compiled->evaluate(session.controller().image());
+        if (!outcome.hasValue()) return out;
+        out.text = QString::fromStdString(types::toText(compiled->types(), outcome.value));
+        const types::TypeKind kind = compiled->types().storageKind(compiled->type());
+        out.isTrue = kind == types::TypeKind::Bool && outcome.value.isTrue();
+        if (kind == types::TypeKind::Time) out.nanoseconds = outcome.value.integer();
+        return out;
+    });
+    for (const char* path : shot.pressed)
+        (void)session.controller().write(path, types::Value{types::TypeTable::of(types::TypeKind::Bool), int64_t(1)});
+    session.runHere([&](const controller::Controller& c) { return c.lastTime().count() / 1'000'000 >= shot.ms; });
+    view.refreshOnline();
+    save(view, folder, shot, "running");
+    return true;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    const QString folder = argc > 1 ? argv[1] : ".";
+    const bool isDark = argc > 2 && QString(argv[2]) == "dark";
+    kit::Theme::install(application, isDark ? kit::ThemeChoice::Dark : kit::ThemeChoice::Light);
+    jit::setRuntimeSymbols(controller::runtimeSymbols());
+    bool good = true;
+    for (const Shot& shot : kShots) good = take(shot, folder) && good;
+    return good ? 0 : 1;
+}
