@@ -29,6 +29,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenuBar>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -57,7 +58,7 @@ void MainWindow::build() {
     setDockOptions(
         AllowNestedDocks |
         AllowTabbedDocks); // not animated: Qt 6.4 may crash when a layout is restored while a dock still moves
-    resize(1440, 900);
+    resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
     m_stack = new QStackedWidget(this);
     m_startPage = new StartPage(m_settings, m_stack);
     m_tabs = new EditorTabs(*m_workspace, *m_control, m_settings, m_stack);

@@ -20,9 +20,6 @@ class QLabel;
 class QStackedWidget;
 class QToolButton;
 
-namespace plc::testing {
-struct Report;
-}
 namespace plc::kit {
 class CommandPalette;
 class WorkStrip;
@@ -158,7 +155,6 @@ private:
     void connectParts();
     [[nodiscard]] std::vector<SearchView::PanelUse> usesInPanels(const sema::Symbol& symbol) const;
     void connectTests();
-    void logTests(const testing::Report& report);
     QDockWidget* addDock(const QString& name, const QString& title, int icon, QWidget* widget, Qt::DockWidgetArea area);
     void takeRecordingSettings();
     void keepRecording();

@@ -239,6 +239,23 @@ void MainWindow::runTests() {
     m_tests->runAll();
 }
 
+namespace {
+void logTests(editor::EventLog& log, const testing::Report& report) {
+    for (const std::string& text : report.diagnostics) log.addMessage(QString::fromStdString(text).trimmed(), true);
+    for (const testing::TestResult& result : report.results) {
+        log.addMessage((result.passed() ? MainWindow::tr("passed: %1") : MainWindow::tr("FAILED: %1"))
+                           .arg(QString::fromStdString(result.title)),
+                       !result.passed());
+        for (const testing::Failure& failure : result.failures)
+            log.addMessage(QString("    %1:%2  %3  %4")
+                               .arg(QString::fromStdString(failure.file))
+                               .arg(failure.line)
+                               .arg(kit::messageText(failure.message), kit::messageText(failure.detail)),
+                           true);
+    }
+}
+} // namespace
+
 void MainWindow::connectTests() {
     connect(m_tests, &TestView::placeRequested, m_tabs, &EditorTabs::goToLine);
     connect(m_tests, &TestView::recordingRequested, this, &MainWindow::showRecording);
@@ -253,27 +270,12 @@ void MainWindow::connectTests() {
     connect(m_testRunner, &TestRunner::failed, this, [this](const QString& message) { say(message, true); });
     connect(m_testRunner, &TestRunner::ended, this,
             [this](const std::shared_ptr<const testing::Report>& report, bool isCancelled) {
-                logTests(*report);
+                logTests(*m_log, *report);
+                if (report->hasErrors) showDock("log"); // why none could run
                 if (isCancelled) say(tr("The tests were cancelled"));
                 say(tr("%1 passed, %2 failed").arg(report->results.size() - report->failed()).arg(report->failed()),
                     report->failed() != 0 || report->hasErrors);
             });
-}
-
-void MainWindow::logTests(const testing::Report& report) {
-    for (const std::string& text : report.diagnostics) m_log->addMessage(QString::fromStdString(text).trimmed(), true);
-    for (const testing::TestResult& result : report.results) {
-        m_log->addMessage(
-            (result.passed() ? tr("passed: %1") : tr("FAILED: %1")).arg(QString::fromStdString(result.title)),
-            !result.passed());
-        for (const testing::Failure& failure : result.failures)
-            m_log->addMessage(QString("    %1:%2  %3  %4")
-                                  .arg(QString::fromStdString(failure.file))
-                                  .arg(failure.line)
-                                  .arg(kit::messageText(failure.message), kit::messageText(failure.detail)),
-                              true);
-    }
-    if (report.hasErrors) showDock("log"); // why none could run
 }
 
 // ------------------------------------------------------------------ settings and the like

@@ -7007,8 +7007,8 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
     </message>
     <message>
-        <source>Addresses are counted in words, as {0} counts them; project.json says so</source>
-        <translation>Adresser tælles i ord, som {0} tæller dem; det står i project.json</translation>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} tæller %MW1 i ord, her tælles i byte; kontrollér, at adresserne ikke overlapper</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>

@@ -7007,8 +7007,8 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
         <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
     </message>
     <message>
-        <source>Addresses are counted in words, as {0} counts them; project.json says so</source>
-        <translation>Adressen zählen in Wörtern, wie {0} sie zählt; so steht es in project.json</translation>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} zählt %MW1 in Wörtern, hier zählt es in Bytes; prüfen Sie, dass sich die Adressen nicht überlappen</translation>
     </message>
     <message>
         <source>A comment outside of the elements was left out: {0}</source>

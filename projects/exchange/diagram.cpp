@@ -93,7 +93,7 @@ struct Diagram::State {
     pugi::xml_node body;
     const XmlFile& file;
     std::string unit;
-    const DiagramNames& names;
+    const DiagramNames names;
     Report& report;
     std::map<std::string, pugi::xml_node> nodes, connectors;
     std::map<std::string, int> uses; // of "id" and "id:pin"
@@ -279,7 +279,12 @@ struct Diagram::State {
         if (!en) return Flow::yes();
         const std::string key = idOf(block) + ":en";
         if (const auto it = known.find(key); it != known.end()) return again(block, "ENO", it->second);
+        if (!inProgress.insert(key).second) { // EN depends on this box's own ENO
+            report.add(place(block), remarks::DiagramLoop(shown(block)));
+            return {"FALSE", Flow::kPrimary};
+        }
         const std::optional<Flow> flow = input(en);
+        inProgress.erase(key);
         if (!flow) return Flow::yes();
         const Flow out = modified(en, block, "en", *flow);
         known[key] = {out, statements.size(), {}};

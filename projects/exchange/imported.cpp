@@ -144,7 +144,7 @@ private:
 };
 
 /// CODESYS, Beremiz and OpenPLC count %MW1 in words.
-void proposeAddressing(Imported& out) {
+void noteAddressing(Imported& out) {
     const std::string product = foldCase(out.side.contains("source") ? out.side["source"].value("product", "") : "");
     if (product.find("codesys") == std::string::npos && product.find("beremiz") == std::string::npos &&
         product.find("openplc") == std::string::npos)
@@ -206,7 +206,7 @@ Result<Imported> finished(Reader& reader, const std::string& path) {
         if (named.filename().empty()) named = named.parent_path();
         reader.out.name = named.stem().string();
     }
-    proposeAddressing(reader.out);
+    noteAddressing(reader.out);
     return std::move(reader.out);
 }
 
@@ -265,7 +265,6 @@ Result<void> writeImported(const Imported& imported, const std::string& folder) 
     project["name"] = imported.name;
     project["libraries"] = Json::array();
     for (const std::string& library : imported.libraries) project["libraries"].push_back(library);
-    if (imported.hasWordAddresses) project["addressing"] = "word";
     if (auto done = write("exchange.json", imported.side.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
         !done)
         return done;

@@ -21,7 +21,7 @@ struct Imported {
     std::string name;
     std::vector<ImportedFile> files;
     std::set<std::string> libraries; // of ours
-    bool hasWordAddresses = false;
+    bool hasWordAddresses = false;   // of a tool that counts %MW1 in words; here it is counted in bytes
     nlohmann::ordered_json side = nlohmann::ordered_json::object(); // exchange.json, by unit and id
     Report report;
 };

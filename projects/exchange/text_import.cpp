@@ -91,7 +91,11 @@ private:
             m_drawn += std::string(line) + "\n";
             return;
         }
-        m_current += std::string(line) + "\n";
+        if (word == "FUNCTIONBLOCK") // as some versions write it
+            m_current +=
+                "FUNCTION_BLOCK" + std::string(line.substr(line.find_first_not_of(" \t") + word.size())) + "\n";
+        else
+            m_current += std::string(line) + "\n";
         if (endsUnit(word)) finish();
     }
 

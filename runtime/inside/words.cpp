@@ -203,7 +203,8 @@ std::string toText(const Explanation& answer) {
     text +=
         answer.isSinceBegin ? ", as it was when the recording began.\n" : ", since " + scanWords(answer.since) + ".\n";
     if (answer.writer) {
-        text += "It was " + writerWords(*answer.writer) + ".\n";
+        const bool isInitial = answer.writer->kind == WriterKind::Initial;
+        text += (isInitial ? "It has " : "It was ") + writerWords(*answer.writer) + ".\n";
         for (size_t i = 1; i < answer.writer->calls.size(); ++i) {
             const CallStep& call = answer.writer->calls[i];
             text += "  called by " + statementWords(*answer.writer->program, call.range) + "   " +

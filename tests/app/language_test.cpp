@@ -20,7 +20,7 @@ TEST_P(StudioLanguage, HasEveryActionAndMenu) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, StudioLanguage, testing::Values("de", "da"));
+INSTANTIATE_TEST_SUITE_P(Languages, StudioLanguage, ::testing::Values("de", "da"));
 
 } // namespace
 } // namespace plc::app

@@ -108,7 +108,7 @@ TEST_F(LayoutTest, TheTreeShowsNothingOfTheCompilersOwn) {
     EXPECT_TRUE(tree.findItems("__", Qt::MatchStartsWith | Qt::MatchRecursive).isEmpty());
 }
 
-TEST(StudioLanguage, ButtonsOfQtsOwnDialogsAreTranslated) {
+TEST(QtTranslations, ButtonsOfQtsOwnDialogsAreTranslated) {
     installTranslation(*qApp, "de");
     QMessageBox box(QMessageBox::Question, "", "", QMessageBox::SaveAll | QMessageBox::Discard | QMessageBox::Cancel);
     EXPECT_EQ(box.button(QMessageBox::Cancel)->text().remove('&'), "Abbrechen");

@@ -491,6 +491,14 @@ private:
         return true;
     }
 
+    /// The next `quote` closes the value of a pragma over several lines: a } follows it.
+    bool endsPragma(char quote) const {
+        const size_t at = m_text.find(quote, m_at);
+        if (at == std::string_view::npos) return false;
+        const size_t next = m_text.find_first_not_of(" \t\r\n", at + 1);
+        return next != std::string_view::npos && m_text[next] == '}';
+    }
+
     void pragma() {
         if (codeOfC()) return;
         const size_t begin = m_at++;
@@ -498,7 +506,8 @@ private:
         while (m_at < m_text.size()) {
             const char c = m_text[m_at++];
             if (quote != '\0') {
-                if (c == quote || c == '\n') quote = '\0';
+                if (c == '\n' && !endsPragma(quote)) quote = '\0';
+                if (c == quote) quote = '\0';
             } else if (c == '\'' || c == '"') {
                 quote = c;
             } else if (c == '}') {

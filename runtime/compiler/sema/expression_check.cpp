@@ -1,11 +1,10 @@
 // One ST expression as seen from an instance (D7): checked against the finished program, which is only read.
 #include "runtime/base/text.h"
 #include "runtime/compiler/parse/parser.h"
-#include "runtime/compiler/sema/checker.h"
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/values/expressions.h"
 
 namespace plc::sema {
-
-thread_local diagnostics::Sink* World::expressionSink = nullptr;
 
 CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, std::string_view text,
                                   std::string_view scopePath, Arena& arena) {
@@ -14,10 +13,6 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
     // the World is frozen: nothing below writes to it
     World& world = *const_cast<World*>(static_cast<const World*>(analysis.scopes.get()));
     diagnostics::Sink sink;
-    World::expressionSink = &sink;
-    const struct Restore {
-        ~Restore() { World::expressionSink = nullptr; }
-    } restore;
     syntax::SyntaxFile file; // lives as long as the checking; the result refers to none of it
     const syntax::Expr* parsed = parse::parseExpression(file, text, sink);
     if (!parsed || sink.hasErrors()) {
@@ -25,7 +20,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
         return out;
     }
     Scope scope{nullptr, &world.top, nullptr};
-    Checker checker(world, scope, sink, arena);
+    Context checker(world, scope, sink, arena);
     checker.isExpression = true;
     checker.expressionText = text;
     if (!scopePath.empty()) {
@@ -38,7 +33,7 @@ CheckedExpression checkExpression(const Analysis& analysis, const SourceSet&, st
             checker.instanceBase = place->offset;
         }
     }
-    Operand value = checker.settled(checker.expression(*parsed));
+    Operand value = settled(checker, expression(checker, *parsed));
     if (!value.isUnknown() && checker.isKind(value.type(), TypeKind::Void))
         checker.emit(parsed->range, findings::NoValue(text));
     out.diagnostics = sink.take();

@@ -24,20 +24,17 @@ inline constexpr uint32_t kMaximumWaiting = 1500;
 /// One declaration that waits for what it needs, while it lives. A chain of them in reverse order is as deep as long.
 class Waiting {
 public:
-    /// Without a counter (a World that is complete: nothing waits) it counts nothing.
-    Waiting(uint32_t* counter, uint32_t cost, uint32_t limit = kMaximumWaiting) : m_counter(counter), m_cost(cost) {
-        // what is deep by itself is limited by the parser, and may begin a chain
-        isTooDeep = m_counter && *m_counter > 0 && *m_counter + m_cost > limit;
-        if (m_counter) *m_counter += m_cost;
+    Waiting(uint32_t& counter, uint32_t cost, uint32_t limit = kMaximumWaiting) : m_counter(counter), m_cost(cost) {
+        // what is deep by itself is limited by the parser, and may start a chain
+        isTooDeep = m_counter > 0 && m_counter + m_cost > limit;
+        m_counter += m_cost;
     }
-    ~Waiting() {
-        if (m_counter) *m_counter -= m_cost;
-    }
+    ~Waiting() { m_counter -= m_cost; }
     Waiting(const Waiting&) = delete;
     bool isTooDeep = false;
 
 private:
-    uint32_t* m_counter;
+    uint32_t& m_counter;
     uint32_t m_cost;
 };
 

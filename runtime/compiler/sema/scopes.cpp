@@ -1,4 +1,6 @@
+
 #include "runtime/compiler/sema/scopes.h"
+#include "runtime/compiler/sema/context.h"
 
 #include "runtime/base/text.h"
 

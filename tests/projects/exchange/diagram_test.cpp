@@ -232,6 +232,15 @@ TEST_F(DiagramImport, ALoopWithoutABlockHasALineInTheReport) {
     })) << imported.report.toText();
 }
 
+TEST_F(DiagramImport, AnEnableThatDependsOnItsOwnBoxHasALineAndEnds) {
+    const std::string network =
+        block("2", "TON", "t", input("EN", in("2", "ENO")) + input("PT", in("1")), {"ENO", "Q"}) + value("1", "T#1s") +
+        target("4", "y", in("2", "Q"));
+    (void)body("FBD", network,
+               "<localVars>" + variable("y", "<BOOL/>") + variable("t", "<derived name=\"TON\"/>") + "</localVars>");
+    EXPECT_EQ(imported.report.losses(), 1u) << imported.report.toText();
+}
+
 TEST_F(DiagramImport, DamagedDiagramsEndWithALineOrNothingButNeverHang) {
     const std::string whole =
         document(pou("Main", "program", bools({"a", "y"}),

@@ -155,7 +155,7 @@ TEST_F(RoundTrip, WhatTheFormatHasNoPlaceForHasItsLine) {
           "FUNCTION_BLOCK F EXTENDS G\nMETHOD M : INT\nM := 1;\nEND_METHOD\nEND_FUNCTION_BLOCK\nFUNCTION_BLOCK "
           "G\nEND_FUNCTION_BLOCK\nINTERFACE I\nEND_INTERFACE\nTYPE U : UNION a : INT; b : WORD; END_UNION "
           "END_TYPE\nNAMESPACE N\nFUNCTION X : INT\nX := 1;\nEND_FUNCTION\nEND_NAMESPACE\nPROGRAM P\nVAR f : F; "
-          "END_VAR\nINITIAL_STEP S: {minTime := T#1s}\n// inside\nEND_STEP\nTRANSITION t1 FROM S TO S := TRUE; "
+          "END_VAR\nINITIAL_STEP S {minTime := T#1s}:\n// inside\nEND_STEP\nTRANSITION t1 FROM S TO S := TRUE; "
           "END_TRANSITION\nEND_PROGRAM\n// the end\n");
     write("p/tests/t.st", "TEST 'x'\nEND_TEST\n");
     const auto project = projects::openProject({path("p")});
@@ -166,11 +166,10 @@ TEST_F(RoundTrip, WhatTheFormatHasNoPlaceForHasItsLine) {
     const auto has = [](const Report& report, const std::string& text) {
         return report.toText().find(text) != std::string::npos;
     };
-    for (const char* text :
-         {"the method F.M", "EXTENDS or IMPLEMENTS of F", "the interface I", "the union U", "a NAMESPACE", "minTime",
-          "// inside", "transition t1", "// the end", "the tests", "the library util"})
+    for (const char* text : {"F.M", "EXTENDS or IMPLEMENTS of F", "interfaces; I ", "unions; U ", "a NAMESPACE",
+                             "minTime", "// inside", "transition t1", "// the end", "for tests", "libraries; util"})
         EXPECT_TRUE(has(plain, text)) << text << "\n" << plain.toText();
-    for (const char* text : {"a NAMESPACE", "// inside", "transition t1", "// the end", "the tests"})
+    for (const char* text : {"a NAMESPACE", "// inside", "transition t1", "// the end", "for tests"})
         EXPECT_TRUE(has(codesys, text)) << text << "\n" << codesys.toText();
     EXPECT_FALSE(has(codesys, "F.M")) << codesys.toText();
 }

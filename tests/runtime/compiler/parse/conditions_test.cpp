@@ -73,3 +73,9 @@ TEST(ConditionalPragmas, CodeInCIsPassedOverWithAWarning) {
     EXPECT_EQ(parsed.errors(), 0u);
     EXPECT_NE(parsed.codes().find("P1030"), std::string::npos);
 }
+
+TEST(ConditionalPragmas, TheValueOfAnAttributeMayHaveSeveralLines) {
+    const Parsed parsed("{attribute 'text' := 'first\n  second\n'}\nPROGRAM a\nx := 1;\nEND_PROGRAM");
+    EXPECT_EQ(outline(*parsed.file), "PROGRAM a ST{x := 1}");
+    EXPECT_EQ(parsed.errors(), 0u) << parsed.codes();
+}

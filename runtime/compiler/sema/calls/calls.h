@@ -1,0 +1,19 @@
+// Calls of functions, methods and accessors: arguments are matched with parameters, defaults made explicit, dispatch
+// chosen.
+#pragma once
+#include "runtime/compiler/sema/context.h"
+
+namespace plc::sema {
+
+Matched match(Context& context, const syntax::Expr& call, const std::string& name,
+              const std::vector<Variable*>& parameters);
+tree::Expr* held(Context& context, tree::Expr* value, std::vector<tree::Stmt*>& before);
+tree::Place* inOutTarget(Context& context, Variable& parameter, const syntax::Argument& argument,
+                         std::vector<tree::Stmt*>& before, std::vector<tree::Stmt*>& after);
+void prepareCall(Context& context, tree::Call& call, const Denoted& callee, SourceRange range);
+Operand callUnit(Context& context, const Denoted& callee, const syntax::Expr& e);
+Operand withEnable(Context& context, Operand value, const StandardArguments& arguments, SourceRange range);
+Operand propertyValue(Context& context, const Denoted& denoted, SourceRange range);
+Operand call(Context& context, const syntax::Expr& e, TypeId hint);
+
+} // namespace plc::sema

@@ -1,0 +1,490 @@
+// Initial values: what is constant becomes bytes, the rest (references, FB_Init, expressions over variables) becomes
+// code.
+#include "runtime/compiler/sema/layout/initial_values.h"
+
+#include "runtime/compiler/sema/calls/calls.h"
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/units.h"
+#include "runtime/compiler/sema/names/lookup.h"
+#include "runtime/compiler/sema/names/names.h"
+#include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/program/analyze.h"
+#include "runtime/compiler/sema/statements/statements.h"
+#include "runtime/compiler/sema/types/conversions.h"
+#include "runtime/compiler/sema/types/type_specs.h"
+#include "runtime/compiler/sema/values/expressions.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using syntax::ExprKind;
+
+static tree::FunctionId initialiserOf(World& world, TypeId type);
+
+namespace {
+
+Unit* initMethodOf(World& world, TypeId type) {
+    Unit* unit = world.unitOf(type);
+    if (!unit || unit->kind != UnitKind::Block) return nullptr;
+    return findMember(world, *unit, world.names.find("FB_Init")).unit;
+}
+
+/// Runs an expression without knowing yet whether it is constant; what it says counts only if it is, or is wrong.
+struct Trial {
+    Trial(World& theWorld, const Scope& scope)
+        : world(theWorld), checker(theWorld, scope, sink, theWorld.arena), references(theWorld.references.size()) {
+        checker.isInitialiser = true;
+    }
+    void keep() {
+        for (diagnostics::Diagnostic& diagnostic : sink.take()) world.sink.add(std::move(diagnostic));
+    }
+    void drop() { world.references.resize(references); }
+    World& world;
+    diagnostics::Sink sink;
+    Context checker;
+    size_t references;
+};
+
+} // namespace
+
+namespace {
+/// before + made * times, as far as it can be counted: repetitions in repetitions grow without bounds.
+uint64_t sumWithin(uint64_t before, uint64_t made, int64_t times) {
+    constexpr uint64_t most = uint64_t(1) << 40;
+    if (times <= 0) return before;
+    if (made > most / static_cast<uint64_t>(times)) return most;
+    return std::min(most, before + made * static_cast<uint64_t>(times));
+}
+} // namespace
+
+bool needsConstruction(World& world, TypeId type) {
+    const TypeKind kind = world.types.kind(type);
+    if (kind == TypeKind::Array) return needsConstruction(world, world.types[type].element);
+    if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) return false;
+    const auto it = world.typeInitials.find(type);
+    return (it != world.typeInitials.end() && !it->second.dynamics.empty()) || initMethodOf(world, type);
+}
+
+void writeConstant(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+                   const types::Value& value) {
+    const uint32_t size = bit >= 0 ? 1 : world.types[type].size;
+    if (uint64_t(offset) + size > out.bytes.size()) return;
+    types::writeValue(world.types, type, value, std::span(out.bytes).subspan(offset, size), bit);
+}
+
+/// An initial value at a place of its type.
+///   ok:    a : ARRAY[1..3] OF INT := [1, 2(0)]; p : Point := (x := 1);
+///   wrong: a : ARRAY[1..2] OF INT := [1, 2, 3];  (P3031)   p : Point := (z := 1);  (P2002)
+void initialise(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit, const syntax::Expr* value,
+                const Scope& scope, const std::vector<syntax::Argument>* constructor) {
+    const TypeKind kind = world.types.kind(type);
+    if (kind == TypeKind::Unknown) return;
+    const bool constructs = needsConstruction(world, type);
+    const bool hasInit = constructor && initMethodOf(world, type);
+    if (constructs || hasInit) {
+        DynamicInit dynamic;
+        dynamic.offset = offset;
+        dynamic.type = type;
+        dynamic.isConstruction = true;
+        dynamic.constructor = hasInit ? constructor : nullptr;
+        dynamic.scope = scope;
+        out.dynamics.push_back(dynamic);
+    }
+    const auto fields = [&](const std::vector<syntax::Argument>& arguments) {
+        for (const syntax::Argument& argument : arguments) {
+            if (!argument.value) continue;
+            if (!argument.name.isValid()) {
+                world.emit(argument.range,
+                           findings::Expected(phrases::AMembersName(), world.textOf(argument.value->range)));
+                continue;
+            }
+            const types::Field* field = fieldOf(world, type, argument.name.text);
+            if (!field) {
+                suggest(
+                    world,
+                    world.emit(argument.name.range, findings::UnknownMember(world.nameOf(type), argument.name.text)),
+                    argument.name.range, argument.name.text, memberNames(world, type));
+                continue;
+            }
+            if (Unit* unit = world.unitOf(type))
+                if (const Member member = findMember(world, *unit, world.key(argument.name.text)); member.variable)
+                    refer(world, argument.name.range, member.variable->symbol, false, true);
+            const types::Field copy = *field;
+            if (copy.section == types::FieldSection::InOut) {
+                world.emit(argument.name.range,
+                           findings::NotAllowedHere(phrases::AnInOut(copy.name), phrases::InAnInitialValue()));
+                continue;
+            }
+            initialise(world, out, copy.bit >= 0 ? types::TypeTable::of(TypeKind::Bool) : copy.type,
+                       offset + copy.offset, copy.bit, argument.value, scope, nullptr);
+        }
+    };
+    if (constructor && !hasInit) {
+        if (kind == TypeKind::Block || kind == TypeKind::Struct || kind == TypeKind::Union)
+            fields(*constructor);
+        else if (!constructor->empty())
+            world.emit(constructor->front().range,
+                       findings::NotAllowedHere(Verbatim("(…)"), phrases::In(world.nameOf(type))));
+    }
+    if (!value) return;
+    if (value->kind == ExprKind::StructInit) {
+        if (kind != TypeKind::Block && kind != TypeKind::Struct && kind != TypeKind::Union) {
+            world.emit(value->range, findings::TypeMismatch(Verbatim("(… := …)"), world.nameOf(type)));
+            return;
+        }
+        return fields(value->arguments);
+    }
+    if (kind == TypeKind::Array && (value->kind == ExprKind::ArrayInit || (value->kind == ExprKind::Repeat))) {
+        const TypeId element = world.types[type].element;
+        const uint32_t size = world.types[element].size;
+        uint64_t count = size ? world.types[type].size / size : 0;
+        uint64_t index = 0;
+        const bool nested = world.types.kind(element) == TypeKind::Array;
+        const std::function<void(const std::vector<syntax::Argument>&)> fill =
+            [&](const std::vector<syntax::Argument>& arguments) {
+                for (const syntax::Argument& argument : arguments) {
+                    const syntax::Expr* item = argument.value;
+                    if (!item) {
+                        ++index;
+                        continue;
+                    }
+                    const bool isConstantRepeat =
+                        item->kind == ExprKind::Call && item->base &&
+                        (item->base->kind == ExprKind::NameRef || item->base->kind == ExprKind::Member) && [&] {
+                            Trial trial(world, scope);
+                            trial.checker.isMuted = true;
+                            const Denoted denoted = denote(trial.checker, *item->base, Access::Read);
+                            trial.drop();
+                            return denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() &&
+                                   std::holds_alternative<int64_t>(denoted.value.expr->value.data);
+                        }();
+                    if (item->kind == ExprKind::Repeat || isConstantRepeat) {
+                        const auto times = constantInteger(world, item->base, scope);
+                        if (!times || *times < 0) continue;
+                        if (item->arguments.empty() ||
+                            (item->arguments.size() == 1 && !item->arguments[0].value)) { // 5(): the default
+                            index = sumWithin(index, 1, *times);
+                            continue;
+                        }
+                        // constant repetition of one scalar: check it once, copy the bytes
+                        for (int64_t i = 0; i < *times; ++i) {
+                            const uint64_t before = index;
+                            const size_t dynamics = out.dynamics.size();
+                            fill(item->arguments);
+                            const uint64_t made = index - before;
+                            if (made == 0) break;
+                            if (out.dynamics.size() > kMaximumInitialisedByCode) {
+                                world.emit(value->range, findings::NotConstant());
+                                return;
+                            }
+                            if (i == 0 && made > 0 && out.dynamics.size() == dynamics && before + made <= count) {
+                                const uint64_t total = sumWithin(0, made, *times);
+                                for (uint64_t k = made; k < total && before + k < count; ++k)
+                                    std::copy_n(out.bytes.begin() +
+                                                    static_cast<std::ptrdiff_t>(offset + (before + k % made) * size),
+                                                size,
+                                                out.bytes.begin() +
+                                                    static_cast<std::ptrdiff_t>(offset + (before + k) * size));
+                                index = before + total;
+                                break;
+                            }
+                            if (index > count) { // reported below; no need to go on
+                                index = sumWithin(before, made, *times);
+                                break;
+                            }
+                        }
+                        continue;
+                    }
+                    if (item->kind == ExprKind::ArrayInit && !nested) {
+                        fill(item->arguments);
+                        continue;
+                    }
+                    if (index < count)
+                        initialise(world, out, element, offset + static_cast<uint32_t>(index * size), -1, item, scope,
+                                   nullptr);
+                    ++index;
+                }
+            };
+        fill(value->arguments);
+        if (index > count) world.emit(value->range, findings::TooManyInitialValues(index, count));
+        return;
+    }
+    Trial trial(world, scope);
+    DynamicInit dynamic;
+    dynamic.offset = offset;
+    dynamic.bit = bit;
+    dynamic.type = type;
+    dynamic.value = value;
+    dynamic.scope = scope;
+    if (kind == TypeKind::Reference) {
+        trial.drop();
+        dynamic.isReference = true;
+        out.dynamics.push_back(dynamic);
+        return;
+    }
+    const Operand operand = converted(trial.checker, expression(trial.checker, *value, type), type);
+    if (operand.isUnknown() || operand.isConstant()) {
+        trial.keep();
+        if (operand.isConstant()) writeConstant(world, out, type, offset, bit, operand.expr->value);
+        return;
+    }
+    trial.drop();
+    out.dynamics.push_back(dynamic);
+}
+
+namespace {
+const syntax::TypeSpec* innermost(const syntax::TypeSpec* spec) {
+    while (spec && spec->kind == syntax::TypeSpecKind::Array && spec->element) spec = spec->element;
+    return spec;
+}
+} // namespace
+
+bool hasConstructor(const syntax::TypeSpec* spec) {
+    const syntax::TypeSpec* inner = innermost(spec);
+    return inner && (!inner->constructor.empty() || !inner->constructors.empty());
+}
+
+namespace {
+/// The elements of an array get the bytes of the first.
+void repeatBytes(InitialValue& out, uint32_t offset, uint32_t size, uint32_t count) {
+    if (uint64_t(offset) + uint64_t(size) * count > out.bytes.size()) return;
+    const auto first = out.bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+    for (uint32_t i = 1; i < count; ++i)
+        std::copy_n(first, size, first + static_cast<std::ptrdiff_t>(uint64_t(i) * size));
+}
+} // namespace
+
+/// With what is written behind the type: `m : Motor(number := 1)`, for every element of an array of them, or for each
+/// its own.
+void initialiseDeclared(World& world, InitialValue& out, TypeId type, uint32_t offset, int16_t bit,
+                        const syntax::Expr* value, const Scope& scope, const syntax::TypeSpec* spec) {
+    if (!hasConstructor(spec)) return initialise(world, out, type, offset, bit, value, scope, nullptr);
+    const syntax::TypeSpec* inner = innermost(spec);
+    if (world.types.kind(type) != TypeKind::Array) {
+        if (!inner->constructors.empty())
+            world.emit(spec->range, findings::NotAllowedHere(Verbatim("[(…)]"), phrases::In(world.nameOf(type))));
+        return initialise(world, out, type, offset, bit, value, scope,
+                          inner->constructor.empty() ? nullptr : &inner->constructor);
+    }
+    TypeId element = type;
+    while (world.types.kind(element) == TypeKind::Array) element = world.types[element].element;
+    const uint32_t size = world.types[element].size, count = size ? world.types[type].size / size : 0;
+    if (inner->constructors.size() > count)
+        world.emit(spec->range, findings::TooManyInitialValues(inner->constructors.size(), count));
+    if (initMethodOf(world, element) && inner->constructors.empty()) { // one loop for all of them
+        DynamicInit dynamic;
+        dynamic.offset = offset;
+        dynamic.type = type;
+        dynamic.isConstruction = true;
+        dynamic.constructor = &inner->constructor;
+        dynamic.scope = scope;
+        out.dynamics.push_back(dynamic);
+    } else {
+        for (uint32_t i = 0; i < count; ++i) {
+            const auto* constructor = inner->constructors.empty()      ? &inner->constructor
+                                      : i < inner->constructors.size() ? &inner->constructors[i]
+                                                                       : nullptr;
+            const size_t dynamics = out.dynamics.size();
+            initialise(world, out, element, offset + i * size, -1, nullptr, scope, constructor);
+            const bool areEqual = inner->constructors.empty() && out.dynamics.size() == dynamics;
+            if (out.dynamics.size() > kMaximumInitialisedByCode) {
+                world.emit(spec->range, findings::NotConstant());
+                break;
+            }
+            if (!areEqual) continue;
+            repeatBytes(out, offset, size, count);
+            break;
+        }
+    }
+    if (value)
+        world.emit(value->range,
+                   findings::NotAllowedHere(phrases::AnInitialValue(), phrases::InADeclarationWithFbInit()));
+}
+
+/// The initial value of a declared variable at `offset` of `out`.
+void setInitial(World& world, InitialValue& out, Variable& variable, uint32_t offset) {
+    const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
+    initialiseDeclared(world, out, variable.type, offset, -1, initial, variable.scope, variable.spec);
+}
+
+namespace {
+
+void construct(World& world, Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+               std::vector<tree::Stmt*>& out);
+
+void constructArray(World& world, Context& checker, tree::Place* place,
+                    const std::vector<syntax::Argument>* constructor, std::vector<tree::Stmt*>& out) {
+    const types::Type& type = world.types[place->type];
+    const TypeId lint = types::TypeTable::of(TypeKind::Lint);
+    tree::Place* element = world.arena.make<tree::Place>();
+    element->kind = tree::PlaceKind::Index;
+    element->type = type.element;
+    element->range = place->range;
+    element->base = place;
+    std::vector<tree::Stmt*>* into = &out;
+    for (const types::Dimension& dimension : type.dimensions) {
+        tree::Place* counter = localPlace(checker, newLocal(checker, "i", lint), lint, place->range);
+        tree::Stmt* loop = newStmt(checker, tree::StmtKind::For, {});
+        loop->place = counter;
+        loop->operandType = lint;
+        loop->a = constant(checker, {lint, dimension.low}, place->range).expr;
+        loop->b = constant(checker, {lint, dimension.high}, place->range).expr;
+        loop->c = constant(checker, {lint, int64_t(1)}, place->range).expr;
+        element->indices.push_back(load(checker, counter, place->range).expr);
+        into->push_back(loop);
+        into = &loop->body;
+    }
+    construct(world, checker, element, constructor, *into);
+}
+
+void callInit(World& world, Context& checker, tree::Place* place, Unit& method,
+              const std::vector<syntax::Argument>* constructor, bool isLast, std::vector<tree::Stmt*>& out) {
+    syntax::Expr call;
+    call.kind = syntax::ExprKind::Call;
+    call.range = place->range;
+    static constexpr std::string_view kImplicit[] = {"bInitRetains", "bInCopyCode"};
+    completeUnit(world, method, place->range);
+    std::vector<const Variable*> own;
+    syntax::Expr yes, no;
+    yes.kind = no.kind = syntax::ExprKind::Literal;
+    yes.op = lex::TokenKind::True;
+    no.op = lex::TokenKind::False;
+    yes.range = no.range = place->range;
+    for (const Variable* parameter : method.parameters) {
+        const auto* implicit = std::find_if(std::begin(kImplicit), std::end(kImplicit), [&](std::string_view name) {
+            return equalsIgnoringCase(name, parameter->name);
+        });
+        if (implicit == std::end(kImplicit)) {
+            own.push_back(parameter);
+            continue;
+        }
+        syntax::Argument argument;
+        argument.kind = syntax::ArgumentKind::Input;
+        argument.name = {*implicit, place->range};
+        argument.value = implicit == std::begin(kImplicit) ? &yes : &no;
+        argument.range = place->range;
+        call.arguments.push_back(argument);
+    }
+    size_t next = 0;
+    if (constructor) {
+        for (syntax::Argument argument : *constructor) {
+            if (argument.kind == syntax::ArgumentKind::Positional) {
+                if (next >= own.size()) {
+                    if (isLast) checker.emit(argument.range, findings::TooManyArguments(method.name, own.size()));
+                    break;
+                }
+                argument.kind = syntax::ArgumentKind::Input;
+                argument.name = {own[next++]->name, argument.range};
+            } else if (!isLast && std::none_of(own.begin(), own.end(), [&](const Variable* v) {
+                           return equalsIgnoringCase(v->name, argument.name.text);
+                       })) {
+                continue;
+            }
+            call.arguments.push_back(argument);
+        }
+    }
+    Denoted callee;
+    callee.kind = Denoted::Kind::Unit;
+    callee.unit = &method;
+    callee.instance = place;
+    callee.isSuper = true;
+    syntax::Expr base;
+    base.kind = syntax::ExprKind::NameRef;
+    base.range = place->range;
+    call.base = &base;
+    const Operand value = callUnit(checker, callee, call);
+    if (!value.expr) return;
+    tree::Stmt* evaluate = newStmt(checker, tree::StmtKind::Evaluate, {});
+    evaluate->a = value.expr;
+    out.push_back(evaluate);
+}
+
+void construct(World& world, Context& checker, tree::Place* place, const std::vector<syntax::Argument>* constructor,
+               std::vector<tree::Stmt*>& out) {
+    if (world.types.kind(place->type) == TypeKind::Array)
+        return constructArray(world, checker, place, constructor, out);
+    takeAddress(checker, place);
+    if (const tree::FunctionId init = initialiserOf(world, place->type); init.isValid()) {
+        tree::Expr* call = world.arena.make<tree::Expr>();
+        call->kind = tree::ExprKind::Call;
+        call->type = types::TypeTable::of(TypeKind::Void);
+        call->range = place->range;
+        call->call = world.arena.make<tree::Call>();
+        call->call->callee = init;
+        call->call->instance = place;
+        tree::Stmt* evaluate = newStmt(checker, tree::StmtKind::Evaluate, {});
+        evaluate->a = call;
+        out.push_back(evaluate);
+    }
+    std::vector<Unit*> chain; // FB_Init of the bases first
+    const NameId id = world.names.find("FB_Init");
+    for (Unit* unit = world.unitOf(place->type); unit; unit = unit->base)
+        if (const auto it = unit->members.find(id); it != unit->members.end() && it->second.unit)
+            chain.push_back(it->second.unit);
+    for (size_t i = chain.size(); i-- > 0;) callInit(world, checker, place, *chain[i], constructor, i == 0, out);
+}
+
+} // namespace
+
+void emitDynamics(World& world, Context& checker, const std::vector<DynamicInit>& dynamics,
+                  const std::function<tree::Place*(const DynamicInit&)>& placeOf, std::vector<tree::Stmt*>& out) {
+    const Scope outer = checker.scope;
+    for (const DynamicInit& dynamic : dynamics) {
+        tree::Place* place = placeOf(dynamic);
+        checker.scope = dynamic.scope;
+        if (dynamic.value) place->range = dynamic.value->range;
+        if (dynamic.isConstruction) {
+            construct(world, checker, place, dynamic.constructor, out);
+        } else if (dynamic.isReference) {
+            bindReference(checker, place, *dynamic.value, {}, out);
+        } else {
+            const Operand value = converted(checker, expression(checker, *dynamic.value, dynamic.type), dynamic.type);
+            if (!value.isUnknown()) out.push_back(assignStmt(checker, place, value.expr, {}));
+        }
+    }
+    checker.scope = outer;
+}
+
+tree::FunctionId initialiserOf(World& world, TypeId type) {
+    if (const auto it = world.initialisers.find(type); it != world.initialisers.end()) return it->second;
+    const auto initial = world.typeInitials.find(type);
+    if (initial == world.typeInitials.end() || initial->second.dynamics.empty()) return world.initialisers[type] = {};
+    const tree::FunctionId id = newFunction(world, world.nameOf(type) + ".INIT", world.unitOf(type));
+    world.initialisers[type] = id;
+    tree::Function& function = world.functions[id.index()];
+    function.instanceType = type;
+    Context checker(world, {world.unitOf(type), nullptr, nullptr}, world.sink, world.arena);
+    checker.function = &function;
+    checker.functionId = id;
+    const std::vector<DynamicInit> dynamics = initial->second.dynamics;
+    emitDynamics(
+        world, checker, dynamics,
+        [&](const DynamicInit& dynamic) {
+            tree::Place* place =
+                absolutePlace(checker, dynamic.offset, dynamic.type, dynamic.bit, world.types[type].declaration);
+            place->kind = tree::PlaceKind::Instance;
+            return place;
+        },
+        function.body);
+    return id;
+}
+
+void buildInitialiser(World& world) {
+    if (world.programInits.empty()) return;
+    const tree::FunctionId id = newFunction(world, "INIT", nullptr);
+    tree::Function& function = world.functions[id.index()];
+    Context checker(world, {nullptr, &world.top, nullptr}, world.sink, world.arena);
+    checker.function = &function;
+    checker.functionId = id;
+    emitDynamics(
+        world, checker, world.programInits,
+        [&](const DynamicInit& dynamic) {
+            return absolutePlace(checker, dynamic.offset, dynamic.type, dynamic.bit,
+                                 world.types[dynamic.type].declaration);
+        },
+        function.body);
+    world.program->initializer = id;
+}
+
+} // namespace plc::sema

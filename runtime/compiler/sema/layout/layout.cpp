@@ -1,0 +1,422 @@
+// The image: areas sized by the addresses in use, globals, statics, program instances, and their initial bytes.
+#include "runtime/compiler/sema/layout/layout.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/initial_values.h"
+#include "runtime/compiler/sema/program/analyze.h"
+#include "runtime/compiler/sema/values/constants.h"
+
+#include "runtime/base/text.h"
+
+#include <cstdlib>
+#include <map>
+
+namespace plc::sema {
+
+using image::Area;
+
+static void checkAddressSize(World& world, const Variable& variable, std::string_view text, SourceRange range);
+static void measureAddresses(World& world);
+static void checkOverlaps(World& world);
+
+namespace {
+constexpr uint32_t kHeader = sizeof(image::ImageHeader);
+constexpr uint32_t kMinimumArea = 256;
+constexpr uint32_t kMinimumFrames = 256 << 10;
+constexpr uint32_t kMaximumAddress = 16 << 20;
+
+uint32_t aligned(uint64_t offset, uint32_t align) {
+    return static_cast<uint32_t>((offset + align - 1) / align * align);
+}
+} // namespace
+
+std::optional<DirectAddress> parseAddress(std::string_view text) {
+    if (text.size() < 3 || text[0] != '%') return std::nullopt;
+    DirectAddress out;
+    switch (text[1] | 0x20) {
+    case 'i':
+        out.area = Area::Input;
+        break;
+    case 'q':
+        out.area = Area::Output;
+        break;
+    case 'm':
+        out.area = Area::Memory;
+        break;
+    default:
+        return std::nullopt;
+    }
+    size_t at = 2;
+    char size = static_cast<char>(text[at] | 0x20);
+    if (text[at] == '*') {
+        out.isOpen = true;
+        return text.size() == at + 1 ? std::optional(out) : std::nullopt;
+    }
+    if (text[at] >= '0' && text[at] <= '9')
+        size = 'x';
+    else
+        ++at;
+    switch (size) {
+    case 'x':
+        out.kind = TypeKind::Bool;
+        break;
+    case 'b':
+        out.kind = TypeKind::Byte;
+        break;
+    case 'w':
+        out.kind = TypeKind::Word;
+        break;
+    case 'd':
+        out.kind = TypeKind::Dword;
+        break;
+    case 'l':
+        out.kind = TypeKind::Lword;
+        break;
+    default:
+        return std::nullopt;
+    }
+    if (at < text.size() && text[at] == '*') {
+        out.isOpen = true;
+        return text.size() == at + 1 ? std::optional(out) : std::nullopt;
+    }
+    std::vector<uint64_t> numbers;
+    while (at < text.size()) {
+        if (text[at] < '0' || text[at] > '9') return std::nullopt;
+        uint64_t number = 0;
+        for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at)
+            number = std::min<uint64_t>(number * 10 + static_cast<uint64_t>(text[at] - '0'), uint64_t(1) << 30);
+        numbers.push_back(number);
+        if (at == text.size()) break;
+        if (text[at] != '.' || at + 1 == text.size()) return std::nullopt;
+        ++at;
+    }
+    if (numbers.empty() || numbers.size() > 2 || (size != 'x' && numbers.size() != 1)) return std::nullopt;
+    out.byte = static_cast<uint32_t>(numbers[0]);
+    if (size == 'x') {
+        const uint64_t bit = numbers.size() == 2 ? numbers[1] : numbers[0] % 8;
+        if (numbers.size() == 1) out.byte /= 8;
+        if (bit > 7) return std::nullopt;
+        out.bit = static_cast<int16_t>(bit);
+    }
+    return out;
+}
+
+image::AreaRange areaOf(const World& world, Area area) {
+    const uint32_t outputs = aligned(kHeader + world.rangeOfInputs, 8),
+                   memory = aligned(outputs + world.rangeOfOutputs, 8);
+    switch (area) {
+    case Area::Input:
+        return {kHeader, world.rangeOfInputs};
+    case Area::Output:
+        return {outputs, world.rangeOfOutputs};
+    default:
+        return {memory, world.rangeOfMemory};
+    }
+}
+
+/// Gives a variable with a complete address its place (again once the areas are measured).
+///   wrong: x AT %IX99999999.0 : BOOL;  (P2034)
+void locate(World& world, Variable& variable, std::string_view text) {
+    const auto address = parseAddress(text);
+    const SourceRange range = variable.declaration && variable.declaration->addressRange.file.isValid()
+                                  ? variable.declaration->addressRange
+                                  : variable.range;
+    if (!address || address->byte > kMaximumAddress) {
+        if (hasSyntaxErrorAt(world, range)) return;
+        world.emit(range, findings::AddressOutOfRange(text, addressAreas()));
+        return;
+    }
+    variable.offset = areaOf(world, address->area).begin + address->byte;
+    const TypeKind kind = world.types.storageKind(variable.type);
+    variable.bit = -1;
+    if (address->kind == TypeKind::Bool && address->bit >= 0) {
+        if (kind == TypeKind::Bool)
+            variable.bit = address->bit;
+        else if (kind != TypeKind::Unknown && address->bit != 0)
+            return (void)world.emit(range, findings::TypeMismatch(text, world.nameOf(variable.type)));
+    }
+    checkAddressSize(world, variable, text, range);
+}
+
+/// The letter of an address and the type say the same size.
+///   ok:    a AT %IW4 : INT; b AT %QX0.1 : BOOL;      wrong: a AT %IX4.0 : INT; b AT %QW0 : BOOL;  (P3037)
+void checkAddressSize(World& world, const Variable& variable, std::string_view text, SourceRange range) {
+    const auto address = parseAddress(text);
+    const types::Family family = world.types.family(variable.type);
+    const bool isNumber = types::isInteger(family) || family == types::Family::Real || family == types::Family::Bool;
+    const unsigned has = types::bitsOf(world.types.storageKind(variable.type)), holds = types::bitsOf(address->kind);
+    if (!isNumber || has == holds || address->isOpen) return;
+    const char letter = has == 1 ? 'X' : has == 8 ? 'B' : has == 16 ? 'W' : has == 32 ? 'D' : 'L';
+    const std::string own =
+        std::string(text.substr(0, 2)) + letter + std::to_string(address->byte) + (has == 1 ? ".0" : "");
+    auto& diagnostic = world.emit(range, findings::AddressSize(text, holds, world.nameOf(variable.type), has, own));
+    if (range != variable.range) diagnostic.fixes.push_back({fixes::Write(own), {{range, own}}});
+}
+
+void measureAddresses(World& world) {
+    uint64_t sizes[3] = {kMinimumArea, kMinimumArea, kMinimumArea};
+    const auto use = [&](const DirectAddress& address, uint64_t bytes) {
+        if (address.isOpen || address.byte > kMaximumAddress) return;
+        uint64_t& size = sizes[address.area == Area::Input ? 0 : address.area == Area::Output ? 1 : 2];
+        size = std::max<uint64_t>(size, uint64_t(address.byte) + bytes);
+    };
+    for (const syntax::SyntaxFile* file : world.fileOf) {
+        if (!file) continue;
+        const std::string_view text = world.sources[file->file].text();
+        for (const lex::Token& token : file->tokens.tokens) {
+            if (token.kind != lex::TokenKind::DirectAddress) continue;
+            if (const auto address = parseAddress(text.substr(token.begin, token.end - token.begin)))
+                use(*address, std::max(1u, types::bitsOf(address->kind) / 8));
+        }
+    }
+    const auto located = [&](Variable& variable) {
+        if (!variable.isLocated || !variable.declaration) return;
+        if (const auto address = parseAddress(variable.declaration->address))
+            use(*address, std::max(1u, world.types[variable.type].size));
+    };
+    for (Variable& variable : world.globals) located(variable);
+    for (Unit& unit : world.units)
+        for (Variable& variable : unit.variables) located(variable);
+    world.rangeOfInputs = aligned(sizes[0], 8);
+    world.rangeOfOutputs = aligned(sizes[1], 8);
+    world.rangeOfMemory = aligned(sizes[2], 8);
+}
+
+void layoutGlobals(World& world) {
+    measureAddresses(world);
+    image::Layout& layout = world.program->layout;
+    layout.types = world.program->types;
+    layout.inputs = areaOf(world, Area::Input);
+    layout.outputs = areaOf(world, Area::Output);
+    layout.memory = areaOf(world, Area::Memory);
+    uint64_t next = aligned(layout.memory.begin + layout.memory.size, 64);
+    bool tooLarge = false;
+    std::vector<std::pair<Variable*, size_t>> placed; // with the root's index
+    const auto addRoot = [&](Variable& variable, Area area, std::string list) -> image::Root& {
+        image::Root& root = layout.roots.emplace_back();
+        root.name = variable.name;
+        root.list = std::move(list);
+        root.space = variable.space && variable.space != &world.top ? variable.space->qualified : std::string();
+        root.type = variable.type;
+        root.offset = variable.offset;
+        root.bit = variable.bit;
+        root.area = area;
+        root.constant = variable.isConstant;
+        root.declaration = variable.range;
+        if (variable.section) {
+            root.retain = variable.section->retain;
+            root.persistent = variable.section->persistent;
+        }
+        if (variable.declaration) root.comment = std::string(variable.declaration->comment);
+        if (variable.isLocated && variable.declaration) root.address = std::string(variable.declaration->address);
+        return root;
+    };
+    const auto place = [&](Variable& variable, Area area, std::string list) {
+        variable.storage = Storage::Absolute;
+        if (variable.isLocated && variable.declaration) {
+            const auto address = parseAddress(variable.declaration->address);
+            if (address && !address->isOpen) {
+                locate(world, variable, variable.declaration->address);
+                addRoot(variable, address->area, std::move(list));
+                placed.emplace_back(&variable, layout.roots.size() - 1);
+                return;
+            }
+            if (!address && !hasSyntaxErrorAt(world, variable.declaration->addressRange))
+                world.emit(variable.declaration->addressRange.file.isValid() ? variable.declaration->addressRange
+                                                                             : variable.range,
+                           findings::AddressOutOfRange(variable.declaration->address, addressAreas()));
+            else if (address)
+                world.openAddresses.push_back({&variable, false});
+        }
+        const types::Type& type = world.types[variable.type];
+        next = aligned(next, std::max(1u, type.align));
+        if (next + type.size > kMaximumData) tooLarge = true;
+        variable.offset = tooLarge ? 0 : static_cast<uint32_t>(next);
+        if (!tooLarge) next += type.size;
+        addRoot(variable, area, std::move(list));
+        placed.emplace_back(&variable, layout.roots.size() - 1);
+    };
+    for (Variable& variable : world.globals) {
+        if (variable.isProgramInstance) continue;
+        if (variable.kind == syntax::SectionKind::Global)
+            place(variable, Area::Global, variable.list ? variable.list->name : std::string());
+    }
+    for (Unit& unit : world.units) {
+        for (Variable& variable : unit.variables) {
+            if (variable.storage != Storage::Absolute) continue;
+            std::string list = unit.owner ? unit.owner->name + "." + unit.name : unit.name;
+            if (unit.kind == UnitKind::Program && unit.instance) list = unit.instance->name;
+            place(variable, Area::Global, std::move(list));
+        }
+    }
+    next = aligned(next, 64);
+    for (Instance& instance : world.instances) {
+        Variable& variable = *instance.variable;
+        place(variable, Area::Program, {});
+        image::Root& root = layout.roots.back();
+        root.programType = variable.program->name;
+        root.isSimulation = variable.program->isSimulation;
+        root.space.clear();
+        if (instance.declaration) root.retain = instance.declaration->retain;
+        instance.root = static_cast<uint32_t>(layout.roots.size() - 1);
+        next = aligned(next, 64);
+    }
+    if (tooLarge) {
+        uint64_t total = 0;
+        for (const image::Root& root : layout.roots) total += world.types[root.type].size;
+        world.emit({}, findings::ImageTooLarge(total, kMaximumData));
+    }
+    layout.dataEnd = aligned(next, 64);
+    world.image.assign(layout.dataEnd, std::byte{});
+    for (const auto& [variable, index] : placed) {
+        const types::Type& type = world.types[variable->type];
+        if (world.types.kind(variable->type) == TypeKind::Unknown || tooLarge) continue;
+        InitialValue initial;
+        initial.bytes = type.initial;
+        initial.bytes.resize(std::max(1u, type.size));
+        if (variable->isProgramInstance) {
+            if (needsConstruction(world, variable->type)) {
+                DynamicInit dynamic;
+                dynamic.type = variable->type;
+                dynamic.isConstruction = true;
+                initial.dynamics.push_back(dynamic);
+            }
+        } else if (variable->isConstant && isFoldable(world.types, variable->type)) {
+            if (const types::Value* value = constantOf(world, *variable))
+                writeConstant(world, initial, variable->type, 0, -1, *value);
+        } else {
+            setInitial(world, initial, *variable, 0);
+        }
+        if (variable->bit >= 0) {
+            const auto mask = static_cast<std::byte>(1u << variable->bit);
+            if (initial.bytes[0] != std::byte{}) world.image[variable->offset] |= mask;
+        } else if (variable->offset + initial.bytes.size() <= world.image.size()) {
+            const bool isZero =
+                std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
+            if (!isZero || !variable->isLocated)
+                std::copy(initial.bytes.begin(), initial.bytes.end(), world.image.begin() + variable->offset);
+        }
+        for (DynamicInit dynamic : initial.dynamics) {
+            dynamic.offset += variable->offset;
+            if (variable->bit >= 0) dynamic.bit = variable->bit;
+            world.programInits.push_back(dynamic);
+        }
+        Symbol* symbol = variable->symbol.isValid() ? &world.symbols[variable->symbol.index()] : nullptr;
+        if (symbol && symbol->path.empty()) symbol->path = image::Layout::pathOf(layout.roots[index]);
+    }
+    for (Unit& unit : world.units) { // variables of a program with one instance have one path
+        if (unit.kind != UnitKind::Program || !unit.instance) continue;
+        for (Variable& variable : unit.variables)
+            if (variable.symbol.isValid() && variable.storage == Storage::Instance)
+                world.symbols[variable.symbol.index()].path = unit.instance->name + "." + variable.name;
+    }
+    checkOverlaps(world);
+}
+
+namespace {
+/// Stretches of bits that something has, joined where they touch.
+class TakenBits {
+public:
+    void add(uint64_t begin, uint64_t end) {
+        auto at = m_ends.upper_bound(begin);
+        if (at != m_ends.begin() && std::prev(at)->second >= begin) --at;
+        for (; at != m_ends.end() && at->first <= end; at = m_ends.erase(at)) {
+            begin = std::min(begin, at->first);
+            end = std::max(end, at->second);
+        }
+        m_ends.emplace(begin, end);
+    }
+    /// The first of `from`, `from + step`, … with so many free bits behind it.
+    [[nodiscard]] uint64_t nextFree(uint64_t from, uint64_t size, uint64_t step) const {
+        for (uint64_t at = from;;) {
+            auto next = m_ends.lower_bound(at + size);
+            if (next == m_ends.begin() || (--next)->second <= at) return at;
+            at += (next->second - at + step - 1) / step * step;
+        }
+    }
+
+private:
+    std::map<uint64_t, uint64_t> m_ends; // by begin
+};
+} // namespace
+
+///   ok:    a AT %MW0 : WORD; b AT %MB2 : BYTE;      advice: a AT %MW0 : WORD; b AT %MB1 : BYTE;  (P3011)
+void checkOverlaps(World& world) {
+    struct Used {
+        const Variable* variable;
+        uint64_t begin, end; // in bits
+    };
+    std::vector<Used> used;
+    const auto add = [&](const Variable& variable) {
+        if (!variable.isLocated || variable.storage != Storage::Absolute || !variable.declaration ||
+            variable.declaration->address.find('*') != std::string_view::npos)
+            return;
+        if (isLibraryFile(world, variable.range.file)) return;
+        const uint64_t begin = uint64_t(variable.offset) * 8 + static_cast<uint64_t>(std::max<int>(0, variable.bit));
+        used.push_back(
+            {&variable, begin, begin + (variable.bit >= 0 ? 1 : std::max(1u, world.types[variable.type].size) * 8ull)});
+    };
+    for (const Variable& variable : world.globals) add(variable);
+    for (const Unit& unit : world.units)
+        for (const Variable& variable : unit.variables) add(variable);
+    std::stable_sort(used.begin(), used.end(), [](const Used& a, const Used& b) { return a.begin < b.begin; });
+    if (used.empty()) return;
+    // what the code addresses directly is taken as well
+    TakenBits taken;
+    for (const Used& one : used) taken.add(one.begin, one.end);
+    for (const syntax::SyntaxFile* file : world.fileOf) {
+        if (!file || !file->library.empty()) continue;
+        for (const lex::Token& token : file->tokens.tokens) {
+            if (token.kind != lex::TokenKind::DirectAddress) continue;
+            const auto address =
+                parseAddress(world.sources[file->file].text().substr(token.begin, token.end - token.begin));
+            if (!address || address->isOpen || address->byte > kMaximumAddress) continue;
+            const uint64_t begin = (uint64_t(areaOf(world, address->area).begin) + address->byte) * 8 +
+                                   static_cast<uint64_t>(std::max<int>(0, address->bit));
+            taken.add(begin, begin + types::bitsOf(address->kind));
+        }
+    }
+    std::map<std::pair<Area, uint64_t>, uint64_t> searched;
+    const auto nextFree = [&](const Variable& variable, uint64_t begin, uint64_t end) -> std::string {
+        const std::string_view text = variable.declaration->address;
+        const DirectAddress address = parseAddress(text).value_or(DirectAddress());
+        const uint64_t area = uint64_t(areaOf(world, address.area).begin) * 8, size = end - begin;
+        const uint64_t step = address.bit >= 0 && variable.bit >= 0 ? 1 : std::max(8u, types::bitsOf(address.kind));
+        uint64_t& from = searched[{address.area, step}]; // those sought come in order: nothing before is free
+        const uint64_t at = taken.nextFree(std::max(begin + step, from), size, step);
+        taken.add(at, at + size);
+        from = at;
+        const size_t digits = text.find_first_of("0123456789");
+        std::string out(text.substr(0, digits));
+        out += std::to_string((at - area) / 8);
+        if (address.kind == TypeKind::Bool) out += "." + std::to_string(at % 8);
+        return out;
+    };
+    for (size_t i = 1; i < used.size(); ++i) {
+        const Used &a = used[i - 1], &b = used[i];
+        if (b.begin >= a.end) continue;
+        const SourceRange range = b.variable->declaration->addressRange.file.isValid()
+                                      ? b.variable->declaration->addressRange
+                                      : b.variable->range;
+        const std::string free = nextFree(*b.variable, b.begin, b.end);
+        auto& diagnostic = world.emit(range, findings::OverlappingAddress(a.variable->name, b.variable->name,
+                                                                          b.variable->declaration->address, free));
+        diagnostic.related.push_back({a.variable->range, notes::DeclaredHere()});
+        if (b.variable->declaration->addressRange.file.isValid())
+            diagnostic.fixes.push_back({fixes::MoveTo(b.variable->name, free), {{range, free}}});
+    }
+}
+
+void finishLayout(World& world) {
+    image::Layout& layout = world.program->layout;
+    layout.frameBegin = aligned(layout.dataEnd, 64);
+    uint64_t frames = kMinimumFrames;
+    for (const tree::Function& function : world.functions)
+        for (const tree::Local& local : function.locals)
+            frames += aligned(world.types[local.type].size + 8, 8) * uint64_t(2);
+    layout.imageSize = aligned(std::min<uint64_t>(layout.frameBegin + frames, uint64_t(1) << 30), 64);
+    world.image.resize(layout.dataEnd);
+    world.program->initialImage = std::move(world.image);
+}
+
+} // namespace plc::sema

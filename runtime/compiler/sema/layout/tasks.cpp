@@ -1,0 +1,390 @@
+// TASKs: what their declarations say, the programs each runs with their connections, and what runs where nothing is
+// configured.
+#include "runtime/compiler/sema/layout/tasks.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/declare/configuration.h"
+#include "runtime/compiler/sema/names/lookup.h"
+#include "runtime/compiler/sema/names/names.h"
+#include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/program/analyze.h"
+#include "runtime/compiler/sema/statements/statements.h"
+#include "runtime/compiler/sema/types/conversions.h"
+#include "runtime/compiler/sema/types/type_specs.h"
+#include "runtime/compiler/sema/values/expressions.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+namespace {
+
+bool hasSimulation(const std::vector<syntax::Pragma>& pragmas) {
+    return std::any_of(pragmas.begin(), pragmas.end(), [](const syntax::Pragma& p) {
+        return p.isAttribute && equalsIgnoringCase(p.key, "simulation");
+    });
+}
+
+/// Reads one TASK of a resource. Lives for that.
+class TaskReader {
+public:
+    TaskReader(World& world, const Configuration& configuration, const syntax::TaskDecl& declared)
+        : m_world(world), m_scope{nullptr, configuration.space, configuration.file}, m_declared(declared) {}
+
+    image::Task read() {
+        m_task.name = std::string(m_declared.name.text);
+        m_task.declaration = m_declared.name.range;
+        m_task.kind = image::TaskKind::Freewheeling;
+        if (m_declared.priority) readPriority(*m_declared.priority);
+        if (m_declared.interval) readInterval(*m_declared.interval);
+        if (m_declared.single)
+            readTrigger(*m_declared.single);
+        else if (!m_declared.interval || m_isIntervalZero)
+            tellFreewheeling();
+        for (const syntax::Argument& argument : m_declared.others)
+            if (argument.value) readOther(argument);
+        return std::move(m_task);
+    }
+
+private:
+    /// A constant TIME; a number is told and read as milliseconds.
+    std::optional<std::chrono::nanoseconds> duration(const syntax::Expr& e) {
+        Context checker(m_world, m_scope, m_world.sink, m_world.arena);
+        const TypeId time = types::TypeTable::of(TypeKind::Time);
+        Operand value = expression(checker, e, time);
+        if (value.isFlexible && std::holds_alternative<int64_t>(value.expr->value.data)) {
+            const std::chrono::milliseconds read(
+                std::clamp<int64_t>(value.expr->value.integer(), -1'000'000'000, 1'000'000'000));
+            const std::string text = types::durationText(std::chrono::nanoseconds(read).count());
+            m_world.emit(e.range, findings::NumberAsDuration(m_world.textOf(e.range), text))
+                .fixes.push_back({fixes::Write(text), {{e.range, text}}});
+            return read;
+        }
+        value = converted(checker, value, time);
+        if (value.isUnknown()) return std::nullopt;
+        if (!value.isConstant()) {
+            m_world.emit(e.range, findings::NotConstant());
+            return std::nullopt;
+        }
+        return std::chrono::nanoseconds(value.expr->value.integer());
+    }
+
+    void readPriority(const syntax::Expr& e) {
+        const auto priority = constantInteger(m_world, &e, m_scope);
+        if (!priority) return;
+        if (*priority < 0 || *priority > 1'000'000)
+            m_world.emit(e.range,
+                         findings::ConstantOutOfRange(std::to_string(*priority), Verbatim("PRIORITY (0..1000000)")));
+        m_task.priority = static_cast<int32_t>(std::clamp<int64_t>(*priority, 0, 1'000'000));
+    }
+
+    void readInterval(const syntax::Expr& e) {
+        const auto interval = duration(e);
+        if (!interval) return;
+        m_isIntervalZero = interval->count() == 0;
+        if (interval->count() < 0)
+            m_world.emit(e.range, findings::ConstantOutOfRange(types::durationText(interval->count()),
+                                                               Verbatim("INTERVAL (0..)")));
+        if (interval->count() > 0) m_task.kind = image::TaskKind::Cyclic; // zero: as if there were none
+        m_task.interval = std::max(*interval, std::chrono::nanoseconds(0));
+    }
+
+    void readTrigger(const syntax::Expr& e) {
+        Context checker(m_world, m_scope, m_world.sink, m_world.arena);
+        checker.isMuted = false;
+        const Denoted denoted = denote(checker, e, Access::Read);
+        const bool isBool =
+            denoted.kind == Denoted::Kind::Place && m_world.types.storageKind(denoted.place->type) == TypeKind::Bool;
+        const tree::Place* place = denoted.place;
+        if (isBool && place->kind == tree::PlaceKind::Bit && place->base &&
+            place->base->kind == tree::PlaceKind::Absolute) {
+            m_task.kind = image::TaskKind::Event;
+            m_task.trigger = image::Place{place->type, place->base->offset + static_cast<uint32_t>(place->bit) / 8,
+                                          static_cast<int16_t>(place->bit % 8)};
+        } else if (isBool && place->kind == tree::PlaceKind::Absolute) {
+            m_task.kind = image::TaskKind::Event;
+            m_task.trigger = image::Place{place->type, place->offset, place->bit};
+        } else if (denoted.kind == Denoted::Kind::Value && denoted.value.isConstant() && !m_declared.interval) {
+            m_task.kind = image::TaskKind::Freewheeling; // SINGLE := FALSE
+        } else if (denoted.kind != Denoted::Kind::Nothing && denoted.kind != Denoted::Kind::Value) {
+            m_world.emit(e.range, findings::ConditionNotBool(denoted.place ? m_world.nameOf(denoted.place->type)
+                                                                           : std::string(m_world.textOf(e.range))));
+        }
+    }
+
+    void readOther(const syntax::Argument& argument) {
+        if (equalsIgnoringCase(argument.name.text, "WATCHDOG")) {
+            if (const auto limit = duration(*argument.value)) m_task.watchdog = *limit;
+        } else if (equalsIgnoringCase(argument.name.text, "SENSITIVITY")) {
+            if (const auto count = constantInteger(m_world, argument.value, m_scope))
+                m_task.watchdogSensitivity = static_cast<uint32_t>(std::clamp<int64_t>(*count, 1, 1'000'000));
+        } else {
+            suggest(m_world,
+                    m_world.emit(argument.name.range, findings::UnknownParameter(Verbatim("TASK"), argument.name.text)),
+                    argument.name.range, argument.name.text,
+                    {"INTERVAL", "SINGLE", "PRIORITY", "WATCHDOG", "SENSITIVITY"});
+        }
+    }
+
+    void tellFreewheeling();
+
+    World& m_world;
+    const Scope m_scope;
+    const syntax::TaskDecl& m_declared;
+    image::Task m_task;
+    bool m_isIntervalZero = false;
+};
+
+/// A task that nothing starts runs in every scan, which SINGLE := FALSE says on purpose.
+///   ok:    TASK Slow(INTERVAL := T#1s);  TASK Free(SINGLE := FALSE);     advice: TASK Slow(PRIORITY := 1);  (P3035)
+void TaskReader::tellFreewheeling() {
+    const SourceRange range = m_declared.interval ? m_declared.interval->range : m_declared.name.range;
+    if (!range.file.isValid()) return; // a task without a name is told as that
+    auto& diagnostic = m_world.emit(range, findings::FreewheelingTask(m_declared.name.text));
+    if (m_declared.interval) {
+        diagnostic.fixes.push_back({fixes::Write(Verbatim("T#10ms")), {{range, "T#10ms"}}});
+        return;
+    }
+    const std::string_view text = m_world.sources[range.file].text();
+    const size_t open = text.find('(', range.end);
+    if (open == std::string_view::npos || open >= m_declared.range.end) return;
+    const auto at = static_cast<uint32_t>(open + 1);
+    const bool isEmpty = text.find_first_not_of(" \t\r\n", at) == text.find(')', at);
+    for (const std::string_view start : {"INTERVAL := T#10ms", "SINGLE := FALSE"})
+        diagnostic.fixes.push_back(
+            {fixes::Insert(std::string(start)), {{{range.file, at, at}, std::string(start) + (isEmpty ? "" : ", ")}}});
+}
+
+/// Assigns inputs before a program's body, outputs behind it.
+void connect(World& world, Instance& instance, image::TaskProgram& entry) {
+    Unit& unit = *instance.variable->program;
+    const Scope scope = instance.scope;
+    const auto build = [&](bool isInput) -> uint32_t {
+        const bool copies = std::any_of(world.copies.begin(), world.copies.end(),
+                                        [&](const Copy& c) { return c.root == instance.root && c.isInput == isInput; });
+        const bool connects = instance.declaration && !instance.declaration->connections.empty();
+        if (!copies && !connects) return 0;
+        const tree::FunctionId id = newFunction(world, instance.variable->name + (isInput ? ".IN" : ".OUT"), nullptr);
+        tree::Function& function = world.functions[id.index()];
+        Context checker(world, scope, world.sink, world.arena);
+        checker.function = &function;
+        checker.functionId = id;
+        for (const Copy& copy : world.copies) {
+            if (copy.root != instance.root || copy.isInput != isInput) continue;
+            tree::Place* data = absolutePlace(checker, copy.data.offset, copy.data.type, copy.data.bit, {});
+            tree::Place* address = absolutePlace(checker, copy.address.offset, copy.data.type, copy.address.bit, {});
+            function.body.push_back(isInput ? assignStmt(checker, data, load(checker, address, {}).expr, {})
+                                            : assignStmt(checker, address, load(checker, data, {}).expr, {}));
+        }
+        if (!connects) return function.body.empty() ? 0 : id.value;
+        for (const syntax::Argument& argument : instance.declaration->connections) {
+            if (!argument.name.isValid() || !argument.value) continue;
+            const bool isOutput = argument.kind == syntax::ArgumentKind::Output;
+            if (isOutput == isInput) continue;
+            const Member member = findMember(world, unit, world.key(argument.name.text));
+            if (!member.variable) {
+                suggest(world,
+                        world.emit(argument.name.range, findings::UnknownParameter(unit.name, argument.name.text)),
+                        argument.name.range, argument.name.text, memberNames(world, unit.type));
+                continue;
+            }
+            Variable& parameter = *member.variable;
+            refer(world, argument.name.range, parameter.symbol, isOutput, !isOutput);
+            const TypeId type = typeOf(world, parameter);
+            ++parameter.writes;
+            if (parameter.isInOut()) {
+                tree::Place* target = place(checker, *argument.value, Access::ReadWrite);
+                if (!target) continue;
+                if (!sameType(world, target->type, type) || !hasAddress(target)) {
+                    world.emit(argument.value->range, findings::InOutNeedsVariable(parameter.name, world.nameOf(type)));
+                    continue;
+                }
+                tree::Place* slot = world.arena.make<tree::Place>();
+                slot->kind = tree::PlaceKind::InOutSlot;
+                slot->type = type;
+                slot->base = absolutePlace(checker, instance.variable->offset, unit.type, -1, argument.range);
+                slot->offset = parameter.offset;
+                tree::Stmt* bind = newStmt(checker, tree::StmtKind::Bind, {});
+                bind->place = slot;
+                bind->target = target;
+                function.body.push_back(bind);
+                continue;
+            }
+            tree::Place* field =
+                parameter.storage == Storage::Absolute
+                    ? absolutePlace(checker, parameter.offset, type, parameter.bit, argument.range)
+                    : absolutePlace(checker, instance.variable->offset + parameter.offset, type, -1, argument.range);
+            // an address of the type's size takes the value as it is: %IX0.0 for a BOOL, %IW2 for an INT
+            const auto raw = [&](tree::Place* place) {
+                if (argument.value->kind != syntax::ExprKind::Address) return false;
+                const types::Type &x = world.types[place->type], &y = world.types[type];
+                return x.size == y.size && types::isElementary(world.types.storageKind(type)) &&
+                       world.types.family(type) != types::Family::Bool;
+            };
+            if (!isOutput) {
+                Operand value = expression(checker, *argument.value, type);
+                if (value.isUnknown()) continue;
+                if (value.expr->kind == tree::ExprKind::Load && raw(value.expr->place))
+                    value.expr->place->type = value.expr->type = type;
+                value = converted(checker, value, type);
+                if (!value.isUnknown()) function.body.push_back(assignStmt(checker, field, value.expr, {}));
+            } else {
+                const Denoted target = sema::target(checker, *argument.value);
+                if (target.kind == Denoted::Kind::Place && raw(target.place)) target.place->type = type;
+                assignTo(checker, target, load(checker, field, argument.value->range), {}, function.body, true);
+            }
+        }
+        return function.body.empty() ? 0 : id.value;
+    };
+    entry.connectIn = build(true);
+    entry.connectOut = build(false);
+}
+
+/// A TASK that was declared, and where.
+struct DeclaredTask {
+    image::Task task;
+    const syntax::ResourceDecl* resource = nullptr;
+    NameId id;
+};
+
+/// Task names are unique within a resource (edition 2, 2.7.2).
+///   wrong: TASK Fast(INTERVAL := T#10ms); TASK Fast(INTERVAL := T#20ms);  (P3012)
+std::vector<DeclaredTask> declaredTasks(World& world) {
+    std::vector<DeclaredTask> tasks;
+    forEachResource(world, [&](const Configuration& configuration, const syntax::ResourceDecl& resource) {
+        for (const syntax::TaskDecl* declared : resource.tasks) {
+            const NameId id = world.key(declared->name.text);
+            if (std::any_of(tasks.begin(), tasks.end(),
+                            [&](const DeclaredTask& d) { return d.id == id && d.resource == &resource; })) {
+                world.emit(declared->name.range, findings::DuplicateTask(declared->name.text));
+                continue;
+            }
+            addSymbol(world, SymbolKind::Task, declared->name.text, {}, declared->name.range);
+            tasks.push_back({TaskReader(world, configuration, *declared).read(), &resource, id});
+        }
+    });
+    return tasks;
+}
+
+/// What a task calls for an instance.
+image::TaskProgram entryOf(World& world, Instance& instance) {
+    image::TaskProgram entry;
+    entry.root = instance.root;
+    entry.function = instance.variable->program->function.value;
+    connect(world, instance, entry);
+    return entry;
+}
+
+/// The tasks of the program while its instances are dealt out to them.
+class TaskBook {
+public:
+    explicit TaskBook(World& world)
+        : m_world(world), m_declared(declaredTasks(world)), m_simulations(m_declared.size()) {
+        m_free.name = "Free";
+        m_simulation.name = "Simulation";
+        for (image::Task* task : {&m_free, &m_simulation}) {
+            task->kind = image::TaskKind::Freewheeling;
+            task->priority = 1'000'000;
+        }
+        for (size_t i = 0; i < m_declared.size(); ++i) m_simulations[i] = m_declared[i].task;
+    }
+
+    /// The programs that a CONFIGURATION names, each to its task, without one to a free task.
+    void addConfigured() {
+        for (Instance& instance : m_world.instances) {
+            if (!instance.declaration) continue;
+            const bool simulates =
+                instance.variable->program->isSimulation || hasSimulation(instance.declaration->pragmas);
+            m_world.program->layout.roots[instance.root].isSimulation = simulates;
+            m_isConfigured = m_isConfigured || !simulates;
+            const syntax::Name& name = instance.declaration->task;
+            if (!name.isValid()) {
+                (simulates ? m_simulation : m_free).programs.push_back(entryOf(m_world, instance));
+                continue;
+            }
+            const auto it = std::find_if(m_declared.begin(), m_declared.end(), [&](const DeclaredTask& d) {
+                return d.id == m_world.key(name.text) && d.resource == instance.resource;
+            });
+            if (it == m_declared.end()) {
+                std::vector<std::string> candidates;
+                for (const DeclaredTask& each : m_declared) candidates.push_back(each.task.name);
+                suggest(m_world, m_world.emit(name.range, findings::UnknownTask(name.text)), name.range, name.text,
+                        candidates);
+                continue;
+            }
+            const auto index = static_cast<size_t>(it - m_declared.begin());
+            (simulates ? m_simulations[index] : it->task).programs.push_back(entryOf(m_world, instance));
+        }
+    }
+
+    /// Without a CONFIGURATION: Main, MAIN, PLC_PRG or the only program, every 10 ms.
+    void addDefault() {
+        std::vector<Instance*> byDefault;
+        for (Instance& instance : m_world.instances) {
+            if (instance.declaration) continue;
+            if (instance.variable->program->isSimulation)
+                m_simulation.programs.push_back(entryOf(m_world, instance));
+            else
+                byDefault.push_back(&instance);
+        }
+        if (m_isConfigured) return;
+        if (!byDefault.empty()) return addMain(byDefault);
+        if (m_simulation.programs.empty() &&
+            std::any_of(m_world.fileOf.begin(), m_world.fileOf.end(),
+                        [](const syntax::SyntaxFile* f) { return f && f->library.empty(); }))
+            m_world.emit({}, findings::NoProgram()).severity = diagnostics::Severity::Info;
+    }
+
+    /// All that runs, the most urgent first, simulations behind what they serve.
+    std::vector<image::Task> take() {
+        std::vector<image::Task> all;
+        for (DeclaredTask& declared : m_declared) all.push_back(std::move(declared.task));
+        if (m_main) all.push_back(std::move(*m_main));
+        if (!m_free.programs.empty()) all.push_back(std::move(m_free));
+        m_simulations.push_back(std::move(m_simulation));
+        for (image::Task& task : m_simulations)
+            if (!task.programs.empty()) {
+                task.isSimulation = true;
+                all.push_back(std::move(task));
+            }
+        std::stable_sort(all.begin(), all.end(),
+                         [](const image::Task& a, const image::Task& b) { return a.priority < b.priority; });
+        return all;
+    }
+
+private:
+    void addMain(const std::vector<Instance*>& byDefault) {
+        Instance* chosen = byDefault.size() == 1 ? byDefault.front() : nullptr;
+        for (const std::string_view name : {"PLC_PRG", "Main"})
+            for (Instance* instance : byDefault)
+                if (equalsIgnoringCase(instance->variable->name, name)) chosen = instance;
+        if (!chosen) {
+            auto& diagnostic = m_world.emit(byDefault[1]->variable->range, findings::SeveralPrograms());
+            diagnostic.related.push_back({byDefault[0]->variable->range, notes::TheFirstProgram()});
+            return;
+        }
+        m_main.emplace();
+        m_main->name = "Main";
+        m_main->kind = image::TaskKind::Cyclic;
+        m_main->declaration = chosen->variable->range;
+        m_main->programs.push_back(entryOf(m_world, *chosen));
+    }
+
+    World& m_world;
+    std::vector<DeclaredTask> m_declared;
+    std::vector<image::Task> m_simulations; // of the declared tasks, for programs that simulate
+    image::Task m_free, m_simulation;       // without a task
+    std::optional<image::Task> m_main;
+    bool m_isConfigured = false;
+};
+
+} // namespace
+
+void buildTasks(World& world) {
+    TaskBook book(world);
+    book.addConfigured();
+    book.addDefault();
+    world.program->tasks = book.take();
+}
+
+} // namespace plc::sema

@@ -1,0 +1,21 @@
+// Name lookup: own unit, its bases, the namespace and those around it, USING, the project, then the libraries.
+#pragma once
+#include "runtime/compiler/sema/context.h"
+
+namespace plc::sema {
+
+[[nodiscard]] Member findMember(World& world, Unit& unit, NameId id);
+[[nodiscard]] Found lookupIn(Space& space, NameId id);
+[[nodiscard]] Found lookup(World& world, const Scope& scope, NameId id, bool wantsType = false);
+[[nodiscard]] Found lookupPath(World& world, const Scope& scope, const syntax::Path& path);
+void addNames(const World& world, const Space& space, std::vector<std::string>& out);
+[[nodiscard]] std::vector<std::string> visibleNames(const World& world, const Scope& scope);
+[[nodiscard]] std::vector<std::string> memberNames(World& world, TypeId type);
+void suggest(World& world, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+             const std::vector<std::string>& candidates);
+void suggest(Context& context, diagnostics::Diagnostic& diagnostic, SourceRange range, std::string_view name,
+             const std::vector<std::string>& candidates);
+/// Not too many near names were looked for.
+[[nodiscard]] bool maySuggest(const Context& context);
+
+} // namespace plc::sema

@@ -1,0 +1,166 @@
+
+#include "runtime/compiler/sema/program/analyze.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/declare/configuration.h"
+#include "runtime/compiler/sema/declare/declare.h"
+#include "runtime/compiler/sema/declare/tests.h"
+#include "runtime/compiler/sema/layout/initial_values.h"
+#include "runtime/compiler/sema/layout/layout.h"
+#include "runtime/compiler/sema/layout/tasks.h"
+#include "runtime/compiler/sema/layout/units.h"
+#include "runtime/compiler/sema/program/flow.h"
+#include "runtime/compiler/sema/program/oop.h"
+#include "runtime/compiler/sema/statements/bodies.h"
+#include "runtime/compiler/sema/types/type_specs.h"
+#include "runtime/compiler/sema/values/constants.h"
+
+#include "runtime/base/text.h"
+#include "runtime/compiler/lex/token.h"
+
+namespace plc::sema {
+
+using diagnostics::Kind;
+
+static void build(World& world, std::vector<std::unique_ptr<syntax::SyntaxFile>>& files);
+static void useNamesIn(World& world, SourceRange range);
+
+World::World(const SourceSet& theSources, const Options& theOptions)
+    : sources(theSources), options(theOptions), program(std::make_shared<tree::Program>()),
+      types(*(program->types = std::make_shared<types::TypeTable>())), arena(program->arena) {
+    functions.emplace_back(); // 0 is reserved
+    for (const uint32_t capacity : {80u, 255u}) {
+        types.string(capacity);
+        types.wstring(capacity);
+    }
+    types.string(1);
+    types.wstring(1);
+}
+
+SymbolId addSymbol(World& world, SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range,
+                   std::string_view comment) {
+    Symbol& symbol = world.symbols.emplace_back();
+    symbol.kind = kind;
+    symbol.name = std::string(name);
+    symbol.owner = std::string(owner);
+    symbol.declaration = range;
+    symbol.comment = std::string(comment);
+    return SymbolId(world.symbols.size() - 1);
+}
+
+bool isLibraryFile(const World& world, FileId file) {
+    return file.isValid() && file.index() < world.fileOf.size() && world.fileOf[file.index()] &&
+           !world.fileOf[file.index()]->library.empty();
+}
+
+bool hasSyntaxErrorAt(const World& world, SourceRange range) {
+    return std::any_of(world.syntaxErrors.begin(), world.syntaxErrors.end(), [&](SourceRange at) {
+        return at.file == range.file && at.begin >= range.begin && at.begin <= range.end + 2;
+    });
+}
+
+void refer(World& world, SourceRange range, SymbolId symbol, bool isRead, bool isWrite) {
+    if (!symbol.isValid() || !range.file.isValid() || isLibraryFile(world, range.file)) return;
+    world.references.push_back({range, symbol, isWrite, isRead});
+}
+
+tree::FunctionId newFunction(World& world, std::string name, const Unit* unit) {
+    tree::Function& function = world.functions.emplace_back();
+    function.name = std::move(name);
+    function.result = types::TypeTable::of(TypeKind::Void);
+    if (unit) {
+        function.library = unit->file ? unit->file->library : std::string();
+        function.declaration = unit->range;
+    }
+    return tree::FunctionId(world.functions.size() - 1);
+}
+
+void build(World& world, std::vector<std::unique_ptr<syntax::SyntaxFile>>& files) {
+    for (const auto& file : files) declareFile(world, *file);
+    resolveUsings(world);
+    for (size_t i = 0; i < world.units.size(); ++i) resolveBases(world, world.units[i]);
+    markHeaders(world);
+    declareConfigurations(world);
+    for (DeclaredType& type : world.declaredTypes)
+        completeType(world, resolveDeclared(world, type), type.declaration->name.range);
+    for (EnumType& type : world.enums) completeEnum(world, type);
+    for (size_t i = 0; i < world.units.size(); ++i) completeUnit(world, world.units[i], world.units[i].range);
+    for (size_t i = 0; i < world.globals.size(); ++i)
+        completeType(world, typeOf(world, world.globals[i]), world.globals[i].range);
+    for (size_t i = 0; i < world.structs.size(); ++i) completeStruct(world, world.structs[i]);
+    for (size_t i = 0; i < world.types.count(); ++i) completeType(world, TypeId(i), {});
+    checkConstants(world);
+    assignSlots(world);
+    for (size_t i = 0; i < world.units.size(); ++i) checkInheritance(world, world.units[i]);
+    for (Variable& variable : world.globals)
+        if (Unit* unit = world.unitOf(variable.type); unit && unit->isAbstract && unit->kind == UnitKind::Block)
+            world.emit(variable.spec ? variable.spec->range : variable.range, findings::AbstractInstance(unit->name));
+    for (Unit& unit : world.units)
+        for (Variable& variable : unit.variables)
+            if (Unit* of = variable.isInOut() ? nullptr : world.unitOf(variable.type);
+                of && of->isAbstract && of->kind == UnitKind::Block)
+                world.emit(variable.spec ? variable.spec->range : variable.range, findings::AbstractInstance(of->name));
+    layoutGlobals(world);
+    checkBodies(world);
+    applyVarConfig(world);
+    buildTasks(world);
+    buildInitialiser(world);
+    buildDispatch(world);
+    checkUsage(world);
+    checkTestNames(world);
+    checkRecursion(world);
+    finishLayout(world);
+    world.program->functions.assign(std::make_move_iterator(world.functions.begin()),
+                                    std::make_move_iterator(world.functions.end()));
+}
+
+/// What stands where nothing is analysed counts as used.
+void useNamesIn(World& world, SourceRange range) {
+    diagnostics::Sink ignored;
+    const std::string_view text = world.textOf(range);
+    for (const lex::Token& token : lex::tokenize(range.file, text, ignored).tokens)
+        if (token.kind == lex::TokenKind::Identifier)
+            world.options.usedElsewhere.insert("." + foldCase(text.substr(token.begin, token.end - token.begin)));
+}
+
+std::shared_ptr<const Analysis> analyze(const SourceSet& sources,
+                                        std::vector<std::unique_ptr<syntax::SyntaxFile>> files,
+                                        std::vector<diagnostics::Diagnostic> syntaxDiagnostics,
+                                        const Options& options) {
+    auto world = std::make_shared<World>(sources, options);
+    for (diagnostics::Diagnostic& diagnostic : syntaxDiagnostics) {
+        const Kind kind = diagnostic.kind;
+        if (diagnostic.severity == diagnostics::Severity::Error) world->syntaxErrors.push_back(diagnostic.range);
+        if (kind == Kind::StatementInStep) useNamesIn(*world, diagnostic.range);
+        world->sink.add(std::move(diagnostic));
+    }
+    build(*world, files);
+    auto analysis = std::make_shared<Analysis>();
+    analysis->files = std::move(files);
+    analysis->program = world->program;
+    if (!options.wantProgram)
+        for (tree::Function& function : analysis->program->functions) function.body.clear();
+    analysis->symbols = std::move(world->symbols);
+    // Of "a.b.c" the reference to c is the name alone.
+    for (Reference& reference : world->references) {
+        const std::string_view text = sources[reference.range.file].slice(reference.range);
+        const std::string& name = analysis->symbols[reference.symbol.index()].name;
+        if (text.size() <= name.size() || text[text.size() - name.size() - 1] != '.') continue;
+        if (equalsIgnoringCase(text.substr(text.size() - name.size()), name))
+            reference.range.begin = reference.range.end - static_cast<uint32_t>(name.size());
+    }
+    std::stable_sort(world->references.begin(), world->references.end(), [](const Reference& a, const Reference& b) {
+        return std::tuple(a.range.file, a.range.begin, a.range.end) <
+               std::tuple(b.range.file, b.range.begin, b.range.end);
+    });
+    analysis->references = std::move(world->references);
+    world->sink.sort();
+    analysis->diagnostics = world->sink.take();
+    analysis->hasErrors =
+        std::any_of(analysis->diagnostics.begin(), analysis->diagnostics.end(),
+                    [](const diagnostics::Diagnostic& d) { return d.severity == diagnostics::Severity::Error; });
+    analysis->scopes = world;
+    return analysis;
+}
+
+} // namespace plc::sema

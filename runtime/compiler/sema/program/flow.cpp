@@ -1,0 +1,290 @@
+// Whole-program checks after the bodies: variables nobody uses, calls that come back to themselves.
+#include "runtime/compiler/sema/program/flow.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/initial_values.h"
+#include "runtime/compiler/sema/program/analyze.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using syntax::SectionKind;
+
+static void checkUnusedGlobals(World& world);
+static void gatherConfigured(World& world);
+static void checkUnusedActions(World& world);
+static void checkFrames(World& world, const std::vector<std::vector<uint32_t>>& edges,
+                        const std::vector<std::vector<uint32_t>>& components);
+
+/// Globals nobody reads or writes. Located ones are what the machine has, constants what a list offers.
+void checkUnusedGlobals(World& world) {
+    for (Variable& variable : world.globals) {
+        if (variable.kind != SectionKind::Global || variable.isProgramInstance || variable.isConstant ||
+            variable.isLocated || !variable.declaration || !variable.range.file.isValid())
+            continue;
+        if (isLibraryFile(world, variable.range.file) || variable.reads || variable.writes ||
+            world.types.kind(variable.type) == TypeKind::Unknown || world.types.kind(variable.type) == TypeKind::Block)
+            continue;
+        const std::string name = foldCase(variable.name);
+        if (world.options.usedElsewhere.contains(name) || world.options.usedElsewhere.contains("." + name)) continue;
+        auto& diagnostic = world.emit(variable.range, findings::UnusedVariable(variable.name));
+        if (variable.declaration->names.size() == 1)
+            diagnostic.fixes.push_back({fixes::RemoveDeclaration(), {{variable.declaration->range, ""}}});
+    }
+}
+
+/// Variables that a VAR_CONFIG or VAR_ACCESS names.
+void gatherConfigured(World& world) {
+    const auto gather = [&](const std::vector<syntax::VarSection*>& sections) {
+        for (const syntax::VarSection* section : sections) {
+            if (section->kind != SectionKind::Config && section->kind != SectionKind::Access) continue;
+            for (const syntax::VarDecl* declaration : section->declarations) {
+                if (declaration->configPath.empty()) continue;
+                const std::string_view last = declaration->configPath.back().text;
+                world.options.usedElsewhere.insert("." + foldCase(last.substr(0, last.find('['))));
+            }
+        }
+    };
+    for (const Configuration& configuration : world.configurations) {
+        gather(configuration.declaration->sections);
+        for (const syntax::ResourceDecl* resource : configuration.declaration->resources) gather(resource->sections);
+    }
+    for (const Unit& unit : world.units)
+        if (unit.kind == UnitKind::Program && unit.pou) gather(unit.pou->sections);
+}
+
+/// ACTIONs that no step, call or panel names.
+void checkUnusedActions(World& world) {
+    std::vector<bool> used(world.symbols.size(), false);
+    for (const Reference& reference : world.references)
+        if (reference.symbol.isValid() && reference.range != world.symbols[reference.symbol.index()].declaration)
+            used[reference.symbol.index()] = true;
+    for (const Unit& unit : world.units) {
+        if (unit.kind != UnitKind::Action || unit.isLibrary() || !unit.symbol.isValid() || used[unit.symbol.index()] ||
+            world.options.usedElsewhere.contains("." + foldCase(unit.name)) || hasSyntaxErrorAt(world, unit.range))
+            continue;
+        world.emit(unit.range, findings::UnusedVariable(unit.name));
+    }
+}
+
+///   ok:    VAR x : INT := 1; y : INT; END_VAR y := x;
+///   advice: VAR x : INT; END_VAR  that nothing names (P3005)   y := x;  where nothing writes x (P3006)
+void checkUsage(World& world) {
+    gatherConfigured(world);
+    checkUnusedGlobals(world);
+    checkUnusedActions(world);
+    for (Unit& unit : world.units) {
+        if (unit.isLibrary() || unit.kind == UnitKind::Interface ||
+            (unit.owner && unit.owner->kind == UnitKind::Interface))
+            continue;
+        const bool hasChart = unit.members.contains(world.key("__chart0"));
+        for (Variable& variable : unit.variables) {
+            if (hasChart && equalsIgnoringCase(std::string_view(variable.name).substr(0, 3), "SFC"))
+                continue; // flags of the chart
+            const bool isOwn = variable.kind == SectionKind::Var || variable.kind == SectionKind::Temp ||
+                               variable.kind == SectionKind::Stat || variable.kind == SectionKind::Inst;
+            if (!isOwn || variable.isResult || !variable.declaration || !variable.range.file.isValid() ||
+                variable.name.starts_with("__"))
+                continue;
+            const auto known = unit.members.find(variable.id);
+            if (world.types.kind(variable.type) == TypeKind::Unknown || known == unit.members.end() ||
+                known->second.variable != &variable || known->second.unit)
+                continue;
+            if (world.options.usedElsewhere.contains("." + foldCase(variable.name)) ||
+                hasSyntaxErrorAt(world, variable.range))
+                continue;
+            if (variable.reads == 0 && variable.writes == 0) {
+                if (variable.isLocated) continue;
+                auto& diagnostic = world.emit(variable.range, findings::UnusedVariable(variable.name));
+                if (variable.declaration->names.size() == 1 && variable.declaration->range.file.isValid())
+                    diagnostic.fixes.push_back({fixes::RemoveDeclaration(), {{variable.declaration->range, ""}}});
+                continue;
+            }
+            const TypeKind kind = world.types.kind(variable.type);
+            const bool hasValue = variable.declaration->initial || hasConstructor(variable.spec);
+            if (variable.writes == 0 && !hasValue && !variable.isConstant && !variable.isLocated &&
+                kind != TypeKind::Block && kind != TypeKind::Unknown && kind != TypeKind::Array &&
+                kind != TypeKind::Struct && kind != TypeKind::Union)
+                world.emit(variable.range, findings::NeverWritten(variable.name));
+        }
+    }
+}
+
+namespace {
+
+/// Tarjan's strongly connected components, without recursion.
+class Components {
+public:
+    explicit Components(const std::vector<std::vector<uint32_t>>& edges)
+        : m_edges(edges), m_index(edges.size(), 0), m_low(edges.size(), 0), m_onStack(edges.size(), false) {
+        for (uint32_t i = 0; i < edges.size(); ++i)
+            if (!m_index[i]) visit(i);
+    }
+    std::vector<std::vector<uint32_t>> found;
+
+private:
+    struct Step {
+        uint32_t node;
+        size_t next;
+    };
+    void visit(uint32_t root) {
+        std::vector<Step> work{{root, 0}};
+        while (!work.empty()) {
+            const uint32_t node = work.back().node;
+            if (work.back().next == 0) {
+                m_index[node] = m_low[node] = ++m_counter;
+                m_stack.push_back(node);
+                m_onStack[node] = true;
+            }
+            if (work.back().next < m_edges[node].size()) {
+                const uint32_t to = m_edges[node][work.back().next++];
+                if (!m_index[to])
+                    work.push_back({to, 0});
+                else if (m_onStack[to])
+                    m_low[node] = std::min(m_low[node], m_index[to]);
+                continue;
+            }
+            work.pop_back();
+            if (!work.empty()) m_low[work.back().node] = std::min(m_low[work.back().node], m_low[node]);
+            if (m_low[node] != m_index[node]) continue;
+            std::vector<uint32_t> component;
+            for (;;) {
+                const uint32_t top = m_stack.back();
+                m_stack.pop_back();
+                m_onStack[top] = false;
+                component.push_back(top);
+                if (top == node) break;
+            }
+            std::sort(component.begin(), component.end());
+            found.push_back(std::move(component));
+        }
+    }
+    const std::vector<std::vector<uint32_t>>& m_edges;
+    std::vector<uint32_t> m_index, m_low, m_stack;
+    std::vector<bool> m_onStack;
+    uint32_t m_counter = 0;
+};
+
+} // namespace
+
+/// The locals of one path of calls must fit into the frames' area together.
+///   wrong: FUNCTION F … VAR a, b : ARRAY[0..200000000] OF BYTE; END_VAR  (P3023)
+void checkFrames(World& world, const std::vector<std::vector<uint32_t>>& edges,
+                 const std::vector<std::vector<uint32_t>>& components) {
+    std::vector<uint64_t> needed(world.functions.size(), 0); // with what is called
+    std::vector<bool> isReported(world.functions.size(), false);
+    for (const std::vector<uint32_t>& component : components) { // the called come before their callers
+        uint64_t own = 0, below = 0;
+        bool wasReported = false;
+        for (const uint32_t index : component) {
+            for (const tree::Local& local : world.functions[index].locals)
+                own += local.isInOut ? 16 : world.types[local.type].size;
+            for (const uint32_t to : edges[index]) {
+                below = std::max(below, needed[to]);
+                wasReported = wasReported || isReported[to];
+            }
+        }
+        const bool isTooLarge = own + below > kMaximumData;
+        for (const uint32_t index : component) {
+            needed[index] = std::min(own + below, 2 * kMaximumData);
+            isReported[index] = isTooLarge || wasReported;
+        }
+        if (isTooLarge && !wasReported)
+            world.emit(world.functions[component.front()].declaration,
+                       findings::ImageTooLarge(own + below, kMaximumData));
+    }
+}
+
+/// Recursion of functions is not allowed (edition 2, 2.5); that of methods is guarded while it runs.
+///   wrong: FUNCTION F … F := F(n - 1); END_FUNCTION  (P3004)
+///   advice: METHOD M … M := M(n - 1); END_METHOD  (P3032)
+void checkRecursion(World& world) {
+    std::vector<std::vector<uint32_t>> edges(world.functions.size());
+    std::vector<Unit*> unitOfFunction(world.functions.size(), nullptr);
+    std::vector<std::vector<uint32_t>> bySlot(world.slotNames.size());
+    for (Unit& unit : world.units) {
+        if (!unit.function.isValid()) continue;
+        unitOfFunction[unit.function.index()] = &unit;
+        if (unit.slot != Id<int>::kNone && !(unit.owner && unit.owner->kind == UnitKind::Interface))
+            bySlot[unit.slot].push_back(unit.function.value);
+    }
+    for (const Call& call : world.calls) {
+        edges[call.from].push_back(call.to);
+        if (!call.isDispatched || world.functions[call.to].methodSlot == Id<int>::kNone) continue;
+        const TypeId declared = world.functions[call.to].instanceType;
+        for (const uint32_t candidate : bySlot[world.functions[call.to].methodSlot]) {
+            const Unit* unit = unitOfFunction[candidate];
+            if (unit && unit->self() &&
+                (!declared.isValid() || world.types.isDerivedFrom(unit->self()->type, declared)))
+                edges[call.from].push_back(candidate);
+        }
+    }
+    for (auto& list : edges) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    const std::vector<std::vector<uint32_t>> components = Components(edges).found;
+    checkFrames(world, edges, components);
+    std::vector<std::vector<const Call*>> callsFrom(world.functions.size());
+    std::unordered_set<uint32_t> abstractSlots; // dispatched through an interface
+    for (const Call& call : world.calls) {
+        callsFrom[call.from].push_back(&call);
+        if (call.isDispatched && world.functions[call.to].isAbstract)
+            abstractSlots.insert(world.functions[call.to].methodSlot);
+    }
+    for (const std::vector<uint32_t>& component : components) {
+        const auto isOwn = [&](uint32_t index) { return unitOfFunction[index] && !unitOfFunction[index]->isLibrary(); };
+        const auto own = std::find_if(component.begin(), component.end(), isOwn); // where its writer can mend it
+        const uint32_t first = own == component.end() ? component.front() : *own;
+        const bool isCycle =
+            component.size() > 1 || std::binary_search(edges[first].begin(), edges[first].end(), first);
+        if (!isCycle) continue;
+        bool isFixed = true; // every member is a function or program: recursion is an error
+        for (const uint32_t index : component) {
+            world.functions[index].mayRecurse = true;
+            const Unit* unit = unitOfFunction[index];
+            isFixed =
+                isFixed && unit &&
+                (unit->kind == UnitKind::Function || unit->kind == UnitKind::Program || unit->kind == UnitKind::Action);
+        }
+        // the way round from the first of them
+        std::vector<uint32_t> from(world.functions.size(), Id<int>::kNone), queue{first};
+        bool closed = false;
+        uint32_t last = first;
+        for (size_t i = 0; i < queue.size() && !closed; ++i) {
+            for (const uint32_t to : edges[queue[i]]) {
+                if (to == first) {
+                    closed = true;
+                    last = queue[i];
+                    break;
+                }
+                if (from[to] != Id<int>::kNone || !std::binary_search(component.begin(), component.end(), to)) continue;
+                from[to] = queue[i];
+                queue.push_back(to);
+            }
+        }
+        std::string chain = world.functions[first].name;
+        for (uint32_t at = last; at != first && at != Id<int>::kNone; at = from[at])
+            chain = world.functions[at].name + " → " + chain;
+        chain = world.functions[first].name + " → " + chain;
+        const Unit* unit = unitOfFunction[first];
+        if (!unit) continue;
+        SourceRange range = unit->range;
+        for (const Call* call : callsFrom[last])
+            if (call->to == first || (call->isDispatched && world.functions[call->to].methodSlot != Id<int>::kNone &&
+                                      world.functions[call->to].methodSlot == world.functions[first].methodSlot)) {
+                range = call->range;
+                break;
+            }
+        if (isFixed)
+            world.emit(range, findings::Recursion(world.functions[first].name, chain));
+        else
+            world.emit(range, findings::RecursiveMethod(world.functions[first].name));
+    }
+    for (tree::Function& function : world.functions)
+        if (function.methodSlot != Id<int>::kNone && abstractSlots.contains(function.methodSlot))
+            function.mayRecurse = true;
+}
+
+} // namespace plc::sema

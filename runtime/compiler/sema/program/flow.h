@@ -1,0 +1,10 @@
+// Whole-program checks after the bodies: variables nobody uses, calls that come back to themselves.
+#pragma once
+#include "runtime/compiler/sema/context.h"
+
+namespace plc::sema {
+
+void checkUsage(World& world);
+void checkRecursion(World& world);
+
+} // namespace plc::sema

@@ -1,0 +1,289 @@
+// EXTENDS, IMPLEMENTS, overriding, access, and the slots of dispatched methods (one per method name, program-wide).
+#include "runtime/compiler/sema/program/oop.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/units.h"
+#include "runtime/compiler/sema/names/lookup.h"
+#include "runtime/compiler/sema/program/analyze.h"
+#include "runtime/compiler/sema/types/type_specs.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+void resolveBases(World& world, Unit& unit) {
+    if (unit.baseProgress != Progress::Open) return;
+    unit.baseProgress = Progress::Working;
+    const Waiting wait(world.waiting, kMaximumWaiting / kMaximumBases);
+    const auto resolve = [&](const syntax::Path& path, bool wantsInterface) -> Unit* {
+        if (path.empty()) return nullptr;
+        const SourceRange range = joined(path.front().range, path.back().range);
+        Scope outside{nullptr, unit.space, unit.file};
+        const Found found = lookupPath(world, outside, path);
+        std::string text;
+        for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
+        Unit* base = found.entity.unit;
+        if (!base) {
+            std::vector<std::string> candidates;
+            for (const Unit& other : world.units)
+                if (other.kind == (wantsInterface ? UnitKind::Interface : UnitKind::Block))
+                    candidates.push_back(other.name);
+            suggest(world, world.emit(range, findings::UnknownType(text)), range, text, candidates);
+            return nullptr;
+        }
+        refer(world, path.back().range, base->symbol, true, false);
+        if (base->kind != (wantsInterface ? UnitKind::Interface : UnitKind::Block)) {
+            world.emit(range, findings::NotExtendable(base->name, unit.name));
+            return nullptr;
+        }
+        if (base->isFinal) {
+            world.emit(range, findings::FinalExtended(base->name));
+            return nullptr;
+        }
+        if (!wait.isTooDeep) resolveBases(world, *base);
+        if (base->baseProgress == Progress::Working) {
+            world.emit(range, findings::TypeCycle(unit.name));
+            return nullptr;
+        }
+        if (base->baseProgress == Progress::Open || base->level >= kMaximumBases) {
+            world.emit(range, findings::NestedTooDeep());
+            return nullptr;
+        }
+        unit.level = std::max(unit.level, base->level + 1);
+        return base;
+    };
+    if (unit.pou && !unit.owner) {
+        if (unit.kind == UnitKind::Interface) {
+            for (const syntax::Path& path : unit.pou->extends)
+                if (Unit* base = resolve(path, true)) unit.interfaces.push_back(base);
+        } else if (unit.kind == UnitKind::Block) {
+            for (const syntax::Path& path : unit.pou->extends) {
+                Unit* base = resolve(path, false);
+                if (!base) continue;
+                if (unit.base)
+                    world.emit(joined(path.front().range, path.back().range),
+                               findings::NotExtendable(base->name, unit.name));
+                else
+                    unit.base = base;
+            }
+            if (unit.base) unit.base->isExtended = true;
+        } else if (!unit.pou->extends.empty() && !unit.pou->extends.front().empty()) {
+            world.emit(unit.pou->extends.front().front().range,
+                       findings::NotAllowedHere(Verbatim("EXTENDS"), unit.kind == UnitKind::Program
+                                                                         ? phrases::InAProgram()
+                                                                         : phrases::InAFunction()));
+        }
+        for (const syntax::Path& path : unit.pou->implements)
+            if (Unit* interface = resolve(path, true)) unit.interfaces.push_back(interface);
+        if (unit.type.isValid()) {
+            types::Type& type = world.types.edit(unit.type);
+            if (unit.base) type.base = unit.base->type;
+            for (const Unit* interface : unit.interfaces) type.interfaces.push_back(interface->type);
+        }
+    }
+    unit.baseProgress = Progress::Done;
+}
+
+bool isAccessible(syntax::Access access, const Unit* owner, const Scope& from) {
+    if (access == syntax::Access::Default || access == syntax::Access::Public || !owner) return true;
+    const Unit* self = from.unit ? from.unit->self() : nullptr;
+    switch (access) {
+    case syntax::Access::Private:
+        return self == owner;
+    case syntax::Access::Protected:
+        for (const Unit* at = self; at; at = at->base)
+            if (at == owner) return true;
+        return false;
+    case syntax::Access::Internal:
+        return from.space == owner->space;
+    default:
+        return true;
+    }
+}
+
+namespace {
+
+std::vector<std::pair<types::TypeId, syntax::SectionKind>> shapeOf(World& world, Unit& unit) {
+    std::vector<std::pair<types::TypeId, syntax::SectionKind>> out;
+    collectParameters(world, unit);
+    for (Variable* parameter : unit.parameters) out.emplace_back(typeOf(world, *parameter), parameter->kind);
+    return out;
+}
+
+bool sameShape(World& world, Unit& a, Unit& b) {
+    const auto x = shapeOf(world, a), y = shapeOf(world, b);
+    if (x.size() != y.size()) return false;
+    for (size_t i = 0; i < x.size(); ++i)
+        if (x[i].second != y[i].second || !sameType(world, x[i].first, y[i].first)) return false;
+    const auto result = [&](Unit& unit) {
+        return unit.resultVariable ? typeOf(world, *unit.resultVariable) : types::TypeTable::of(TypeKind::Void);
+    };
+    return sameType(world, result(a), result(b));
+}
+
+void collectInterfaces(World& world, Unit& unit, std::vector<Unit*>& out) {
+    resolveBases(world, unit);
+    for (Unit* interface : unit.interfaces) {
+        if (std::find(out.begin(), out.end(), interface) != out.end()) continue;
+        out.push_back(interface);
+        collectInterfaces(world, *interface, out);
+    }
+}
+
+/// Methods by name, the unit's own before its bases'.
+Unit* methodNamed(Unit& unit, NameId id) {
+    for (Unit* at = &unit; at; at = at->base)
+        for (Unit* method : at->methods)
+            if (method->id == id) return method;
+    return nullptr;
+}
+
+} // namespace
+
+namespace {
+
+/// The names behind IMPLEMENTS, as far as they are there.
+SourceRange implementsRange(const Unit& unit) {
+    SourceRange range;
+    for (const syntax::Path& path : unit.pou->implements) {
+        if (path.empty()) continue;
+        const SourceRange here = joined(path.front().range, path.back().range);
+        range = range.file.isValid() ? joined(range, here) : here;
+    }
+    return range.file.isValid() ? range : unit.range;
+}
+
+} // namespace
+
+namespace {
+
+/// The fix that writes a property of an interface, with the accessors it wants, before END_FUNCTION_BLOCK.
+void addProperty(const World& world, const Unit& unit, const Property& property, diagnostics::Diagnostic& diagnostic) {
+    constexpr std::string_view end = "END_FUNCTION_BLOCK";
+    const std::string_view whole = world.textOf(unit.pou->range);
+    if (!unit.pou->hasEnd || whole.size() <= end.size() ||
+        !equalsIgnoringCase(whole.substr(whole.size() - end.size()), end))
+        return;
+    if (std::any_of(unit.properties.begin(), unit.properties.end(),
+                    [&](const Property* own) { return own->id == property.id; }))
+        return; // one accessor is there
+    std::string text = "PROPERTY " + property.name + " : " + world.nameOf(property.type) + "\n";
+    if (property.get) text += "GET\n;\nEND_GET\n";
+    if (property.set) text += "SET\n;\nEND_SET\n";
+    const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
+    diagnostic.fixes.push_back(
+        {fixes::AddProperty(property.name), {{{unit.range.file, place, place}, text + "END_PROPERTY\n"}}});
+}
+
+} // namespace
+
+/// What a block takes over is kept (edition 3, 6.6.5 to 6.6.7).
+///   wrong: FUNCTION_BLOCK B IMPLEMENTS I  without the METHOD M of I (P3014)
+///          METHOD M : REAL  where the base has METHOD M : INT (P3015)   METHOD OVERRIDE N  where no base has N (P3034)
+void checkInheritance(World& world, Unit& unit) {
+    for (Unit* method : unit.methods) {
+        Unit* overridden = unit.base ? methodNamed(*unit.base, method->id) : nullptr;
+        if (overridden) {
+            overridden->isOverridden = true;
+            if (overridden->isFinal)
+                world.emit(method->range, findings::FinalExtended(overridden->qualified));
+            else if (!sameShape(world, *method, *overridden))
+                world.emit(method->range, findings::OverrideDiffers(method->name))
+                    .related.push_back({overridden->range, notes::OverriddenHere()});
+        } else if (method->isOverride) {
+            std::vector<std::string> candidates;
+            for (Unit* at = unit.base; at; at = at->base)
+                for (const Unit* other : at->methods) candidates.push_back(other->name);
+            suggest(world, world.emit(method->range, findings::OverridesNothing(method->name)), method->range,
+                    method->name, candidates);
+        }
+        if (method->isAbstract && unit.kind == UnitKind::Block && !unit.isAbstract)
+            world.emit(method->range,
+                       findings::NotAllowedHere(Verbatim("ABSTRACT"), phrases::InNotAbstract(unit.name)));
+    }
+    if (unit.kind != UnitKind::Block) return;
+    std::vector<Unit*> interfaces;
+    for (Unit* at = &unit; at; at = at->base) collectInterfaces(world, *at, interfaces);
+    if (unit.isAbstract) return;
+    for (Unit* interface : interfaces) {
+        for (Unit* wanted : interface->methods) {
+            Unit* made = methodNamed(unit, wanted->id);
+            const SourceRange at = implementsRange(unit);
+            if (!made || made->isAbstract) {
+                const Property* property = wanted->property;
+                if (property && wanted == property->set && property->get && !methodNamed(unit, property->get->id))
+                    continue; // told with GET
+                auto& diagnostic =
+                    world.emit(at, findings::NotInterfaceImplemented(
+                                       unit.name, property ? property->name : wanted->name, interface->name));
+                if (property && !made) addProperty(world, unit, *property, diagnostic);
+                if (!made && wanted->kind == UnitKind::Method && unit.pou->hasEnd && unit.pou->range.file.isValid()) {
+                    std::string text =
+                        "METHOD " + wanted->name +
+                        (wanted->pou->result ? " : " + std::string(world.textOf(wanted->pou->result->range))
+                                             : std::string()) +
+                        "\n";
+                    for (const syntax::VarSection* section : wanted->pou->sections)
+                        text += std::string(world.textOf(section->range)) + "\n";
+                    text += ";\nEND_METHOD\n";
+                    const std::string_view whole = world.textOf(unit.pou->range);
+                    const std::string_view end = "END_FUNCTION_BLOCK";
+                    if (whole.size() > end.size()) {
+                        const auto place = unit.pou->range.end - static_cast<uint32_t>(end.size());
+                        if (equalsIgnoringCase(whole.substr(whole.size() - end.size()), end))
+                            diagnostic.fixes.push_back(
+                                {fixes::AddMethod(wanted->name), {{{unit.range.file, place, place}, text}}});
+                    }
+                }
+            } else if (!sameShape(world, *made, *wanted)) {
+                world.emit(made->range, findings::OverrideDiffers(made->name))
+                    .related.push_back({wanted->range, notes::DeclaredHere()});
+            }
+        }
+    }
+    // an abstract method of a base must be there
+    for (Unit* at = unit.base; at; at = at->base)
+        for (Unit* wanted : at->methods)
+            if (wanted->isAbstract && methodNamed(unit, wanted->id) == wanted)
+                world.emit(unit.range, findings::NotInterfaceImplemented(unit.name, wanted->name, at->name));
+}
+
+void assignSlots(World& world) {
+    std::unordered_map<NameId, uint32_t> slots;
+    const NameId body = world.key("()");
+    const auto slotOf = [&](NameId id) {
+        const auto [it, isNew] = slots.try_emplace(id, static_cast<uint32_t>(slots.size()));
+        if (isNew) world.slotNames.push_back(id);
+        return it->second;
+    };
+    for (Unit& unit : world.units) {
+        if (unit.owner && (unit.kind == UnitKind::Method || unit.kind == UnitKind::PropertyGet ||
+                           unit.kind == UnitKind::PropertySet)) {
+            unit.slot = slotOf(unit.id);
+            world.functions[unit.function.index()].methodSlot = unit.slot;
+        } else if (unit.kind == UnitKind::Block && unit.hasHeader) {
+            unit.slot = slotOf(body);
+            world.functions[unit.function.index()].methodSlot = unit.slot;
+            if (unit.isExtended) unit.isOverridden = true;
+        }
+    }
+}
+
+void buildDispatch(World& world) {
+    uint32_t blocks = 0;
+    for (const Unit& unit : world.units)
+        if (unit.isInstanced()) blocks = std::max(blocks, world.types[unit.type].blockNumber);
+    world.program->dispatch.assign(blocks + 1, {});
+    for (Unit& unit : world.units) {
+        if (!unit.isInstanced() || !unit.hasHeader) continue;
+        std::vector<tree::FunctionId>& row = world.program->dispatch[world.types[unit.type].blockNumber];
+        row.assign(world.slotNames.size(), tree::FunctionId());
+        for (Unit* at = &unit; at; at = at->base) {
+            for (Unit* method : at->methods)
+                if (!row[method->slot].isValid() && !method->isAbstract) row[method->slot] = method->function;
+            if (at->slot != Id<int>::kNone && !row[at->slot].isValid()) row[at->slot] = at->function;
+        }
+    }
+}
+
+} // namespace plc::sema

@@ -1,0 +1,13 @@
+// EXTENDS, IMPLEMENTS, overriding, access, and the slots of dispatched methods (one per method name, program-wide).
+#pragma once
+#include "runtime/compiler/sema/context.h"
+
+namespace plc::sema {
+
+void resolveBases(World& world, Unit& unit);
+[[nodiscard]] bool isAccessible(syntax::Access access, const Unit* owner, const Scope& from);
+void checkInheritance(World& world, Unit& unit);
+void assignSlots(World& world);
+void buildDispatch(World& world);
+
+} // namespace plc::sema

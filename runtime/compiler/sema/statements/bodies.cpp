@@ -1,0 +1,139 @@
+// The bodies of all units: prologue (initial values of locals, edges of inputs), statements, end-of-body checks.
+#include "runtime/compiler/sema/statements/bodies.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/layout/initial_values.h"
+#include "runtime/compiler/sema/names/names.h"
+#include "runtime/compiler/sema/names/places.h"
+#include "runtime/compiler/sema/operators/operators.h"
+#include "runtime/compiler/sema/statements/statements.h"
+#include "runtime/compiler/sema/types/conversions.h"
+#include "runtime/compiler/sema/values/expressions.h"
+
+#include "runtime/base/text.h"
+
+namespace plc::sema {
+
+using library::BinaryOp;
+
+static void checkBody(World& world, Unit& unit);
+
+void checkBodies(World& world) {
+    for (size_t i = 0; i < world.units.size(); ++i)
+        if (world.units[i].isCode()) checkBody(world, world.units[i]);
+}
+
+namespace {
+
+/// before := CLK; edge := CLK AND NOT before — for each R_EDGE or F_EDGE input of a block.
+void emitEdges(Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
+    const TypeId boolean = types::TypeTable::of(TypeKind::Bool);
+    // a body that runs its base's leaves the inputs of the base to it
+    const bool runsBase =
+        unit.base && foldCase(checker.world.textOf(unit.pou->body.range)).find("super") != std::string::npos;
+    for (Unit* at = &unit; at; at = runsBase ? nullptr : at->base) {
+        for (Variable& variable : at->variables) {
+            if (variable.edgeOffset == Id<int>::kNone) continue;
+            const auto place = [&](uint32_t offset) {
+                return fieldPlace(checker, thisPlace(checker, variable.range), offset, boolean, -1, variable.range);
+            };
+            const auto input = [&] {
+                Operand value = load(checker, place(variable.offset), variable.range);
+                return variable.declaration->edge == syntax::VarEdge::Rising ? value
+                                                                             : inverted(checker, value, variable.range);
+            };
+            const uint32_t before = variable.edgeOffset + 1;
+            const Operand notBefore = inverted(checker, load(checker, place(before), variable.range), variable.range);
+            out.push_back(
+                assignStmt(checker, place(variable.edgeOffset),
+                           makeBinary(checker, BinaryOp::And, boolean, input(), notBefore, variable.range).expr, {}));
+            out.push_back(assignStmt(checker, place(before), input().expr, {}));
+        }
+    }
+}
+
+/// Initial values of a function's own locals.
+void emitLocals(World& world, Context& checker, Unit& unit, std::vector<tree::Stmt*>& out) {
+    types::TypeTable& types = world.types;
+    for (Variable& variable : unit.variables) {
+        if (variable.storage != Storage::Local || variable.isInOut() || variable.kind == syntax::SectionKind::Input)
+            continue;
+        const TypeId type = variable.type;
+        const syntax::Expr* initial = variable.declaration ? variable.declaration->initial : nullptr;
+        if (types.isAggregate(type)) {
+            const syntax::TypeSpec* spec = variable.isResult ? nullptr : variable.spec;
+            if (!initial && !hasConstructor(spec) && !needsConstruction(world, type)) continue;
+            if (!fitsIntoCode(checker, type, initial ? initial->range : variable.range)) continue;
+            InitialValue value;
+            value.bytes = types[type].initial;
+            value.bytes.resize(types[type].size);
+            initialiseDeclared(world, value, type, 0, -1, initial, variable.scope, spec);
+            if (value.bytes != types[type].initial &&
+                std::any_of(value.bytes.begin(), value.bytes.end(), [](std::byte b) { return b != std::byte{}; }))
+                checker.function->locals[variable.local].initial =
+                    constant(checker, types::readValue(types, type, value.bytes), variable.range).expr;
+            if (value.dynamics.empty()) continue;
+            checker.function->locals[variable.local].isAddressTaken = true;
+            emitDynamics(
+                world, checker, value.dynamics,
+                [&](const DynamicInit& dynamic) {
+                    return fieldPlace(checker, localPlace(checker, variable.local, type, variable.range),
+                                      dynamic.offset, dynamic.type, dynamic.bit, variable.range);
+                },
+                out);
+            continue;
+        }
+        if (!initial) continue;
+        if (types.kind(type) == TypeKind::Reference) {
+            bindReference(checker, localPlace(checker, variable.local, type, variable.range), *initial, {}, out);
+            continue;
+        }
+        const Operand value = converted(checker, expression(checker, *initial, type), type);
+        if (value.isUnknown()) continue;
+        if (variable.isResult) continue;
+        checker.function->locals[variable.local].initial = value.expr;
+    }
+}
+
+} // namespace
+
+///   ok:    IF a > 0 THEN F := 1; ELSE F := 2; END_IF      advice: IF a > 0 THEN F := 1; END_IF  in FUNCTION F (P3008)
+void checkBody(World& world, Unit& unit) {
+    tree::Function& function = world.functions[unit.function.index()];
+    const syntax::Body* body = unit.action ? &unit.action->body : &unit.pou->body;
+    Unit* self = unit.self();
+    if (self) function.instanceType = self->type;
+    function.isAbstract = unit.isAbstract && unit.kind != UnitKind::Block;
+    if (unit.owner && unit.owner->kind == UnitKind::Interface) return;
+    if (function.isAbstract && body->statements.empty()) return;
+    Context checker(world, {&unit, unit.space, unit.file}, world.sink, world.arena);
+    checker.function = &function;
+    checker.functionId = unit.function;
+    checker.isTest = unit.isTest;
+    if (unit.isInstanced())
+        emitEdges(checker, unit, function.body);
+    else
+        emitLocals(world, checker, unit, function.body);
+    if (unit.hasImplicitEno && unit.isInstanced()) {
+        const Denoted eno =
+            ofVariable(checker, *unit.members[world.key("ENO")].variable, nullptr, unit.range, Access::Write);
+        if (eno.place)
+            function.body.push_back(
+                assignStmt(checker, eno.place,
+                           constant(checker, {types::TypeTable::of(TypeKind::Bool), int64_t(1)}, unit.range).expr, {}));
+    }
+    declareLabels(checker, body->statements);
+    statements(checker, body->statements, function.body);
+    if (unit.isTest) function.body.clear();
+    if (unit.resultVariable && world.types.kind(unit.result) != TypeKind::Void &&
+        world.types.kind(unit.result) != TypeKind::Unknown && !unit.isLibrary()) {
+        const bool atEnd = !checker.flow.isReachable || checker.flow.isResultSet;
+        // the methods the controller calls need no result, and who adds to the result relies on its beginning
+        const bool isCallback = equalsIgnoringCase(unit.name, "FB_Init") ||
+                                equalsIgnoringCase(unit.name, "FB_Reinit") || equalsIgnoringCase(unit.name, "FB_Exit");
+        if ((!atEnd || !checker.returnsSet) && !isCallback && unit.resultVariable->reads == 0)
+            world.emit(unit.range, findings::ResultNotSet(unit.name));
+    }
+}
+
+} // namespace plc::sema

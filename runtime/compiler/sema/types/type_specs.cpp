@@ -1,0 +1,708 @@
+// Type specifications → TypeIds. A name is resolved when asked for; sizes are completed separately (completeType), so
+// that a pointer may name a type that holds it.
+#include "runtime/compiler/sema/types/type_specs.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/declare/declare.h"
+#include "runtime/compiler/sema/layout/initial_values.h"
+#include "runtime/compiler/sema/layout/relative_addresses.h"
+#include "runtime/compiler/sema/layout/units.h"
+#include "runtime/compiler/sema/names/lookup.h"
+#include "runtime/compiler/sema/program/analyze.h"
+#include "runtime/compiler/sema/types/conversions.h"
+#include "runtime/compiler/sema/values/expressions.h"
+
+#include "runtime/base/text.h"
+
+#include <cstring>
+
+namespace plc::sema {
+
+using syntax::TypeSpecKind;
+using types::TypeTable;
+
+static TypeId resolveArray(World& world, const syntax::TypeSpec& spec, const Scope& scope);
+static TypeId nested(World& world, TypeId type, SourceRange range);
+static uint64_t neededBytes(const World& world, TypeId type);
+static TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& scope);
+static bool completeArray(World& world, TypeId type, SourceRange usedAt);
+static void completeAlias(World& world, DeclaredType& type, SourceRange usedAt);
+
+namespace {
+
+struct ElementaryName {
+    std::string_view name;
+    TypeKind kind;
+};
+constexpr ElementaryName kElementaryNames[] = {
+#define PLC_ELEMENTARY(Name, Spelling, Bytes, Family) {Spelling, TypeKind::Name},
+#include "runtime/types/elementary.def"
+    {"TIME_OF_DAY", TypeKind::Tod},    {"DATE_AND_TIME", TypeKind::Dt}, {"LTIME_OF_DAY", TypeKind::Ltod},
+    {"LDATE_AND_TIME", TypeKind::Ldt}, {"BIT", TypeKind::Bool},         {"FLOAT", TypeKind::Real},
+    {"__UXINT", TypeKind::Ulint},      {"__XINT", TypeKind::Lint},      {"__XWORD", TypeKind::Lword},
+};
+
+} // namespace
+
+std::optional<TypeKind> elementaryNamed(std::string_view name) {
+    for (const ElementaryName& entry : kElementaryNames)
+        if (entry.name.size() == name.size() && equalsIgnoringCase(entry.name, name)) return entry.kind;
+    return std::nullopt;
+}
+
+///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[1..x] OF INT  with a variable x (P2019)
+std::optional<int64_t> constantInteger(World& world, const syntax::Expr* expr, const Scope& scope) {
+    if (!expr) return std::nullopt;
+    const Waiting wait(world.waiting, expr->height);
+    if (wait.isTooDeep) {
+        world.emit(expr->range, findings::NestedTooDeep());
+        return std::nullopt;
+    }
+    Context checker(world, scope, world.sink, world.arena);
+    const Operand operand = expression(checker, *expr);
+    if (operand.isUnknown()) return std::nullopt;
+    if (!operand.isConstant() || !std::holds_alternative<int64_t>(operand.expr->value.data)) {
+        world.emit(expr->range, findings::NotConstant());
+        return std::nullopt;
+    }
+    return operand.expr->value.integer();
+}
+
+namespace {
+
+/// What other languages call the elementary types.
+std::string_view ownNameOf(std::string_view foreign) {
+    static constexpr std::pair<std::string_view, std::string_view> rows[] = {
+        {"BOOLEAN", "BOOL"}, {"BIT", "BOOL"},      {"INTEGER", "INT"},  {"SHORT", "INT"},   {"LONG", "DINT"},
+        {"INT8", "SINT"},    {"INT16", "INT"},     {"INT32", "DINT"},   {"INT64", "LINT"},  {"UINT8", "USINT"},
+        {"UINT16", "UINT"},  {"UINT32", "UDINT"},  {"UINT64", "ULINT"}, {"FLOAT", "REAL"},  {"FLOAT32", "REAL"},
+        {"SINGLE", "REAL"},  {"FLOAT64", "LREAL"}, {"DOUBLE", "LREAL"}, {"TEXT", "STRING"}, {"DATETIME", "DT"},
+        {"TIMESPAN", "TIME"}};
+    for (const auto& [name, own] : rows)
+        if (equalsIgnoringCase(foreign, name)) return own;
+    return {};
+}
+
+} // namespace
+
+///   wrong: x : Motr;  where nothing is called so (P3002)
+TypeId resolveNamed(World& world, const syntax::Path& path, const Scope& scope, SourceRange range) {
+    const TypeId unknown = TypeTable::of(TypeKind::Unknown);
+    if (path.empty()) return unknown;
+    const Found found = lookupPath(world, scope, path);
+    if (path.size() == 1) {
+        const std::string_view name = path.front().text;
+        const bool hidden = found.entity.type || (found.entity.unit && found.entity.unit->type.isValid());
+        if (!hidden) {
+            if (const auto kind = elementaryNamed(name)) return TypeTable::of(*kind);
+            if (equalsIgnoringCase(name, "STRING")) return world.types.string(80);
+            if (equalsIgnoringCase(name, "WSTRING")) return world.types.wstring(80);
+        }
+    }
+    std::string text;
+    for (const syntax::Name& name : path) text += (text.empty() ? "" : ".") + std::string(name.text);
+    if (!found.ambiguous.empty() && (found.entity.type || found.entity.unit)) {
+        std::vector<std::string> all;
+        for (const std::string& where : found.ambiguous) all.push_back(where + "." + text);
+        auto& diagnostic = world.emit(range, findings::AmbiguousName(text, all));
+        for (const std::string& where : found.ambiguous)
+            diagnostic.fixes.push_back({fixes::Write(where + "." + text), {{range, where + "." + text}}});
+        return unknown;
+    }
+    if (found.entity.type) {
+        refer(world, path.back().range, found.entity.type->symbol, true, false);
+        return resolveDeclared(world, *found.entity.type);
+    }
+    if (found.entity.unit && found.entity.unit->type.isValid()) {
+        refer(world, path.back().range, found.entity.unit->symbol, true, false);
+        return found.entity.unit->type;
+    }
+    if (const std::string own(ownNameOf(text)); !own.empty()) {
+        world.emit(range, findings::UnknownType(text)).fixes.push_back({fixes::Write(own), {{range, own}}});
+        return unknown;
+    }
+    if (path.size() > 1) { // a name of a namespace that has no such type
+        const Found around = lookupPath(world, scope, {path.begin(), path.end() - 1});
+        std::vector<std::string> names;
+        if (around.space) addNames(world, *around.space, names);
+        suggest(world, world.emit(around.space ? path.back().range : range, findings::UnknownType(text)),
+                path.back().range, path.back().text, names);
+        return unknown;
+    }
+    std::vector<std::string> candidates;
+    const auto collect = [&](const Space& space) {
+        for (const auto& [id, entities] : space.entities)
+            for (const Entity& entity : entities) {
+                if (entity.type) candidates.push_back(entity.type->name);
+                if (entity.unit && entity.unit->type.isValid()) candidates.push_back(entity.unit->name);
+            }
+    };
+    for (Space* space = scope.space; space; space = space->parent) collect(*space);
+    for (Space* library : world.libraries) collect(*library);
+    for (const ElementaryName& entry : kElementaryNames) candidates.emplace_back(entry.name);
+    candidates.insert(candidates.end(), {"STRING", "WSTRING"});
+    suggest(world, world.emit(range, findings::UnknownType(text)), range, text, candidates);
+    return unknown;
+}
+
+TypeId resolveDeclared(World& world, DeclaredType& declared) {
+    if (declared.progress == Progress::Done) return declared.type;
+    if (declared.progress == Progress::Working) {
+        world.emit(declared.declaration->name.range, findings::TypeCycle(declared.name));
+        return TypeTable::of(TypeKind::Unknown);
+    }
+    const Waiting wait(world.waiting, 4);
+    if (wait.isTooDeep) {
+        world.emit(declared.declaration->name.range, findings::NestedTooDeep());
+        return TypeTable::of(TypeKind::Unknown);
+    }
+    declared.progress = Progress::Working;
+    TypeId behind = resolveSpec(world, declared.declaration->spec, declared.scope, declared.name);
+    if (declared.declaration->initial && world.types.kind(behind) != TypeKind::Unknown) {
+        const TypeKind kind = world.types.kind(behind);
+        const bool wraps = types::isElementary(kind) || kind == TypeKind::Subrange;
+        const TypeId copy = world.types.declare(wraps ? TypeKind::Subrange : kind, declared.name);
+        types::Type& type = world.types.edit(copy);
+        if (wraps) {
+            const types::Type& original = world.types[behind];
+            type.element = original.kind == TypeKind::Subrange ? original.element : behind;
+            type.low = original.kind == TypeKind::Subrange ? original.low : INT64_MIN;
+            type.high = original.kind == TypeKind::Subrange ? original.high : INT64_MAX;
+            type.size = original.size;
+            type.align = original.align;
+        } else {
+            type.element = world.types[behind].element;
+            type.capacity = world.types[behind].capacity;
+            type.dimensions = world.types[behind].dimensions;
+            type.base = world.types[behind].base;
+        }
+        type.declaration = declared.declaration->name.range;
+        type.comment = std::string(declared.declaration->comment);
+        type.space = declared.scope.space ? declared.scope.space->qualified : std::string();
+        world.aliasesByType[copy] = &declared;
+        world.aliasOf[copy] = behind;
+        if (const auto it = world.enumsByType.find(behind); it != world.enumsByType.end())
+            world.enumsByType[copy] = it->second;
+        if (Unit* unit = world.unitOf(behind)) world.unitsByType[copy] = unit;
+        behind = copy;
+    }
+    declared.type = behind;
+    declared.progress = Progress::Done;
+    world.symbols[declared.symbol.index()].type = behind;
+    return behind;
+}
+
+TypeId resolveSpec(World& world, const syntax::TypeSpec* spec, const Scope& scope, std::string_view anonymousName) {
+    const TypeId unknown = TypeTable::of(TypeKind::Unknown);
+    if (!spec) return unknown;
+    switch (spec->kind) {
+    case TypeSpecKind::Error:
+        return unknown;
+    case TypeSpecKind::Named:
+        return resolveNamed(world, spec->path, scope,
+                            spec->path.empty() ? spec->range
+                                               : joined(spec->path.front().range, spec->path.back().range));
+    case TypeSpecKind::String: {
+        const bool wide = !spec->path.empty() && equalsIgnoringCase(spec->path.front().text, "WSTRING");
+        int64_t length = 80;
+        if (spec->length) {
+            const auto given = constantInteger(world, spec->length, scope);
+            if (given && (*given < 1 || *given > 65535))
+                world.emit(spec->length->range,
+                           findings::ConstantOutOfRange(std::to_string(*given),
+                                                        std::string(wide ? "WSTRING" : "STRING") + "(1..65535)"));
+            else if (given)
+                length = *given;
+        }
+        return wide ? world.types.wstring(static_cast<uint32_t>(length))
+                    : world.types.string(static_cast<uint32_t>(length));
+    }
+    case TypeSpecKind::Array:
+        return resolveArray(world, *spec, scope);
+    case TypeSpecKind::OpenArray: {
+        const TypeId element = resolveSpec(world, spec->element, scope);
+        return world.types.kind(element) == TypeKind::Unknown
+                   ? unknown
+                   : nested(world, world.types.openArray(std::max<size_t>(1, spec->bounds.size()), element),
+                            spec->range);
+    }
+    case TypeSpecKind::Pointer:
+    case TypeSpecKind::RefTo: {
+        const TypeId target = resolveSpec(world, spec->element, scope);
+        return world.types.kind(target) == TypeKind::Unknown ? unknown
+                                                             : nested(world, world.types.pointer(target), spec->range);
+    }
+    case TypeSpecKind::Reference: {
+        const TypeId target = resolveSpec(world, spec->element, scope);
+        return world.types.kind(target) == TypeKind::Unknown
+                   ? unknown
+                   : nested(world, world.types.reference(target), spec->range);
+    }
+    case TypeSpecKind::Enum: {
+        const auto it = world.enumsBySpec.find(spec);
+        return it == world.enumsBySpec.end() ? unknown : it->second->type;
+    }
+    case TypeSpecKind::Struct:
+    case TypeSpecKind::Union: {
+        const auto it = world.typesBySpec.find(spec);
+        if (it != world.typesBySpec.end()) return it->second;
+        return declareStruct(world, *spec,
+                             std::string(anonymousName.empty()
+                                             ? (spec->kind == TypeSpecKind::Union ? "UNION" : "STRUCT")
+                                             : anonymousName),
+                             scope);
+    }
+    case TypeSpecKind::Subrange:
+        return resolveSubrange(world, *spec, scope);
+    case TypeSpecKind::Inferred: {
+        if (!spec->inferredFrom) return unknown;
+        diagnostics::Sink silent;
+        Context checker(world, scope, silent, world.arena);
+        checker.isMuted = true;
+        const Operand operand = settled(checker, expression(checker, *spec->inferredFrom));
+        return operand.isUnknown() ? unknown : operand.type();
+    }
+    }
+    return unknown;
+}
+
+///   ok:    ARRAY[1..3] OF INT      wrong: ARRAY[3..1] OF INT  (P3027)
+TypeId resolveArray(World& world, const syntax::TypeSpec& spec, const Scope& scope) {
+    const TypeId unknown = TypeTable::of(TypeKind::Unknown);
+    const TypeId element = resolveSpec(world, spec.element, scope);
+    std::vector<types::Dimension> dimensions;
+    bool good = world.types.kind(element) != TypeKind::Unknown;
+    uint64_t count = 1;
+    for (const syntax::Bounds& bounds : spec.bounds) {
+        const auto low = constantInteger(world, bounds.low, scope), high = constantInteger(world, bounds.high, scope);
+        if (!low || !high) {
+            good = false;
+            continue;
+        }
+        if (*high < *low || *low < INT32_MIN || *high > INT32_MAX) {
+            world.emit(joined(bounds.low->range, bounds.high->range), findings::ArraySizeInvalid(*low, *high));
+            good = false;
+            continue;
+        }
+        dimensions.push_back({*low, *high});
+        count = std::min<uint64_t>(count * dimensions.back().count(), uint64_t(1) << 40);
+    }
+    if (!good || dimensions.empty()) return unknown;
+    if (count > (1u << 28)) {
+        world.emit(spec.range, findings::ImageTooLarge(count, 1u << 28));
+        return unknown;
+    }
+    return nested(world, world.types.array(std::move(dimensions), element), spec.range);
+}
+
+/// How deep a type is made of others. A pointer begins again behind a type with a name, which may hold it.
+uint32_t nestingOf(const World& world, TypeId type) {
+    return type.index() < world.nestings.size() ? world.nestings[type.index()] : 0;
+}
+
+void noteNesting(World& world, TypeId type, uint32_t nesting) {
+    if (world.nestings.size() <= type.index())
+        world.nestings.resize(std::max<size_t>(world.types.count(), type.index() + 1), 0);
+    world.nestings[type.index()] = nesting;
+}
+
+/// An array, pointer or reference that was just made, unless it is nested too deeply.
+///   wrong: POINTER TO POINTER TO … INT, more than 60 of them  (P1019)
+TypeId nested(World& world, TypeId type, SourceRange range) {
+    const TypeId element = world.types[type].element;
+    const TypeKind inner = world.types.kind(element);
+    const bool isDirect = world.types.kind(type) != TypeKind::Pointer && world.types.kind(type) != TypeKind::Reference;
+    const bool isMade = inner == TypeKind::Array || inner == TypeKind::OpenArray || inner == TypeKind::Pointer ||
+                        inner == TypeKind::Reference;
+    noteNesting(world, type, 1 + (isDirect || isMade ? nestingOf(world, element) : 0));
+    if (nestingOf(world, type) <= kMaximumNesting) return type;
+    world.emit(range, findings::NestedTooDeep());
+    return TypeTable::of(TypeKind::Unknown);
+}
+
+/// Of a type that was laid out; one without a size needs more than there is.
+uint64_t neededBytes(const World& world, TypeId id) {
+    const types::Type& type = world.types[id];
+    if (type.size != 0) return type.size;
+    uint64_t needed = 0;
+    for (const types::Field& field : type.fields) needed += world.types[field.type].size;
+    if (type.kind != TypeKind::Array) return std::max(needed, kMaximumData + 1);
+    needed = world.types[type.element].size;
+    for (const types::Dimension& d : type.dimensions) needed = std::min(needed, uint64_t(1) << 31) * d.count();
+    return needed;
+}
+
+/// A type that takes more memory than there is, or whose initial value does, is reported where it is laid out: what
+/// doubles with each line is never made.
+///   wrong: T1 : STRUCT a, b : T0; END_STRUCT … T40 : STRUCT a, b : T39; END_STRUCT  (P3023)
+bool checkSize(World& world, TypeId type, SourceRange range) {
+    if (world.tooLarge.contains(type)) return false;
+    const uint64_t needed = neededBytes(world, type);
+    world.initialBytes += world.types[type].initial.size();
+    const bool isLarge = needed > kMaximumData;
+    if (!isLarge && world.initialBytes <= kMaximumInitialBytes) return true;
+    world.emit(range, findings::ImageTooLarge(isLarge ? needed : world.initialBytes,
+                                              isLarge ? kMaximumData : kMaximumInitialBytes));
+    world.initialBytes -= world.types[type].initial.size();
+    world.types.edit(type).initial = {};
+    world.types.edit(type).size = world.types[type].align; // something, for what is laid out behind it
+    world.tooLarge.insert(type);
+    return false;
+}
+
+TypeId resolveSubrange(World& world, const syntax::TypeSpec& spec, const Scope& scope) {
+    const TypeId base =
+        spec.element ? resolveSpec(world, spec.element, scope) : resolveNamed(world, spec.path, scope, spec.range);
+    if (world.types.kind(base) == TypeKind::Unknown || spec.bounds.empty()) return base;
+    if (!types::isInteger(world.types.family(base))) {
+        world.emit(spec.range, findings::OperatorNotForType(phrases::ASubrange(), world.nameOf(base)));
+        return base;
+    }
+    const auto low = constantInteger(world, spec.bounds.front().low, scope),
+               high = constantInteger(world, spec.bounds.front().high, scope);
+    if (!low || !high) return base;
+    const auto [least, greatest] = TypeTable::integerRange(world.types.storageKind(base));
+    const auto outside = [&](int64_t value) {
+        return value < least || (value > 0 && static_cast<uint64_t>(value) > greatest);
+    };
+    if (*low > *high || outside(*low) || outside(*high)) {
+        world.emit(joined(spec.bounds.front().low->range, spec.bounds.front().high->range),
+                   findings::ArraySizeInvalid(*low, *high));
+        return base;
+    }
+    return world.types.subrange(world.types.storage(base), *low, *high);
+}
+
+///   ok:    VAR_GLOBAL g : INT; END_VAR … VAR_EXTERNAL g : INT; END_VAR      wrong: without the VAR_GLOBAL (P3022)
+///          VAR a : ARRAY[*] OF INT; END_VAR  (P3018)
+TypeId typeOf(World& world, Variable& variable) {
+    if (variable.typeProgress == Progress::Done) return variable.type;
+    if (variable.typeProgress == Progress::Working) return TypeTable::of(TypeKind::Unknown);
+    const Waiting wait(world.waiting, 4);
+    if (wait.isTooDeep) {
+        world.emit(variable.range, findings::NestedTooDeep());
+        return TypeTable::of(TypeKind::Unknown);
+    }
+    variable.typeProgress = Progress::Working;
+    variable.type = resolveSpec(world, variable.spec, variable.scope, variable.name);
+    if (variable.kind == syntax::SectionKind::External) {
+        Scope outside = variable.scope;
+        outside.unit = nullptr;
+        Variable* target = lookup(world, outside, variable.id).entity.variable;
+        if (!target || !sameType(world, typeOf(world, *target), variable.type)) {
+            if (world.types.kind(variable.type) != TypeKind::Unknown)
+                world.emit(variable.range, findings::ExternalNotFound(variable.name, world.nameOf(variable.type)));
+        } else {
+            variable.target = target;
+            if (variable.isConstant == false) variable.isConstant = target->isConstant;
+        }
+    }
+    if (variable.kind != syntax::SectionKind::InOut && world.types.kind(variable.type) == TypeKind::OpenArray) {
+        world.emit(variable.spec ? variable.spec->range : variable.range,
+                   findings::NotAllowedHere(Verbatim("ARRAY[*]"), phrases::InThisSection()));
+        variable.type = TypeTable::of(TypeKind::Unknown);
+    }
+    variable.typeProgress = Progress::Done;
+    if (variable.symbol.isValid() && !variable.isResult && variable.declaration && variable.section)
+        world.symbols[variable.symbol.index()].type = variable.type;
+    return variable.type;
+}
+
+bool sameType(const World& world, TypeId a, TypeId b) {
+    for (int guard = 0; guard < 64; ++guard) {
+        if (const auto it = world.aliasOf.find(a); it != world.aliasOf.end()) a = it->second;
+        if (const auto it = world.aliasOf.find(b); it != world.aliasOf.end()) b = it->second;
+        if (a == b) return true;
+        const types::Type &x = world.types[a], &y = world.types[b];
+        if (x.kind == TypeKind::Unknown || y.kind == TypeKind::Unknown) return true;
+        if (x.kind != y.kind) return false;
+        switch (x.kind) {
+        case TypeKind::Array:
+            if (x.dimensions.size() != y.dimensions.size()) return false;
+            for (size_t i = 0; i < x.dimensions.size(); ++i)
+                if (x.dimensions[i].low != y.dimensions[i].low || x.dimensions[i].high != y.dimensions[i].high)
+                    return false;
+            break;
+        case TypeKind::OpenArray:
+            if (x.dimensions.size() != y.dimensions.size()) return false;
+            break;
+        case TypeKind::Pointer:
+        case TypeKind::Reference:
+            break;
+        case TypeKind::String:
+        case TypeKind::Wstring:
+            return x.capacity == y.capacity;
+        case TypeKind::Subrange:
+            return x.element == y.element && x.low == y.low && x.high == y.high;
+        default:
+            return false;
+        }
+        a = x.element;
+        b = y.element;
+    }
+    return false;
+}
+
+///   ok:    A : STRUCT b : REF_TO A; END_STRUCT      wrong: A : STRUCT b : A; END_STRUCT  (P3003)
+void reportCycle(World& world, TypeId type, SourceRange usedAt) {
+    const types::Type& t = world.types[type];
+    world.emit(usedAt.file.isValid() ? usedAt : t.declaration, findings::TypeCycle(t.name));
+}
+
+bool completeType(World& world, TypeId type, SourceRange usedAt) {
+    const TypeKind kind = world.types.kind(type);
+    if (types::isElementary(kind)) return true;
+    if (world.tooLarge.contains(type)) return false;
+    if (const auto alias = world.aliasesByType.find(type); alias != world.aliasesByType.end()) {
+        completeAlias(world, *alias->second, usedAt);
+        return world.types[type].size != 0;
+    }
+    if (kind == TypeKind::Array && world.aliasOf.count(type)) return true; // has its own initial value
+    switch (kind) {
+    case TypeKind::Enum:
+        if (const auto it = world.enumsByType.find(type); it != world.enumsByType.end())
+            completeEnum(world, *it->second);
+        return true;
+    case TypeKind::Array:
+        return completeArray(world, type, usedAt);
+    case TypeKind::Struct:
+    case TypeKind::Union: {
+        const auto it = world.structsByType.find(type);
+        if (it == world.structsByType.end()) return true;
+        if (it->second->progress == Progress::Working) {
+            reportCycle(world, type, usedAt);
+            return false;
+        }
+        const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
+        if (wait.isTooDeep) {
+            world.emit(usedAt, findings::NestedTooDeep());
+            return false;
+        }
+        completeStruct(world, *it->second);
+        return !world.tooLarge.contains(type);
+    }
+    case TypeKind::Block: {
+        Unit* unit = world.unitOf(type);
+        if (!unit) return true;
+        if (unit->layoutProgress == Progress::Working) {
+            reportCycle(world, type, usedAt);
+            return false;
+        }
+        const Waiting wait(world.completing, 1, kMaximumNesting + kMaximumBases);
+        if (wait.isTooDeep) {
+            world.emit(usedAt, findings::NestedTooDeep());
+            return false;
+        }
+        completeUnit(world, *unit, usedAt);
+        return !world.tooLarge.contains(type);
+    }
+    default:
+        return true;
+    }
+}
+
+bool completeArray(World& world, TypeId type, SourceRange usedAt) {
+    const bool good = completeType(world, world.types[type].element, usedAt);
+    const types::Type& element = world.types[world.types[type].element];
+    noteNesting(world, type, 1 + nestingOf(world, world.types[type].element));
+    if (nestingOf(world, type) > kMaximumNesting) {
+        world.emit(usedAt, findings::NestedTooDeep());
+        return false;
+    }
+    if (world.types[type].size != 0 && world.types[type].initial.empty() == element.initial.empty()) return good;
+    world.types.layoutArray(type);
+    return checkSize(world, type, usedAt) && good;
+}
+
+void completeAlias(World& world, DeclaredType& declared, SourceRange usedAt) {
+    const TypeId behind = world.aliasOf[declared.type];
+    world.aliasesByType.erase(declared.type);
+    completeType(world, behind, usedAt);
+    noteNesting(world, declared.type, nestingOf(world, behind));
+    types::Type& type = world.types.edit(declared.type);
+    const types::Type& original = world.types[behind];
+    if (type.kind != TypeKind::Subrange) {
+        std::string name = std::move(type.name);
+        std::string space = std::move(type.space);
+        const SourceRange range = type.declaration;
+        std::string comment = std::move(type.comment);
+        type = original;
+        type.name = std::move(name);
+        type.space = std::move(space);
+        type.declaration = range;
+        type.comment = std::move(comment);
+        if (const auto it = world.structsByType.find(behind); it != world.structsByType.end())
+            world.structsByType[declared.type] = it->second;
+    }
+    InitialValue initial;
+    initial.bytes = original.initial;
+    initial.bytes.resize(original.size);
+    initialise(world, initial, behind, 0, -1, declared.declaration->initial, declared.scope, nullptr);
+    world.types.edit(declared.type).initial = initial.bytes;
+    checkSize(world, declared.type, declared.declaration->name.range);
+    if (!initial.dynamics.empty()) world.typeInitials[declared.type].dynamics = std::move(initial.dynamics);
+}
+
+void completeEnum(World& world, EnumType& enumeration) {
+    if (enumeration.progress != Progress::Open) return;
+    const Waiting wait(world.waiting, 8);
+    if (wait.isTooDeep) return (void)world.emit(enumeration.spec->range, findings::NestedTooDeep());
+    enumeration.progress = Progress::Working;
+    const syntax::TypeSpec& spec = *enumeration.spec;
+    TypeId base = TypeTable::of(TypeKind::Int);
+    if (spec.element || !spec.path.empty()) {
+        const TypeId named = spec.element ? resolveSpec(world, spec.element, enumeration.scope)
+                                          : resolveNamed(world, spec.path, enumeration.scope, spec.range);
+        if (types::isInteger(world.types.family(named)))
+            base = world.types.storage(named);
+        else if (world.types.kind(named) != TypeKind::Unknown)
+            world.emit(spec.element ? spec.element->range : spec.range,
+                       findings::OperatorNotForType(phrases::AnEnumeration(), world.nameOf(named)));
+    }
+    world.types.edit(enumeration.type).element = base;
+    world.types.edit(enumeration.type).size = world.types[base].size;
+    world.types.edit(enumeration.type).align = world.types[base].align;
+    const auto [least, greatest] = TypeTable::integerRange(world.types.kind(base));
+    int64_t next = 0;
+    for (size_t i = 0; i < spec.enumerators.size(); ++i) {
+        const syntax::EnumeratorDecl& declared = spec.enumerators[i];
+        if (declared.value) {
+            if (const auto value = constantInteger(world, declared.value, enumeration.scope)) next = *value;
+        }
+        if (next < least || (next > 0 && static_cast<uint64_t>(next) > greatest))
+            world.emit(declared.value ? declared.value->range : declared.name.range,
+                       findings::ConstantOutOfRange(std::to_string(next), world.nameOf(base)));
+        world.types.edit(enumeration.type).enumerators[i].value = next;
+        next = static_cast<int64_t>(static_cast<uint64_t>(next) + 1);
+    }
+    enumeration.progress = Progress::Done;
+    int64_t first =
+        world.types[enumeration.type].enumerators.empty() ? 0 : world.types[enumeration.type].enumerators.front().value;
+    if (enumeration.initial) {
+        Context checker(world, enumeration.scope, world.sink, world.arena);
+        const Operand value =
+            converted(checker, expression(checker, *enumeration.initial, enumeration.type), enumeration.type);
+        if (value.isConstant() && std::holds_alternative<int64_t>(value.expr->value.data))
+            first = value.expr->value.integer();
+        else if (!value.isUnknown())
+            world.emit(enumeration.initial->range, findings::NotConstant());
+    }
+    types::Type& type = world.types.edit(enumeration.type);
+    if (first != 0) {
+        type.initial.resize(type.size);
+        std::memcpy(type.initial.data(), &first, type.size);
+    }
+}
+
+/// A field by its name; of a structure without a search, because a machine's whole data may be one.
+const types::Field* fieldOf(const World& world, TypeId type, std::string_view name) {
+    const auto made = world.structsByType.find(type);
+    if (made == world.structsByType.end() || made->second->indices.empty()) return world.types[type].findField(name);
+    const auto found = made->second->indices.find(world.names.find(name));
+    return found == made->second->indices.end() ? nullptr : &world.types[type].fields[found->second];
+}
+
+void completeStruct(World& world, StructType& made) {
+    if (made.progress != Progress::Open) return;
+    made.progress = Progress::Working;
+    uint32_t nesting = 0;
+    std::unordered_set<NameId> known;
+    std::vector<types::Field> fields;
+    std::vector<const syntax::VarDecl*> declarations;
+    TypeId base;
+    if (made.spec->extends) {
+        base = resolveSpec(world, made.spec->extends, made.scope);
+        if (world.types.kind(base) != TypeKind::Struct) {
+            if (world.types.kind(base) != TypeKind::Unknown)
+                world.emit(made.spec->extends->range, findings::NotExtendable(world.nameOf(base), made.name));
+            base = {};
+        } else if (completeType(world, base, made.spec->extends->range)) {
+            fields = world.types[base].fields;
+            nesting = nestingOf(world, base); // its base is laid out and initialised as a part of it
+            for (const types::Field& field : fields) known.insert(world.key(field.name));
+            if (const auto it = world.structsByType.find(base); it != world.structsByType.end())
+                made.symbols = it->second->symbols;
+        }
+    }
+    const size_t inherited = fields.size();
+    for (const syntax::VarDecl* declaration : made.spec->fields) {
+        TypeId type = resolveSpec(world, declaration->type, made.scope);
+        const SourceRange at = declaration->type ? declaration->type->range : declaration->range;
+        if (!completeType(world, type, at)) type = TypeTable::of(TypeKind::Unknown);
+        if (nestingOf(world, type) >= kMaximumNesting) {
+            world.emit(at, findings::NestedTooDeep());
+            type = TypeTable::of(TypeKind::Unknown);
+        }
+        nesting = std::max(nesting, 1 + nestingOf(world, type));
+        const bool isBit = declaration->type && declaration->type->kind == TypeSpecKind::Named &&
+                           declaration->type->path.size() == 1 &&
+                           equalsIgnoringCase(declaration->type->path.front().text, "BIT") &&
+                           world.types.kind(type) == TypeKind::Bool;
+        for (const syntax::Name& name : declaration->names) {
+            if (!known.insert(world.key(name.text)).second) {
+                world.emit(name.range, findings::DuplicateName(name.text));
+                continue;
+            }
+            types::Field field;
+            field.name = std::string(name.text);
+            field.type = type;
+            field.declaration = name.range;
+            field.comment = std::string(declaration->comment);
+            field.bit = isBit ? 0 : -1;
+            for (const syntax::Pragma& pragma : declaration->pragmas)
+                if (pragma.isAttribute && equalsIgnoringCase(pragma.key, "alias"))
+                    field.aliases.emplace_back(pragma.value);
+            fields.push_back(std::move(field));
+            declarations.push_back(declaration);
+            made.symbols.push_back(
+                addSymbol(world, SymbolKind::Variable, name.text, made.name, name.range, declaration->comment));
+            world.symbols.back().type = type;
+        }
+    }
+    locateMembers(world, made, fields, inherited, declarations);
+    types::Type& type = world.types.edit(made.type);
+    type.base = base;
+    type.fields = std::move(fields);
+    noteNesting(world, made.type, nesting);
+    world.types.layoutFields(made.type);
+    if (!checkSize(world, made.type,
+                   world.types[made.type].declaration.file.isValid() ? world.types[made.type].declaration
+                                                                     : made.spec->range)) {
+        made.progress = Progress::Done;
+        return;
+    }
+    for (uint32_t i = 0; i < type.fields.size(); ++i) {
+        made.indices.try_emplace(world.key(type.fields[i].name), i);
+        for (const std::string& alias : type.fields[i].aliases) made.indices.try_emplace(world.key(alias), i);
+    }
+    if (std::any_of(type.fields.begin(), type.fields.end(), [](const types::Field& f) { return f.isLocated; }))
+        for (types::Field& field : type.fields) field.isLocated = true; // where it lies for those that extend it
+    InitialValue initial;
+    initial.bytes = world.types[made.type].initial;
+    initial.bytes.resize(world.types[made.type].size);
+    if (inherited && !world.types[base].initial.empty())
+        std::memcpy(initial.bytes.data(), world.types[base].initial.data(),
+                    std::min(initial.bytes.size(), world.types[base].initial.size()));
+    if (const auto it = world.typeInitials.find(base); inherited && it != world.typeInitials.end())
+        initial.dynamics = it->second.dynamics;
+    for (size_t i = inherited; i < world.types[made.type].fields.size(); ++i) {
+        const types::Field field = world.types[made.type].fields[i];
+        const syntax::VarDecl& declaration = *declarations[i - inherited];
+        initialiseDeclared(world, initial, field.type, field.offset, field.bit, declaration.initial, made.scope,
+                           declaration.type);
+    }
+    const bool isZero =
+        std::all_of(initial.bytes.begin(), initial.bytes.end(), [](std::byte b) { return b == std::byte{}; });
+    world.types.edit(made.type).initial = isZero ? std::vector<std::byte>{} : initial.bytes;
+    world.typeInitials[made.type].dynamics = std::move(initial.dynamics);
+    made.progress = Progress::Done;
+    if (made.initial) { // TYPE T : STRUCT … END_STRUCT := (a := 1)
+        InitialValue whole;
+        whole.bytes = world.types[made.type].initial;
+        whole.bytes.resize(world.types[made.type].size);
+        initialise(world, whole, made.type, 0, -1, made.initial, made.scope, nullptr);
+        world.types.edit(made.type).initial = whole.bytes;
+    }
+}
+
+} // namespace plc::sema

@@ -1,0 +1,282 @@
+// Literals: numbers in every base, durations and dates, text with $ escapes, typed literals, values of enumerations.
+#include "runtime/compiler/sema/values/literals.h"
+
+#include "runtime/compiler/sema/context.h"
+#include "runtime/compiler/sema/names/lookup.h"
+#include "runtime/compiler/sema/names/names.h"
+#include "runtime/compiler/sema/types/conversions.h"
+#include "runtime/compiler/sema/types/type_specs.h"
+#include "runtime/compiler/sema/values/expressions.h"
+
+#include "runtime/base/text.h"
+#include "runtime/types/conversion.h"
+#include "runtime/types/scalar_text.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace plc::sema {
+
+using lex::TokenKind;
+using types::Value;
+
+static std::optional<Operand> quotedName(Context& context, const syntax::Expr& e, TypeId hint);
+
+namespace {
+
+struct Integer {
+    uint64_t magnitude = 0;
+    bool isNegative = false;
+    bool isGood = true;
+    bool isTooLarge = false;
+};
+
+/// 5, 1_000, 16#FF, 2#1010, C#998, with a sign behind a type's name.
+Integer parseInteger(std::string_view text) {
+    Integer out;
+    if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+        out.isNegative = text.front() == '-';
+        text.remove_prefix(1);
+        while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    }
+    uint64_t base = 10;
+    bool isBcd = false;
+    if (const size_t hash = text.find('#'); hash != std::string_view::npos) {
+        const std::string_view prefix = text.substr(0, hash);
+        if (equalsIgnoringCase(prefix, "C")) {
+            isBcd = true;
+            base = 16;
+        } else {
+            base = static_cast<uint64_t>(std::atoi(std::string(prefix).c_str()));
+        }
+        text.remove_prefix(hash + 1);
+    }
+    if (text.empty() || (base != 2 && base != 8 && base != 10 && base != 16)) out.isGood = false;
+    for (const char c : text) {
+        if (c == '_') continue;
+        const int digit = c >= '0' && c <= '9'   ? c - '0'
+                          : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                          : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                                 : 99;
+        if (digit >= static_cast<int>(isBcd ? 10 : base)) {
+            out.isGood = false;
+            return out;
+        }
+        const unsigned __int128 next =
+            static_cast<unsigned __int128>(out.magnitude) * base + static_cast<unsigned>(digit);
+        if (next >> 64) out.isTooLarge = true;
+        out.magnitude = static_cast<uint64_t>(next);
+    }
+    return out;
+}
+
+double parseReal(std::string_view text) {
+    std::string digits;
+    for (const char c : text)
+        if (c != '_' && c != ' ') digits += c;
+    return std::strtod(digits.c_str(), nullptr);
+}
+
+/// The characters between the quotes, `$` escapes replaced.
+std::u32string parseText(std::string_view text, bool isWide) {
+    std::u32string out;
+    if (text.size() >= 2) text = text.substr(1, text.size() - 2);
+    const auto hex = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                      : -1;
+    };
+    for (size_t i = 0; i < text.size();) {
+        if (text[i] != '$' || i + 1 >= text.size()) {
+            out += decodeUtf8(text, i);
+            continue;
+        }
+        const char c = text[i + 1];
+        const size_t digits = isWide ? 4 : 2;
+        if (i + digits < text.size() && hex(c) >= 0) {
+            char32_t code = 0;
+            bool good = true;
+            for (size_t k = 1; k <= digits; ++k) {
+                good = good && hex(text[i + k]) >= 0;
+                code = code * 16 + static_cast<char32_t>(std::max(0, hex(text[i + k])));
+            }
+            if (good) {
+                out += code;
+                i += digits + 1;
+                continue;
+            }
+        }
+        i += 2;
+        out += types::escapedCharacter(c).value_or(static_cast<unsigned char>(c));
+    }
+    return out;
+}
+
+} // namespace
+
+///   ok:    16#FF, T#1s500ms      wrong: SINT#200  (P2018)   T#1x  (P1005)
+Operand literal(Context& context, const syntax::Expr& e, TypeId hint) {
+    TypeId typed;
+    if (e.prefix.isValid()) {
+        typed = resolveNamed(context.world, {e.prefix}, context.scope, e.prefix.range);
+        if (context.isKind(typed, TypeKind::Unknown)) return unknown(context, e.range);
+    }
+    const auto finish = [&](Operand operand) {
+        if (!typed.isValid()) return operand;
+        operand.isFlexible = true; // the written type takes the value where it fits
+        Operand out = converted(context, operand, typed);
+        out.isFlexible = false;
+        return out;
+    };
+    const std::string what = typed.isValid() ? context.nameOf(typed) : std::string();
+    switch (e.op) {
+    case TokenKind::True:
+    case TokenKind::False: {
+        Operand out =
+            constant(context, {context.elementary(TypeKind::Bool), int64_t(e.op == TokenKind::True)}, e.range);
+        return typed.isValid() ? converted(context, out, typed) : out;
+    }
+    case TokenKind::IntegerLiteral: {
+        const Integer number = parseInteger(e.text);
+        if (!number.isGood) return unknown(context, e.range); // the lexer said so
+        if (number.isTooLarge || (number.isNegative && number.magnitude > (uint64_t(1) << 63))) {
+            context.emit(e.range, findings::ConstantOutOfRange(e.text, typed.isValid() ? what : "LWORD"));
+            return unknown(context, e.range);
+        }
+        const auto bits = static_cast<int64_t>(number.isNegative ? 0 - number.magnitude : number.magnitude);
+        const bool big = !number.isNegative && number.magnitude > static_cast<uint64_t>(INT64_MAX);
+        if (typed.isValid() && isNumeric(context, typed) && context.types.family(typed) != types::Family::Real &&
+            !number.isNegative) {
+            // INT#16#FFFF is a bit pattern of its type
+            const unsigned width = types::bitsOf(context.types.storageKind(typed));
+            const bool isBased = e.text.find('#') != std::string_view::npos;
+            if (isBased && (width == 64 || number.magnitude >> width == 0))
+                return constant(context, {typed, types::wrapInteger(context.types.storageKind(typed), bits)}, e.range);
+        }
+        return finish(
+            constant(context, {context.elementary(big ? TypeKind::Ulint : TypeKind::Lint), bits}, e.range, true));
+    }
+    case TokenKind::RealLiteral: {
+        const double number = parseReal(e.text);
+        if (!std::isfinite(number)) {
+            context.emit(e.range, findings::ConstantOutOfRange(e.text, typed.isValid() ? what : "LREAL"));
+            return unknown(context, e.range);
+        }
+        return finish(constant(context, {context.elementary(TypeKind::Lreal), number}, e.range, true));
+    }
+    case TokenKind::DurationLiteral: {
+        const auto duration = types::parseDuration(e.text);
+        if (!duration) {
+            context.emit(e.range, findings::InvalidLiteral(e.text, phrases::DurationLiteral()));
+            return unknown(context, e.range);
+        }
+        const bool isLong = !e.text.empty() && (e.text.front() == 'L' || e.text.front() == 'l');
+        const bool wantsLong = hint.isValid() && context.types.storageKind(hint) == TypeKind::Ltime;
+        return constant(
+            context, {context.elementary(isLong || wantsLong ? TypeKind::Ltime : TypeKind::Time), *duration}, e.range);
+    }
+    case TokenKind::DateLiteral:
+    case TokenKind::TimeOfDayLiteral:
+    case TokenKind::DateTimeLiteral: {
+        const bool isLong = !e.text.empty() && (e.text.front() == 'L' || e.text.front() == 'l');
+        const auto number = e.op == TokenKind::DateLiteral        ? types::parseDate(e.text)
+                            : e.op == TokenKind::TimeOfDayLiteral ? types::parseTimeOfDay(e.text)
+                                                                  : types::parseDateTime(e.text);
+        if (!number) {
+            context.emit(e.range, findings::InvalidLiteral(
+                                      e.text, e.op == TokenKind::DateLiteral        ? phrases::DateLiteral()
+                                              : e.op == TokenKind::TimeOfDayLiteral ? phrases::TimeOfDayLiteral()
+                                                                                    : phrases::DateAndTimeLiteral()));
+            return unknown(context, e.range);
+        }
+        const TypeKind kind = e.op == TokenKind::DateLiteral        ? (isLong ? TypeKind::Ldate : TypeKind::Date)
+                              : e.op == TokenKind::TimeOfDayLiteral ? (isLong ? TypeKind::Ltod : TypeKind::Tod)
+                                                                    : (isLong ? TypeKind::Ldt : TypeKind::Dt);
+        return constant(context, {context.elementary(kind), *number}, e.range);
+    }
+    case TokenKind::StringLiteral:
+    case TokenKind::WstringLiteral: {
+        const bool isWide = e.op == TokenKind::WstringLiteral;
+        if (isWide && !typed.isValid())
+            if (const auto named = quotedName(context, e, hint)) return *named;
+        const std::u32string characters = parseText(e.text, isWide);
+        const TypeKind wanted = typed.isValid()  ? context.types.storageKind(typed)
+                                : hint.isValid() ? context.types.storageKind(hint)
+                                                 : TypeKind::Unknown;
+        std::string narrow;
+        char32_t foreign = 0;
+        std::string utf8;
+        for (const char32_t c : characters) {
+            if (c > 0xFF && !foreign) foreign = c;
+            narrow += static_cast<char>(c);
+            appendUtf8(utf8, c);
+        }
+        const bool toWide =
+            isWide ? wanted != TypeKind::String || foreign : wanted == TypeKind::Wstring || wanted == TypeKind::Wchar;
+        Operand out;
+        if (toWide) {
+            std::u16string wide = utf8ToUtf16(utf8);
+            const TypeId type = textType(context, wide.size(), true);
+            out = constant(context, {type, std::move(wide)}, e.range);
+        } else {
+            if (foreign) {
+                std::string shown;
+                appendUtf8(shown, foreign);
+                auto& diagnostic = context.emit(e.range, findings::CharacterNotInString(shown));
+                diagnostic.fixes.push_back({fixes::WriteWstring(),
+                                            {{{e.range.file, e.range.begin, e.range.begin + 1}, "\""},
+                                             {{e.range.file, e.range.end - 1, e.range.end}, "\""}}});
+                return unknown(context, e.range);
+            }
+            const TypeId type = textType(context, narrow.size(), false);
+            out = constant(context, {type, std::move(narrow)}, e.range);
+        }
+        return typed.isValid() ? converted(context, out, typed) : out;
+    }
+    default:
+        return unknown(context, e.range);
+    }
+}
+
+/// "Motor speed" where a variable was declared with that name in quotes.
+std::optional<Operand> quotedName(Context& context, const syntax::Expr& e, TypeId hint) {
+    if (e.text.size() < 3 || context.isExpression) return std::nullopt;
+    const std::string_view inner = e.text.substr(1, e.text.size() - 2);
+    const NameId id = context.world.names.find(inner);
+    if (!id.isValid()) return std::nullopt;
+    const Found result = lookup(context.world, context.scope, id);
+    const Variable* variable = result.member.variable ? result.member.variable : result.entity.variable;
+    if (!variable || !variable->range.file.isValid()) return std::nullopt;
+    const std::string_view written = context.world.textOf(
+        {variable->range.file, variable->range.begin ? variable->range.begin - 1 : 0, variable->range.end});
+    if (written.substr(0, 2).find('"') == std::string_view::npos) return std::nullopt;
+    return value(context, found(context, result, {inner, e.range}, Access::Read, hint), e, hint);
+}
+
+Operand enumerator(Context& context, const EnumeratorRef& ref, SourceRange range) {
+    completeEnum(context.world, *ref.type);
+    refer(context, range, ref.type->symbols[ref.index], Access::Read);
+    return constant(context, {ref.type->type, context.types[ref.type->type].enumerators[ref.index].value}, range);
+}
+
+/// Color#Red, and what reads like it.
+Operand typedName(Context& context, const syntax::Expr& e) {
+    const TypeId type = resolveNamed(context.world, {e.prefix}, context.scope, e.prefix.range);
+    if (context.isKind(type, TypeKind::Unknown)) return unknown(context, e.range);
+    const auto it = context.world.enumsByType.find(type);
+    if (it == context.world.enumsByType.end()) {
+        context.emit(e.range, findings::InvalidLiteral(context.textOf(e.range), context.nameOf(type)));
+        return unknown(context, e.range);
+    }
+    EnumType& enumeration = *it->second;
+    const NameId id = context.key(e.name.text);
+    for (uint32_t i = 0; i < enumeration.spec->enumerators.size(); ++i)
+        if (context.key(enumeration.spec->enumerators[i].name.text) == id)
+            return enumerator(context, {&enumeration, i}, e.name.range);
+    suggest(context, context.emit(e.name.range, findings::UnknownMember(context.nameOf(type), e.name.text)),
+            e.name.range, e.name.text, memberNames(context.world, enumeration.type));
+    return unknown(context, e.range);
+}
+
+} // namespace plc::sema
