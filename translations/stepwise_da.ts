@@ -21,7 +21,7 @@
     </message>
     <message>
         <source>{0} is not a valid {1} literal</source>
-        <translation>{0} er ikke en gyldig konstant ({1})</translation>
+        <translation>{0} er ikke en gyldig literal ({1})</translation>
     </message>
     <message>
         <source>Expected {0} before {1}</source>
@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
-        <translation>Decimaltal skrives med punktum: {0}</translation>
+        <translation>Decimaltal bruger punktum: {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Denne heltalsdivision fjerner brøkdelen før konverteringen til {0}</translation>
+        <translation>Denne heltalsdivision fjerner decimalerne før konverteringen til {0}</translation>
     </message>
     <message>
         <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
-        <translation>Der er flere programmer og ingen CONFIGURATION; kald ét Main, eller skriv en CONFIGURATION</translation>
+        <translation>Der er flere programmer og ingen CONFIGURATION; omdøb ét til Main, eller skriv en CONFIGURATION</translation>
     </message>
     <message>
         <source>There is no namespace {0}</source>
@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Denne transition er altid sand; trinnet før den varer ét scan</translation>
+        <translation>Denne transition er altid sand; trinnet før den er kun aktivt i ét scan</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -473,11 +473,11 @@
     </message>
     <message>
         <source>This loop never ends and would stop the controller</source>
-        <translation>Denne løkke slutter aldrig og ville standse styringen</translation>
+        <translation>Denne løkke slutter aldrig; styringen ville blive hængende i den</translation>
     </message>
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} er mærket OVERRIDE, men ingen basis har en metode med dette navn</translation>
+        <translation>{0} er mærket OVERRIDE, men ingen basisblok har en metode med dette navn</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -535,7 +535,7 @@
     </message>
     <message>
         <source>index {0} is used on an empty array</source>
-        <translation>indeks {0} er brugt på et tomt array</translation>
+        <translation>adgang til indeks {0} i et tomt array</translation>
     </message>
     <message>
         <source>index {0} is outside {1}..{2}</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>character {0} is read from an empty string</source>
-        <translation>tegn {0} er læst fra en tom tekst</translation>
+        <translation>adgang til tegn {0} i en tom tekst</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>the watchdog stopped a task that did not end</source>
-        <translation>watchdoggen stoppede en task, der ikke sluttede</translation>
+        <translation>watchdoggen afbrød en task, der ikke sluttede</translation>
     </message>
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>not in this image</source>
-        <translation>ikke i dette billede</translation>
+        <translation>ikke i dette programs hukommelsesbillede</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -855,7 +855,7 @@
     </message>
     <message>
         <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:gemt værdi|gemte værdier} passer ikke til programmet: {1}</translation>
+        <translation>{0} {0:remanent værdi|remanente værdier} passer ikke til programmet: {1}</translation>
     </message>
     <message>
         <source>{0} does not fit into a variable of type {1}</source>
@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>a cast to an interface cannot be watched</source>
-        <translation>en omdannelse til en grænseflade kan ikke overvåges</translation>
+        <translation>en konvertering til et interface kan ikke overvåges</translation>
     </message>
     <message>
         <source>this cannot be evaluated</source>
@@ -1379,7 +1379,7 @@
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
-        <translation>Denne ændring kan ikke laves i billedet; ret teksten.</translation>
+        <translation>Denne ændring kan ikke laves i tegningen; ret teksten.</translation>
     </message>
     <message>
         <source>This has no operand.</source>
@@ -1479,7 +1479,7 @@
     </message>
     <message>
         <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
+        <translation>Grenene efter denne transition samles ikke; forbind dem først i teksten</translation>
     </message>
     <message>
         <source>The panel is not valid JSON</source>
@@ -1667,11 +1667,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
+        <translation>”{0}” kan ikke være der: kræver {1} px, der er {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
+        <translation>”{0}” kan ikke være der: kræver en højde på {1} px, der er {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1751,7 +1751,7 @@
     </message>
     <message>
         <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
+        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til livevisning</translation>
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
@@ -1825,380 +1825,13 @@
         <source>Type a name and a block: T1 : TON</source>
         <translation>Skriv et navn og en blok: T1 : TON</translation>
     </message>
-</context>
-<context>
-    <name>Hmi</name>
-    <message>
-        <source>{0} is not a valid name; use letters, digits and underscores</source>
-        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
-    </message>
-    <message>
-        <source>A step {0} already exists</source>
-        <translation>Der er allerede et trin {0}</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Denne ændring ville ændre den samme tekst to gange</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Denne transition fører endnu ikke til et trin</translation>
-    </message>
-    <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Intet ville føre til sammenføringen efter dette trin</translation>
-    </message>
-    <message>
-        <source>The initial step stays at the top</source>
-        <translation>Starttrinnet bliver øverst</translation>
-    </message>
-    <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Kun et trin med sin egen enkelte transition kan flyttes</translation>
-    </message>
-    <message>
-        <source>The step is already there</source>
-        <translation>Trinnet er der allerede</translation>
-    </message>
-    <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Et trin kan sættes efter en transition, der fører til ét trin</translation>
-    </message>
-    <message>
-        <source>This step only leads to itself</source>
-        <translation>Dette trin fører kun til sig selv</translation>
-    </message>
-    <message>
-        <source>There is no branch here</source>
-        <translation>Her er ingen gren</translation>
-    </message>
-    <message>
-        <source>A transition needs a condition</source>
-        <translation>En transition kræver en betingelse</translation>
-    </message>
-    <message>
-        <source>A priority must be a positive number</source>
-        <translation>En prioritet skal være et positivt tal</translation>
-    </message>
-    <message>
-        <source>Nothing follows this step yet; insert a step after it first</source>
-        <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
-    </message>
-    <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>Den sidste gren fører ikke til et trin</translation>
-    </message>
-    <message>
-        <source>There is no such action</source>
-        <translation>Aktionen findes ikke</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Der er endnu intet SFC-diagram</translation>
-    </message>
-    <message>
-        <source>The initial step cannot be deleted; make another step the initial step first</source>
-        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin</translation>
-    </message>
-    <message>
-        <source>Several transitions leave this step; delete its branches first</source>
-        <translation>Flere transitioner forlader dette trin; slet først dets grene</translation>
-    </message>
-    <message>
-        <source>The condition of this transition cannot be read; edit it in the text</source>
-        <translation>Betingelsen for denne transition kan ikke læses; rediger den i teksten</translation>
-    </message>
-    <message>
-        <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
-    </message>
-    <message>
-        <source>The panel is not valid JSON</source>
-        <translation>Panelet er ikke gyldig JSON</translation>
-    </message>
-    <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Et panel skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>Panelet er skrevet af en nyere version af Stepwise</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>”{0}” skal være en liste</translation>
-    </message>
-    <message>
-        <source>Element {0} is not an object</source>
-        <translation>Element {0} er ikke et objekt</translation>
-    </message>
-    <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Arten af element {0} er ikke en tekst</translation>
-    </message>
-    <message>
-        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
-    </message>
-    <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Alarmerne er ikke gyldig JSON</translation>
-    </message>
-    <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>An alarm has no id</source>
-        <translation>En alarm har intet id</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>To alarmer har id&apos;et ”{0}”</translation>
-    </message>
-    <message>
-        <source>This line is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Denne linje er ikke gyldig UTF-8; gem filen som UTF-8</translation>
-    </message>
-    <message>
-        <source>There is text after a closing quote; double a quote that belongs to the text</source>
-        <translation>Der er tekst efter et afsluttende anførselstegn; fordobl et anførselstegn, der hører til teksten</translation>
-    </message>
-    <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket</translation>
-    </message>
-    <message>
-        <source>The first line must be {0} and one language tag per column</source>
-        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
-    </message>
-    <message>
-        <source>Column {0} has no language tag</source>
-        <translation>Kolonne {0} har intet sprogmærke</translation>
-    </message>
-    <message>
-        <source>The language {0} has two columns</source>
-        <translation>Sproget {0} har to kolonner</translation>
-    </message>
-    <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Denne linje har ingen nøgle</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>Nøglen {0} er allerede på linje {1}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be opened: {0}</source>
-        <translation>Alarmhistorikken kan ikke åbnes: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be used: {0}</source>
-        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be written: {0}</source>
-        <translation>Alarmhistorikken kan ikke skrives: {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} kan ikke være i {1}</translation>
-    </message>
-    <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
-    </message>
-    <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>En {0} kan ikke skrives fra et panel</translation>
-    </message>
-    <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Mappen til billederne kan ikke oprettes</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written</source>
-        <translation>Billedet kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>The project has no such panel</source>
-        <translation>Projektet har ikke det panel</translation>
-    </message>
-    <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
-    </message>
-    <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>Nøglen {0} er ikke i teksttabellen</translation>
-    </message>
-    <message>
-        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
-        <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
-    </message>
-    <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}</translation>
-    </message>
-    <message>
-        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Denne version kender ikke elementarten ”{0}”; den bevares uændret</translation>
-    </message>
-    <message>
-        <source>The project has no language {0}</source>
-        <translation>Projektet har ikke sproget {0}</translation>
-    </message>
-    <message>
-        <source>The element is outside the panel</source>
-        <translation>Elementet ligger uden for panelet</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Filen {0} findes ikke</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>Der er intet panel {0}</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known; use for example {1} or {2}</source>
-        <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
-    </message>
-    <message>
-        <source>The alarm has no condition</source>
-        <translation>Alarmen har ingen betingelse</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>Der er ingen alarmklasse {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Intet panel og ingen alarm bruger nøglen {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>Nøglen {0} har ingen tekst på {1}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Ingen skrifttype har tegnet {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
-    </message>
-    <message>
-        <source>{0}; did you mean {1}?</source>
-        <translation>{0}; mente du {1}?</translation>
-    </message>
-    <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} er ikke en variabel og kan derfor ikke skrives</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a BOOL is needed here</source>
-        <translation>{0} er {1}; her kræves en BOOL</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a number is needed here</source>
-        <translation>{0} er {1}; her kræves et tal</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a STRING is needed here</source>
-        <translation>{0} er {1}; her kræves en STRING</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; an array is needed here</source>
-        <translation>{0} er {1}; her kræves et array</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a single value is needed here</source>
-        <translation>{0} er {1}; her kræves en enkelt værdi</translation>
-    </message>
-    <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>En pladsholder er ikke lukket med {0}</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known</source>
-        <translation>Formatet {0} er ukendt</translation>
-    </message>
-    <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0})</translation>
-    </message>
-    <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>En traceopsætning skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0})</translation>
-    </message>
-    <message>
-        <source>The trace configuration is invalid: {0}</source>
-        <translation>Traceopsætningen er ugyldig: {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be {1}</source>
-        <translation>”{0}” skal være {1}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>”{0}” mangler</translation>
-    </message>
-    <message>
-        <source>A picture&apos;s name must end in one of {0}</source>
-        <translation>Et billedes navn skal ende på en af {0}</translation>
-    </message>
-    <message>
-        <source>no longer recorded</source>
-        <translation>ikke længere optaget</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>En optagelse fra en fil kan ikke skrives; gå først tilbage til den kørende styring</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Optagede værdier kan ikke skrives; fortsæt først herfra</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget</translation>
-    </message>
-    <message>
-        <source>A priority is a number; 0 removes it</source>
-        <translation>En prioritet er et tal; 0 fjerner den</translation>
-    </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
         <translation>De lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
-        <translation>{0} er for stor til maskinens stak; del den op</translation>
+        <translation>{0} er for stor til stakken; del den op i flere funktioner</translation>
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
@@ -2219,52 +1852,8 @@
         <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
     </message>
     <message>
-        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
-        <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
-    </message>
-    <message>
-        <source>There is nothing in it that can be imported</source>
-        <translation>Der er intet i den, som kan importeres</translation>
-    </message>
-    <message>
-        <source>The folder exists and is not empty; name a new one</source>
-        <translation>Mappen findes og er ikke tom; angiv en ny</translation>
-    </message>
-    <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
-        <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
-    </message>
-    <message>
-        <source>The file is too large to be read</source>
-        <translation>Filen er for stor til at blive læst</translation>
-    </message>
-    <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
-    </message>
-    <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
-    </message>
-    <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Filens elementer er for dybt indlejret</translation>
-    </message>
-    <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Dette er ikke velformet XML: {0}</translation>
-    </message>
-    <message>
-        <source>The file has no elements</source>
-        <translation>Filen har ingen elementer</translation>
-    </message>
-    <message>
-        <source>This is XML, not structured text; import it (stepwise import --help)</source>
-        <translation>Dette er XML, ikke struktureret tekst; importer det (stepwise import --help)</translation>
-    </message>
-    <message>
-        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
-        <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg.</translation>
     </message>
 </context>
 <context>
@@ -2275,7 +1864,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>ingen</translation>
+        <translation>(intet valgt)</translation>
     </message>
     <message>
         <source>Other…</source>
@@ -2291,7 +1880,7 @@
     </message>
     <message>
         <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Vises til operatøren. En indtastet tekst får selv sin nøgle; @key nævner en.</translation>
+        <translation>Vises til operatøren. Indtastet tekst får automatisk en nøgle; med @nøgle vælger du en, der findes.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2399,19 +1988,19 @@
     </message>
     <message>
         <source>Limit low-low</source>
-        <translation>Grænse lav-lav</translation>
+        <translation>Nederste grænseværdi (LL)</translation>
     </message>
     <message>
         <source>Limit low</source>
-        <translation>Grænse lav</translation>
+        <translation>Nedre grænseværdi (L)</translation>
     </message>
     <message>
         <source>Limit high</source>
-        <translation>Grænse høj</translation>
+        <translation>Øvre grænseværdi (H)</translation>
     </message>
     <message>
         <source>Limit high-high</source>
-        <translation>Grænse høj-høj</translation>
+        <translation>Øverste grænseværdi (HH)</translation>
     </message>
     <message>
         <source>Choices</source>
@@ -2475,7 +2064,7 @@
     </message>
     <message>
         <source>Must be acknowledged</source>
-        <translation>Skal kvitteres</translation>
+        <translation>Kræver kvittering</translation>
     </message>
     <message>
         <source>Suppressed if</source>
@@ -2491,15 +2080,15 @@
     </message>
     <message>
         <source>Group</source>
-        <translation>Gruppér</translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Tab page</source>
-        <translation>Faneside</translation>
+        <translation>Faneblad</translation>
     </message>
     <message>
         <source>Place and size</source>
-        <translation>Placering og størrelse</translation>
+        <translation>Position og størrelse</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -2515,7 +2104,7 @@
     </message>
     <message>
         <source>Enabled if</source>
-        <translation>Aktiv hvis</translation>
+        <translation>Kan betjenes, hvis</translation>
     </message>
     <message>
         <source>Appearance by condition</source>
@@ -2531,7 +2120,7 @@
     </message>
     <message>
         <source>Rotate by</source>
-        <translation>Rotér med</translation>
+        <translation>Roter med</translation>
     </message>
     <message>
         <source>Fixed language</source>
@@ -2551,7 +2140,7 @@
     </message>
     <message>
         <source>Enabled</source>
-        <translation>Aktiv</translation>
+        <translation>Kan betjenes</translation>
     </message>
     <message>
         <source>On if</source>
@@ -2619,7 +2208,7 @@
     </message>
     <message>
         <source>Span</source>
-        <translation>Spænd</translation>
+        <translation>Buevinkel</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -2643,7 +2232,7 @@
     </message>
     <message>
         <source>Wraps</source>
-        <translation>Ombrydes</translation>
+        <translation>Tekstombrydning</translation>
     </message>
     <message>
         <source>Image</source>
@@ -2695,7 +2284,7 @@
     </message>
     <message>
         <source>Action</source>
-        <translation>Handling</translation>
+        <translation>Aktion</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -2775,11 +2364,11 @@
     </message>
     <message>
         <source>Orientation</source>
-        <translation>Retning</translation>
+        <translation>Orientering</translation>
     </message>
     <message>
         <source>Shows the value</source>
-        <translation>Viser værdien</translation>
+        <translation>Vis værdien</translation>
     </message>
     <message>
         <source>Turning knob</source>
@@ -2819,7 +2408,7 @@
     </message>
     <message>
         <source>Hides the value</source>
-        <translation>Skjuler værdien</translation>
+        <translation>Skjul værdien</translation>
     </message>
     <message>
         <source>Numeric display</source>
@@ -2839,7 +2428,7 @@
     </message>
     <message>
         <source>Shows</source>
-        <translation>Viser</translation>
+        <translation>Visning</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -2863,7 +2452,7 @@
     </message>
     <message>
         <source>Bar</source>
-        <translation>Bjælke</translation>
+        <translation>Bjælkevisning</translation>
     </message>
     <message>
         <source>Set point</source>
@@ -2879,11 +2468,11 @@
     </message>
     <message>
         <source>Span of the scale</source>
-        <translation>Skalaens spænd</translation>
+        <translation>Skalaens vinkel</translation>
     </message>
     <message>
         <source>Divisions</source>
-        <translation>Inddelinger</translation>
+        <translation>Skalainddeling</translation>
     </message>
     <message>
         <source>7-segment display</source>
@@ -2959,7 +2548,7 @@
     </message>
     <message>
         <source>Shows the numbers</source>
-        <translation>Viser numrene</translation>
+        <translation>Vis numrene</translation>
     </message>
     <message>
         <source>Table</source>
@@ -2983,11 +2572,11 @@
     </message>
     <message>
         <source>Array of x</source>
-        <translation>Array for x</translation>
+        <translation>Array med x-værdier</translation>
     </message>
     <message>
         <source>Array of y</source>
-        <translation>Array for y</translation>
+        <translation>Array med y-værdier</translation>
     </message>
     <message>
         <source>Operating point x</source>
@@ -3015,11 +2604,11 @@
     </message>
     <message>
         <source>Title of x</source>
-        <translation>Titel for x</translation>
+        <translation>x-aksens titel</translation>
     </message>
     <message>
         <source>Title of y</source>
-        <translation>Titel for y</translation>
+        <translation>y-aksens titel</translation>
     </message>
     <message>
         <source>Trend chart</source>
@@ -3079,7 +2668,7 @@
     </message>
     <message>
         <source>Tab</source>
-        <translation>Fane</translation>
+        <translation>Faneblade</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -3103,11 +2692,11 @@
     </message>
     <message>
         <source>Operation</source>
-        <translation>Betjening</translation>
+        <translation>Betjeningselementer</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation>Visning</translation>
+        <translation>Visningselementer</translation>
     </message>
     <message>
         <source>Arrays and charts</source>
@@ -3119,7 +2708,7 @@
     </message>
     <message>
         <source>Containers</source>
-        <translation>Beholdere</translation>
+        <translation>Containere</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -3136,444 +2725,6 @@
     <message>
         <source>Motion</source>
         <translation>Bevægelse</translation>
-    </message>
-    <message>
-        <source>{0} is not a valid name; use letters, digits and underscores</source>
-        <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg</translation>
-    </message>
-    <message>
-        <source>A step {0} already exists</source>
-        <translation>Der er allerede et trin {0}</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Denne ændring ville ændre den samme tekst to gange</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Denne transition fører endnu ikke til et trin</translation>
-    </message>
-    <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Intet ville føre til sammenføringen efter dette trin</translation>
-    </message>
-    <message>
-        <source>The initial step stays at the top</source>
-        <translation>Starttrinnet bliver øverst</translation>
-    </message>
-    <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Kun et trin med sin egen enkelte transition kan flyttes</translation>
-    </message>
-    <message>
-        <source>The step is already there</source>
-        <translation>Trinnet er der allerede</translation>
-    </message>
-    <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Et trin kan sættes efter en transition, der fører til ét trin</translation>
-    </message>
-    <message>
-        <source>This step only leads to itself</source>
-        <translation>Dette trin fører kun til sig selv</translation>
-    </message>
-    <message>
-        <source>There is no branch here</source>
-        <translation>Her er ingen gren</translation>
-    </message>
-    <message>
-        <source>A transition needs a condition</source>
-        <translation>En transition kræver en betingelse</translation>
-    </message>
-    <message>
-        <source>A priority must be a positive number</source>
-        <translation>En prioritet skal være et positivt tal</translation>
-    </message>
-    <message>
-        <source>Nothing follows this step yet; insert a step after it first</source>
-        <translation>Intet følger efter dette trin endnu; indsæt først et trin efter det</translation>
-    </message>
-    <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>Den sidste gren fører ikke til et trin</translation>
-    </message>
-    <message>
-        <source>There is no such action</source>
-        <translation>Aktionen findes ikke</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Der er endnu intet SFC-diagram</translation>
-    </message>
-    <message>
-        <source>The initial step cannot be deleted; make another step the initial step first</source>
-        <translation>Starttrinnet kan ikke slettes; gør først et andet trin til starttrin</translation>
-    </message>
-    <message>
-        <source>Several transitions leave this step; delete its branches first</source>
-        <translation>Flere transitioner forlader dette trin; slet først dets grene</translation>
-    </message>
-    <message>
-        <source>The condition of this transition cannot be read; edit it in the text</source>
-        <translation>Betingelsen for denne transition kan ikke læses; rediger den i teksten</translation>
-    </message>
-    <message>
-        <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Grenene efter denne transition løber ikke sammen; forbind dem først i teksten</translation>
-    </message>
-    <message>
-        <source>The panel is not valid JSON</source>
-        <translation>Panelet er ikke gyldig JSON</translation>
-    </message>
-    <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Et panel skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>Panelet er skrevet af en nyere version af Stepwise</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>”{0}” skal være en liste</translation>
-    </message>
-    <message>
-        <source>Element {0} is not an object</source>
-        <translation>Element {0} er ikke et objekt</translation>
-    </message>
-    <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Arten af element {0} er ikke en tekst</translation>
-    </message>
-    <message>
-        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>To elementer har id&apos;et ”{0}”; ret det ene</translation>
-    </message>
-    <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Alarmerne er ikke gyldig JSON</translation>
-    </message>
-    <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Hver alarm og hver alarmklasse skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>An alarm has no id</source>
-        <translation>En alarm har intet id</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>To alarmer har id&apos;et ”{0}”</translation>
-    </message>
-    <message>
-        <source>This line is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Denne linje er ikke gyldig UTF-8; gem filen som UTF-8</translation>
-    </message>
-    <message>
-        <source>There is text after a closing quote; double a quote that belongs to the text</source>
-        <translation>Der er tekst efter et afsluttende anførselstegn; fordobl et anførselstegn, der hører til teksten</translation>
-    </message>
-    <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Anførselstegnet, der åbner her, bliver aldrig lukket</translation>
-    </message>
-    <message>
-        <source>The first line must be {0} and one language tag per column</source>
-        <translation>Den første linje skal være {0} og et sprogmærke pr. kolonne</translation>
-    </message>
-    <message>
-        <source>Column {0} has no language tag</source>
-        <translation>Kolonne {0} har intet sprogmærke</translation>
-    </message>
-    <message>
-        <source>The language {0} has two columns</source>
-        <translation>Sproget {0} har to kolonner</translation>
-    </message>
-    <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Denne linje har {0} {0:felt|felter}, hovedet har {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Denne linje har ingen nøgle</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>Nøglen {0} er allerede på linje {1}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be opened: {0}</source>
-        <translation>Alarmhistorikken kan ikke åbnes: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be used: {0}</source>
-        <translation>Alarmhistorikken kan ikke bruges: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be written: {0}</source>
-        <translation>Alarmhistorikken kan ikke skrives: {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} kan ikke være i {1}</translation>
-    </message>
-    <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING rummer kun Latin-1; erklær variablen som WSTRING</translation>
-    </message>
-    <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>En {0} kan ikke skrives fra et panel</translation>
-    </message>
-    <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Mappen til billederne kan ikke oprettes</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written</source>
-        <translation>Billedet kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>The project has no such panel</source>
-        <translation>Projektet har ikke det panel</translation>
-    </message>
-    <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Teksten ”{0}” har ingen nøgle og kan derfor ikke oversættes</translation>
-    </message>
-    <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>Nøglen {0} er ikke i teksttabellen</translation>
-    </message>
-    <message>
-        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
-        <translation>Teksten kræver en værdi for {0}; angiv den under ”Værdier i tekster”</translation>
-    </message>
-    <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Tekstlisten {0} er tom: der er ingen nøgle {1}</translation>
-    </message>
-    <message>
-        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Denne version kender ikke elementarten ”{0}”; den bevares uændret</translation>
-    </message>
-    <message>
-        <source>The project has no language {0}</source>
-        <translation>Projektet har ikke sproget {0}</translation>
-    </message>
-    <message>
-        <source>The element is outside the panel</source>
-        <translation>Elementet ligger uden for panelet</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Filen {0} findes ikke</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>Der er intet panel {0}</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known; use for example {1} or {2}</source>
-        <translation>Formatet {0} er ukendt; brug for eksempel {1} eller {2}</translation>
-    </message>
-    <message>
-        <source>The alarm has no condition</source>
-        <translation>Alarmen har ingen betingelse</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>Der er ingen alarmklasse {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Intet panel og ingen alarm bruger nøglen {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Pladsholderne er forskellige: {0} har {1}, {2} har {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>Nøglen {0} har ingen tekst på {1}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>Skrifttypen {0} er ikke installeret her, så tekster kan ikke måles</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Ingen skrifttype har tegnet {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver {1} px, maksimum er {2}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>”{0}” kan ikke være der: den kræver en højde på {1} px, maksimum er {2}</translation>
-    </message>
-    <message>
-        <source>{0}; did you mean {1}?</source>
-        <translation>{0}; mente du {1}?</translation>
-    </message>
-    <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} er ikke en variabel og kan derfor ikke skrives</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a BOOL is needed here</source>
-        <translation>{0} er {1}; her kræves en BOOL</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a number is needed here</source>
-        <translation>{0} er {1}; her kræves et tal</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a STRING is needed here</source>
-        <translation>{0} er {1}; her kræves en STRING</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; an array is needed here</source>
-        <translation>{0} er {1}; her kræves et array</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a single value is needed here</source>
-        <translation>{0} er {1}; her kræves en enkelt værdi</translation>
-    </message>
-    <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>En pladsholder er ikke lukket med {0}</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known</source>
-        <translation>Formatet {0} er ukendt</translation>
-    </message>
-    <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>Traceopsætningen er ikke gyldig JSON (se linje {0})</translation>
-    </message>
-    <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>En traceopsætning skal være et JSON-objekt</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Denne traceopsætning er skrevet af en nyere version af Stepwise (version {0})</translation>
-    </message>
-    <message>
-        <source>The trace configuration is invalid: {0}</source>
-        <translation>Traceopsætningen er ugyldig: {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be {1}</source>
-        <translation>”{0}” skal være {1}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>”{0}” mangler</translation>
-    </message>
-    <message>
-        <source>A picture&apos;s name must end in one of {0}</source>
-        <translation>Et billedes navn skal ende på en af {0}</translation>
-    </message>
-    <message>
-        <source>no longer recorded</source>
-        <translation>ikke længere optaget</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>En optagelse fra en fil kan ikke skrives; gå først tilbage til den kørende styring</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Optagede værdier kan ikke skrives; fortsæt først herfra</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Optagede værdier kan ikke forceres; fortsæt først herfra, eller gå tilbage til live</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>En optagelse fra en fil kan ikke fortsættes, kun det styringen selv har optaget</translation>
-    </message>
-    <message>
-        <source>A priority is a number; 0 removes it</source>
-        <translation>En prioritet er et tal; 0 fjerner den</translation>
-    </message>
-    <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>De lokale variabler i {0} og alt, hvad den kalder, kræver {1} bytes; der er højst plads til {2}</translation>
-    </message>
-    <message>
-        <source>{0} is too large for the stack; divide it into several functions</source>
-        <translation>{0} er for stor til maskinens stak; del den op</translation>
-    </message>
-    <message>
-        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mere end {0} arbejdsenheder (løkkegennemløb, kald, kopier) i én kørsel af tasken; er der en løkke uden ende?</translation>
-    </message>
-    <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} er ikke et heltal</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} er ikke et antal scan</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} er ikke en tid</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
-    </message>
-    <message>
-        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
-        <translation>Denne XML er hverken PLCopen XML eller fra TwinCAT eller CODESYS; eksporter projektet som PLCopen XML, og importer den fil</translation>
-    </message>
-    <message>
-        <source>There is nothing in it that can be imported</source>
-        <translation>Der er intet i den, som kan importeres</translation>
-    </message>
-    <message>
-        <source>The folder exists and is not empty; name a new one</source>
-        <translation>Mappen findes og er ikke tom; angiv en ny</translation>
-    </message>
-    <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
-        <translation>Kilderne har syntaksfejl; stepwise check viser dem</translation>
-    </message>
-    <message>
-        <source>The file is too large to be read</source>
-        <translation>Filen er for stor til at blive læst</translation>
-    </message>
-    <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Filen har kodningen {0}, som ikke læses; gem den som UTF-8</translation>
-    </message>
-    <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Filen erklærer en dokumenttype eller egne entiteter, hvilket ikke læses; eksporter den uden dem</translation>
-    </message>
-    <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Filens elementer er for dybt indlejret</translation>
-    </message>
-    <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Dette er ikke velformet XML: {0}</translation>
-    </message>
-    <message>
-        <source>The file has no elements</source>
-        <translation>Filen har ingen elementer</translation>
-    </message>
-    <message>
-        <source>This is XML, not structured text; import it (stepwise import --help)</source>
-        <translation>Dette er XML, ikke struktureret tekst; importer det (stepwise import --help)</translation>
-    </message>
-    <message>
-        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
-        <translation>Windows-1252 har ikke tegnet {0}; skriv filen som UTF-8</translation>
     </message>
 </context>
 <context>
@@ -3611,15 +2762,15 @@
     </message>
     <message>
         <source>Forced</source>
-        <translation>Tvunget</translation>
+        <translation>Forceret</translation>
     </message>
     <message>
         <source>All forces released</source>
-        <translation>Alle tvungne værdier frigivet</translation>
+        <translation>Al forcering ophævet</translation>
     </message>
     <message>
         <source>Released</source>
-        <translation>Frigivet</translation>
+        <translation>Forcering ophævet</translation>
     </message>
     <message>
         <source>Online change</source>
@@ -3627,7 +2778,7 @@
     </message>
     <message>
         <source>Breakpoint</source>
-        <translation>Brudpunkt</translation>
+        <translation>Stoppunkt</translation>
     </message>
     <message>
         <source>Retained values saved</source>
@@ -3697,11 +2848,11 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation>Middel</translation>
+        <translation>Middelværdi</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation>RMS</translation>
+        <translation>Effektivværdi</translation>
     </message>
     <message>
         <source>Rise time</source>
@@ -3713,7 +2864,7 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation>Indsvingning</translation>
+        <translation>Indsvingningstid</translation>
     </message>
 </context>
 <context>
@@ -3739,11 +2890,11 @@
     </message>
     <message>
         <source>Instruction list, as it stands</source>
-        <translation>Instruktionsliste, som den står</translation>
+        <translation>Instruktionsliste (nuværende tekst)</translation>
     </message>
     <message>
         <source>ST, as it stands</source>
-        <translation>ST, som det står</translation>
+        <translation>ST (nuværende tekst)</translation>
     </message>
     <message>
         <source>The same as ST</source>
@@ -3755,7 +2906,7 @@
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
-        <translation>Begge giver samme resultater. Erstatning er ét trin at fortryde; kommentarer bliver, hver over sin sætning.</translation>
+        <translation>Begge giver samme resultater. Erstatningen kan fortrydes i ét trin; kommentarer bevares, hver over sin sætning.</translation>
     </message>
     <message>
         <source>Replace the Text</source>
@@ -3763,7 +2914,7 @@
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
 </context>
 <context>
@@ -3786,7 +2937,7 @@
     </message>
     <message>
         <source>%1 was changed. Save it?</source>
-        <translation>%1 er ændret. Gem?</translation>
+        <translation>%1 er ændret. Skal ændringerne gemmes?</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) were changed: %1. Save them?</source>
@@ -3839,7 +2990,7 @@
     </message>
     <message>
         <source>Force</source>
-        <translation>Tving</translation>
+        <translation>Forcer</translation>
     </message>
     <message>
         <source>Write</source>
@@ -3868,7 +3019,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Gemmer optagelsen …</translation>
+        <translation>Gemmer optagelsen…</translation>
     </message>
 </context>
 <context>
@@ -3899,11 +3050,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation>Tvungne værdier</translation>
+        <translation>Forcerede værdier</translation>
     </message>
     <message>
         <source>Call Path</source>
-        <translation>Kaldesti</translation>
+        <translation>Kaldestak</translation>
     </message>
     <message>
         <source>Breakpoints</source>
@@ -3947,7 +3098,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Main</source>
-        <translation>Hovedlinje</translation>
+        <translation>Værktøjslinje</translation>
     </message>
     <message>
         <source>State of the controller</source>
@@ -3991,7 +3142,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % last</translation>
+        <translation>%1 µs · %2 % belastning</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
@@ -4023,7 +3174,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Studiet sluttede uden at gemme. Ændringer i %1, der ikke var gemt, er bevaret. Gendan dem?</translation>
+        <translation>Studiet blev lukket uden at gemme. Ændringer i %1, der ikke er gemt, er bevaret. Skal de gendannes?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -4154,11 +3305,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
-        <translation>F5 oversætter til maskinkode og kører den. Værdierne står derefter ved hver linje.</translation>
+        <translation>F5 oversætter til maskinkode og kører den. Værdierne vises derefter ved hver linje.</translation>
     </message>
     <message>
         <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
-        <translation>Ethvert udtryk, når som helst. Forbered en værdi, og skriv eller tving den med ét klik.</translation>
+        <translation>Ethvert udtryk, når som helst. Forbered en værdi, og skriv eller forcer den med ét klik.</translation>
     </message>
     <message>
         <source>The trace</source>
@@ -4182,7 +3333,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel viser fortiden. “Fortsæt herfra” går videre derfra.</translation>
+        <translation>Træk i tidsskyderen, eller tryk Ctrl+Alt+Venstre: kode, diagrammer og panel vises på det tidspunkt. ”Fortsæt herfra” fortsætter styringen derfra.</translation>
     </message>
     <message>
         <source>That is it</source>
@@ -4270,7 +3421,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -4302,7 +3453,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Gå til erklæringen</translation>
+        <translation>Gå til definitionen</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -4322,19 +3473,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation>Formatér</translation>
+        <translation>Formater</translation>
     </message>
     <message>
         <source>Comment In or Out (Ctrl+/)</source>
-        <translation>Kommentér ind eller ud (Ctrl+/)</translation>
+        <translation>Kommenter ind eller ud (Ctrl+/)</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Dublér</translation>
+        <translation>Dupliker linjen</translation>
     </message>
     <message>
         <source>Select the Block Around</source>
-        <translation>Markér den omgivende blok</translation>
+        <translation>Marker den omgivende blok</translation>
     </message>
     <message>
         <source>Go to the Matching Word</source>
@@ -4426,11 +3577,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force Prepared Values</source>
-        <translation>Tving forberedte værdier</translation>
+        <translation>Forcer forberedte værdier</translation>
     </message>
     <message>
         <source>Release All Forces</source>
-        <translation>Frigiv alle tvungne værdier</translation>
+        <translation>Ophæv al forcering</translation>
     </message>
     <message>
         <source>Run the Tests</source>
@@ -4446,7 +3597,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Back to Live</source>
-        <translation>Tilbage til nutiden</translation>
+        <translation>Tilbage til livevisning</translation>
     </message>
     <message>
         <source>Resume From Here</source>
@@ -4466,7 +3617,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Chart Beside the Text</source>
-        <translation>Diagram ved siden af teksten</translation>
+        <translation>SFC-diagram ved siden af teksten</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
@@ -4510,7 +3661,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>All values are of a recording from a file. A click goes back to the controller.</source>
-        <translation>Alle værdier er fra en gemt optagelse. Et klik fører tilbage til styringen.</translation>
+        <translation>Alle værdier er fra en optagelse i en fil. Et klik fører tilbage til styringen.</translation>
     </message>
     <message>
         <source>RECORDING</source>
@@ -4518,7 +3669,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 – back to live</source>
-        <translation>%1 – tilbage til styringen</translation>
+        <translation>%1 – tilbage til livevisning</translation>
     </message>
     <message>
         <source>Panel %1</source>
@@ -4526,11 +3677,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation>Ikke-gemte ændringer</translation>
+        <translation>Ændringer, der ikke er gemt</translation>
     </message>
     <message>
         <source>%1 was changed. Save it?</source>
-        <translation>%1 blev ændret. Skal det gemmes?</translation>
+        <translation>%1 er ændret. Skal ændringerne gemmes?</translation>
     </message>
     <message>
         <source>Open a Recording</source>
@@ -4546,7 +3697,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Sæt markøren i en enhed, der er skrevet i ST eller IL</translation>
+        <translation>Sæt markøren i en programenhed, der er skrevet i ST eller IL</translation>
     </message>
     <message>
         <source>The text has changed meanwhile</source>
@@ -4565,7 +3716,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Delete and Comment Out the Uses</source>
-        <translation>Slet og udkommentér anvendelserne</translation>
+        <translation>Slet, udkommenter anvendelserne</translation>
     </message>
     <message>
         <source>Show the Uses</source>
@@ -4601,15 +3752,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The file can not be renamed; check the permissions of the folder</source>
-        <translation>Filen kan ikke omdøbes; kontrollér mappens rettigheder</translation>
+        <translation>Filen kan ikke omdøbes; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>These panels lead to it; their buttons will be problems: %1</source>
-        <translation>Disse paneler fører dertil; deres knapper bliver til problemer: %1</translation>
+        <translation>Disse paneler henviser til det; deres knapper fører så ingen steder hen: %1</translation>
     </message>
     <message>
         <source>The file can not be removed; check the permissions of the folder</source>
-        <translation>Filen kan ikke slettes; kontrollér mappens rettigheder</translation>
+        <translation>Filen kan ikke slettes; kontroller mappens rettigheder</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -4653,7 +3804,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Fault of the controller</source>
-        <translation>Styringens fejl</translation>
+        <translation>Styringsfejl</translation>
     </message>
     <message>
         <source>RUN %1</source>
@@ -4661,7 +3812,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>at full speed</source>
-        <translation>for fuld kraft</translation>
+        <translation>så hurtigt som muligt</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -4697,19 +3848,19 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Arrange for Editing</source>
-        <translation>Arrangér til redigering</translation>
+        <translation>Arranger til redigering</translation>
     </message>
     <message>
         <source>Arrange for Debugging</source>
-        <translation>Arrangér til fejlfinding</translation>
+        <translation>Arranger til fejlfinding</translation>
     </message>
     <message>
         <source>Arrange for Drawing Panels</source>
-        <translation>Arrangér til tegning af paneler</translation>
+        <translation>Arranger til tegning af paneler</translation>
     </message>
     <message>
         <source>Maximise the Editor</source>
-        <translation>Maksimér editoren</translation>
+        <translation>Maksimer editoren</translation>
     </message>
     <message>
         <source>Keeping the recording of the last run…</source>
@@ -4752,11 +3903,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Sekvens</translation>
+        <translation>Sekvensstyring</translation>
     </message>
     <message>
         <source>Fill, mix, empty as a sequential function chart</source>
-        <translation>Fyld, bland, tøm som sekventielt funktionsdiagram</translation>
+        <translation>Fyld, bland, tøm som SFC-diagram</translation>
     </message>
     <message>
         <source>New Project</source>
@@ -4835,7 +3986,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Sequential function chart</source>
-        <translation>Sekventielt funktionsdiagram</translation>
+        <translation>SFC-diagram</translation>
     </message>
     <message>
         <source>Simulation of the plant</source>
@@ -4949,7 +4100,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation>Diagram</translation>
+        <translation>SFC-diagram</translation>
     </message>
     <message>
         <source>Programs</source>
@@ -4969,7 +4120,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Globals</source>
-        <translation>Globale</translation>
+        <translation>Globale variabler</translation>
     </message>
     <message>
         <source>Tasks</source>
@@ -5029,7 +4180,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Watch</source>
-        <translation>Overvåg</translation>
+        <translation>Føj til overvågning</translation>
     </message>
     <message>
         <source>Arrange by file</source>
@@ -5092,7 +4243,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Not a pattern: %1</source>
-        <translation>Ikke et mønster: %1</translation>
+        <translation>Ugyldigt regulært udtryk: %1</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -5204,7 +4355,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Write keywords in capitals while typing</source>
-        <translation>Skriv nøgleord med store bogstaver under indtastning</translation>
+        <translation>Ændr nøgleord til store bogstaver under indtastning</translation>
     </message>
     <message>
         <source>Close blocks with Enter (IF … END_IF)</source>
@@ -5216,11 +4367,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Format when saving</source>
-        <translation>Formatér ved lagring</translation>
+        <translation>Formater ved lagring</translation>
     </message>
     <message>
         <source>Saving changes the running controller (online change)</source>
-        <translation>At gemme ændrer den kørende styring (online-change)</translation>
+        <translation>Udfør onlineændring, når der gemmes</translation>
     </message>
     <message>
         <source>Memory for the recording of every scan</source>
@@ -5232,7 +4383,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Handling</translation>
+        <translation>Kommando</translation>
     </message>
     <message>
         <source>Shortcut</source>
@@ -5240,7 +4391,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Another action has the same shortcut</source>
-        <translation>En anden handling har samme genvej</translation>
+        <translation>En anden kommando har samme genvej</translation>
     </message>
     <message>
         <source>Shortcut of %1</source>
@@ -5252,11 +4403,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>All Defaults</source>
-        <translation>Alle standarder</translation>
+        <translation>Gendan standarder</translation>
     </message>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 hører nu til „%2“; „%3“ mister den.</translation>
+        <translation>%1 hører nu til ”%2”; ”%3” mister den.</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -5383,7 +4534,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::CallPathView</name>
     <message>
         <source>Unit</source>
-        <translation>Enhed</translation>
+        <translation>Programenhed</translation>
     </message>
     <message>
         <source>Instance</source>
@@ -5395,7 +4546,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Call path</source>
-        <translation>Kaldesti</translation>
+        <translation>Kaldestak</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -5414,27 +4565,27 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::editor::ChartView</name>
     <message>
         <source>Sequential function chart</source>
-        <translation>Sekventielt funktionsdiagram</translation>
+        <translation>SFC-diagram</translation>
     </message>
     <message>
         <source>Insert a step behind (Ins)</source>
-        <translation>Indsæt et trin bagefter (Ins)</translation>
+        <translation>Indsæt et trin efter (Ins)</translation>
     </message>
     <message>
         <source>Insert a branch beside</source>
-        <translation>Indsæt en gren ved siden af</translation>
+        <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
         <source>Insert a simultaneous branch</source>
-        <translation>Indsæt en samtidig gren</translation>
+        <translation>Indsæt en parallelgren</translation>
     </message>
     <message>
         <source>Add an action</source>
-        <translation>Tilføj en handling</translation>
+        <translation>Tilføj en aktion</translation>
     </message>
     <message>
         <source>Edit name or condition (F2)</source>
-        <translation>Redigér navn eller betingelse (F2)</translation>
+        <translation>Rediger navn eller betingelse (F2)</translation>
     </message>
     <message>
         <source>Delete (Del)</source>
@@ -5446,7 +4597,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Export the chart</source>
-        <translation>Eksportér diagrammet</translation>
+        <translation>Eksporter diagrammet</translation>
     </message>
     <message>
         <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
@@ -5462,7 +4613,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>The unit %1 is not in the text any more</source>
-        <translation>Enheden %1 er ikke længere i teksten</translation>
+        <translation>Programenheden %1 er ikke længere i teksten</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -5470,7 +4621,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>%1 is not a chart</source>
-        <translation>%1 er ikke et diagram</translation>
+        <translation>%1 er ikke et SFC-diagram</translation>
     </message>
     <message>
         <source>Mend the text first: this is the last good drawing</source>
@@ -5482,27 +4633,27 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Select the transition behind which the steps run at the same time</source>
-        <translation>Vælg den transition, efter hvilken trinene kører samtidig</translation>
+        <translation>Vælg den transition, efter hvilken trinnene kører samtidig</translation>
     </message>
     <message>
         <source>Select the step that gets the action</source>
-        <translation>Vælg det trin, der får handlingen</translation>
+        <translation>Vælg det trin, der får aktionen</translation>
     </message>
     <message>
         <source>Insert a Step Behind</source>
-        <translation>Indsæt et trin bagefter</translation>
+        <translation>Indsæt et trin efter</translation>
     </message>
     <message>
         <source>Insert a Branch Beside</source>
-        <translation>Indsæt en gren ved siden af</translation>
+        <translation>Indsæt en alternativgren</translation>
     </message>
     <message>
         <source>Insert a Simultaneous Branch</source>
-        <translation>Indsæt en samtidig gren</translation>
+        <translation>Indsæt en parallelgren</translation>
     </message>
     <message>
         <source>Add an Action</source>
-        <translation>Tilføj en handling</translation>
+        <translation>Tilføj en aktion</translation>
     </message>
     <message>
         <source>Make It the Initial Step</source>
@@ -5510,11 +4661,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force the Step On</source>
-        <translation>Tving trinet til</translation>
+        <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
         <source>Release the Step</source>
-        <translation>Frigiv trinet</translation>
+        <translation>Ophæv forcering af trinnet</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
@@ -5522,7 +4673,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation>Redigér</translation>
+        <translation>Rediger</translation>
     </message>
     <message>
         <source>Move Left</source>
@@ -5578,23 +4729,23 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>To the chart around (Backspace)</source>
-        <translation>Til diagrammet uden om (Tilbage)</translation>
+        <translation>Til det overordnede SFC-diagram (Backspace)</translation>
     </message>
     <message>
         <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
-        <translation>Stoppunkt: stopper, når trinnet bliver aktivt, når transitionen tages (F9)</translation>
+        <translation>Stoppunkt: stopper, når trinnet bliver aktivt, eller transitionen udløses (F9)</translation>
     </message>
     <message>
         <source>Force the step on</source>
-        <translation>Tving trinnet aktivt</translation>
+        <translation>Forcer trinnet aktivt</translation>
     </message>
     <message>
         <source>Release the step</source>
-        <translation>Frigiv trinnet</translation>
+        <translation>Ophæv forcering af trinnet</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+        <translation>Eksporter som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -5610,7 +4761,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Open Its Chart or Text</source>
-        <translation>Åbn dens diagram eller tekst</translation>
+        <translation>Åbn dets SFC-diagram eller tekst</translation>
     </message>
     <message>
         <source>Priority…</source>
@@ -5708,11 +4859,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy the selected rows, else all</source>
-        <translation>Kopiér de valgte rækker, ellers alle</translation>
+        <translation>Kopier de valgte rækker, ellers alle</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
     <message>
         <source>Only faults and refusals</source>
@@ -5795,7 +4946,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>not a pattern</source>
-        <translation>ikke et mønster</translation>
+        <translation>ugyldigt regulært udtryk</translation>
     </message>
     <message numerus="yes">
         <source>%n found</source>
@@ -5817,37 +4968,37 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Forced value</source>
-        <translation>Tvungen værdi</translation>
+        <translation>Forceret værdi</translation>
     </message>
     <message>
         <source>Forced variables</source>
-        <translation>Tvungne variabler</translation>
+        <translation>Forcerede variabler</translation>
     </message>
     <message>
         <source>Release selected</source>
-        <translation>Frigiv valgte</translation>
+        <translation>Ophæv valgte</translation>
     </message>
     <message>
         <source>Release all</source>
-        <translation>Frigiv alle</translation>
+        <translation>Ophæv alle</translation>
     </message>
 </context>
 <context>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Bygget på %1 ms</translation>
+        <translation>Oversat på %1 ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
         <translation>
-            <numerusform>%n fejl: programmet blev ikke bygget</numerusform>
-            <numerusform>%n fejl: programmet blev ikke bygget</numerusform>
+            <numerusform>%n fejl: programmet blev ikke oversat</numerusform>
+            <numerusform>%n fejl: programmet blev ikke oversat</numerusform>
         </translation>
     </message>
     <message>
         <source>Online change: %1 kept, %2 new, %3 lost</source>
-        <translation>Online-change: %1 bevaret, %2 nye, %3 tabt</translation>
+        <translation>Onlineændring: %1 variabler bevaret, %2 nye, %3 fjernet</translation>
     </message>
     <message>
         <source>The change waits for the end of the scan</source>
@@ -5898,7 +5049,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Gå til definition</translation>
+        <translation>Gå til definitionen</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -5943,11 +5094,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force…</source>
-        <translation>Tving…</translation>
+        <translation>Forcer…</translation>
     </message>
     <message>
         <source>Release the Force</source>
-        <translation>Ophæv tvangen</translation>
+        <translation>Ophæv forcering</translation>
     </message>
 </context>
 <context>
@@ -5966,7 +5117,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation>Kørsler</translation>
+        <translation>Antal kørsler</translation>
     </message>
     <message>
         <source>Last</source>
@@ -5978,7 +5129,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Middel</translation>
+        <translation>Gennemsnit</translation>
     </message>
     <message>
         <source>Max</source>
@@ -5990,11 +5141,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Overruns</source>
-        <translation>Overløb</translation>
+        <translation>Tidsoverskridelser</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation>Last</translation>
+        <translation>Belastning</translation>
     </message>
     <message>
         <source>Tasks</source>
@@ -6045,11 +5196,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force prepared values</source>
-        <translation>Tving forberedte værdier</translation>
+        <translation>Forcer forberedte værdier</translation>
     </message>
     <message>
         <source>Release the selected forces</source>
-        <translation>Frigiv de valgte tvungne værdier</translation>
+        <translation>Ophæv forcering af de valgte værdier</translation>
     </message>
     <message>
         <source>Decimal</source>
@@ -6073,11 +5224,11 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Force to %1</source>
-        <translation>Tving til %1</translation>
+        <translation>Forcer til %1</translation>
     </message>
     <message>
         <source>Release force</source>
-        <translation>Frigiv tvungen værdi</translation>
+        <translation>Ophæv forcering</translation>
     </message>
     <message>
         <source>Show in trace</source>
@@ -6205,7 +5356,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
-        <translation>Duplikér som array</translation>
+        <translation>Dupliker som array</translation>
     </message>
     <message>
         <source>Number of elements</source>
@@ -6282,7 +5433,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Reorder</source>
-        <translation>Omarrangér</translation>
+        <translation>Omarranger</translation>
     </message>
 </context>
 <context>
@@ -6296,7 +5447,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Finding</source>
-        <translation>Fund</translation>
+        <translation>Meddelelse</translation>
     </message>
     <message>
         <source>Element</source>
@@ -6312,7 +5463,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation>Kopiér</translation>
+        <translation>Kopier</translation>
     </message>
     <message>
         <source>Paste</source>
@@ -6320,15 +5471,15 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Duplikér</translation>
+        <translation>Dupliker</translation>
     </message>
     <message>
         <source>Duplicate as array…</source>
-        <translation>Duplikér som array…</translation>
+        <translation>Dupliker som array…</translation>
     </message>
     <message>
         <source>Select all</source>
-        <translation>Markér alt</translation>
+        <translation>Marker alt</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -6336,35 +5487,35 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Align left</source>
-        <translation>Justér til venstre</translation>
+        <translation>Juster til venstre</translation>
     </message>
     <message>
         <source>Align centres</source>
-        <translation>Justér centre</translation>
+        <translation>Juster centre</translation>
     </message>
     <message>
         <source>Align right</source>
-        <translation>Justér til højre</translation>
+        <translation>Juster til højre</translation>
     </message>
     <message>
         <source>Align top</source>
-        <translation>Justér foroven</translation>
+        <translation>Juster foroven</translation>
     </message>
     <message>
         <source>Align middles</source>
-        <translation>Justér midter</translation>
+        <translation>Juster midter</translation>
     </message>
     <message>
         <source>Align bottom</source>
-        <translation>Justér forneden</translation>
+        <translation>Juster forneden</translation>
     </message>
     <message>
         <source>Equal gaps across</source>
-        <translation>Lige afstande vandret</translation>
+        <translation>Ens afstande vandret</translation>
     </message>
     <message>
         <source>Equal gaps down</source>
-        <translation>Lige afstande lodret</translation>
+        <translation>Ens afstande lodret</translation>
     </message>
     <message>
         <source>Same width</source>
@@ -6398,7 +5549,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation>Gruppér</translation>
+        <translation>Grupper</translation>
     </message>
     <message>
         <source>Ungroup</source>
@@ -6418,7 +5569,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Live preview</source>
-        <translation>Live-visning</translation>
+        <translation>Liveforhåndsvisning</translation>
     </message>
     <message>
         <source>Zoom in</source>
@@ -6462,7 +5613,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Duplicate as array</source>
-        <translation>Duplikér som array</translation>
+        <translation>Dupliker som array</translation>
     </message>
     <message>
         <source>Elements</source>
@@ -6542,7 +5693,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Import CSV</source>
-        <translation>Importér CSV</translation>
+        <translation>Importer CSV</translation>
     </message>
     <message>
         <source>Text tables (*.csv *.txt)</source>
@@ -6550,7 +5701,7 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
     <message>
         <source>Export CSV</source>
-        <translation>Eksportér CSV</translation>
+        <translation>Eksporter CSV</translation>
     </message>
     <message>
         <source>Text tables (*.csv)</source>
@@ -6674,7 +5825,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Edit in a window</source>
-        <translation>Redigér i et vindue</translation>
+        <translation>Rediger i et vindue</translation>
     </message>
     <message>
         <source>Yes</source>
@@ -6748,7 +5899,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>%1 is being cancelled…</source>
-        <translation>%1: afbrydes …</translation>
+        <translation>%1: afbrydes…</translation>
     </message>
     <message>
         <source>Cancel: %1</source>
@@ -6823,7 +5974,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Hold</source>
-        <translation>Hold</translation>
+        <translation>Trappe</translation>
     </message>
     <message>
         <source>Digital</source>
@@ -6839,11 +5990,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation>Skala</translation>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation>Forskydning</translation>
+        <translation>Offset</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -6907,7 +6058,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Record while</source>
-        <translation>Optag mens</translation>
+        <translation>Optagelsesbetingelse</translation>
     </message>
     <message>
         <source>Trigger</source>
@@ -6951,11 +6102,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Shown before</source>
-        <translation>Vist før</translation>
+        <translation>Vist før triggeren</translation>
     </message>
     <message>
         <source>Shown after</source>
-        <translation>Vist efter</translation>
+        <translation>Vist efter triggeren</translation>
     </message>
     <message>
         <source>Change channel</source>
@@ -7122,11 +6273,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Pan</source>
-        <translation>Panorér</translation>
+        <translation>Panorer</translation>
     </message>
     <message>
         <source>Drag to pan (middle button always does)</source>
-        <translation>Træk for at panorere (midterste knap gør det altid)</translation>
+        <translation>Træk for at panorere (midterste museknap gør det altid)</translation>
     </message>
     <message>
         <source>Cursors</source>
@@ -7154,7 +6305,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Arm the trigger set in the properties of the trace</source>
-        <translation>Aktivér triggeren fra tracens egenskaber</translation>
+        <translation>Aktiver triggeren fra tracens egenskaber</translation>
     </message>
     <message>
         <source>Previous trigger</source>
@@ -7186,7 +6337,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Load an older recording beneath the present one</source>
-        <translation>Læg en ældre optagelse under den nuværende</translation>
+        <translation>Indlæs en ældre optagelse under den nuværende</translation>
     </message>
     <message>
         <source>Recording to draw beneath</source>
@@ -7234,7 +6385,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Back to the running PLC</source>
-        <translation>Tilbage til den kørende PLC</translation>
+        <translation>Tilbage til livevisning</translation>
     </message>
     <message>
         <source>Save recording…</source>
@@ -7250,11 +6401,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Eksportér</translation>
+        <translation>Eksporter</translation>
     </message>
     <message>
         <source>Copy as picture</source>
-        <translation>Kopiér som billede</translation>
+        <translation>Kopier som billede</translation>
     </message>
     <message>
         <source>Save samples in view as CSV…</source>
@@ -7278,7 +6429,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Arm trigger</source>
-        <translation>Aktivér trigger</translation>
+        <translation>Aktiver trigger</translation>
     </message>
     <message>
         <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
@@ -7309,7 +6460,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 scan bevaret  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
+        <translation>%L1 scan gemt  ·  historik %2 af %3 MB  ·  kanaler %4 af %5 MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -7333,11 +6484,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
-        <translation>Åbner %1 …</translation>
+        <translation>Åbner %1…</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Gemmer optagelsen …</translation>
+        <translation>Gemmer optagelsen…</translation>
     </message>
 </context>
 <context>
@@ -7731,7 +6882,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Change to a WSTRING literal</source>
-        <translation>Skift til en WSTRING-konstant</translation>
+        <translation>Skift til en WSTRING-literal</translation>
     </message>
     <message>
         <source>Replace with straight quotes</source>
@@ -7743,7 +6894,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>Dereference the pointer with ^</source>
-        <translation>Følg pegeren med ^</translation>
+        <translation>Dereferer pointeren med ^</translation>
     </message>
 </context>
 <context>
@@ -7809,7 +6960,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Elementet {0} i diagrammet er ikke forbundet og blev udeladt</translation>
+        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
     </message>
     <message>
         <source>The transition from {0} has no condition; it is written as FALSE</source>
@@ -7845,7 +6996,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Der er to enheder med navnet {0}; den anden er i {1}</translation>
+        <translation>Der er to programenheder med navnet {0}; den anden er i {1}</translation>
     </message>
     <message>
         <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
@@ -7889,11 +7040,11 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML har ingen plads til tests; TEST &apos;{0}&apos; blev udeladt</translation>
+        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine enheder</translation>
+        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for USING; it was left out</source>
@@ -7970,7 +7121,7 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
         <source>Units: %1
 Bodies: %2
 Not kept: %3</source>
-        <translation>Enheder: %1
+        <translation>Programenheder: %1
 Kroppe: %2
 Ikke bevaret: %3</translation>
     </message>
@@ -8062,7 +7213,7 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksportér som SVG, PNG eller PDF…</translation>
+        <translation>Eksporter som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>Export the Drawing</source>
@@ -8343,7 +7494,7 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>Breakpoint on the rung (F9)</source>
-        <translation>Brudpunkt på netværket (F9)</translation>
+        <translation>Stoppunkt på netværket (F9)</translation>
     </message>
     <message>
         <source>Show as a function block diagram</source>
@@ -8439,7 +7590,7 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>Breakpoint on the rung</source>
-        <translation>Brudpunkt på netværket</translation>
+        <translation>Stoppunkt på netværket</translation>
     </message>
     <message>
         <source>This list</source>
@@ -8519,19 +7670,19 @@ Ikke bevaret: %3</translation>
     </message>
     <message>
         <source>Force TRUE</source>
-        <translation>Tving TRUE</translation>
+        <translation>Forcer TRUE</translation>
     </message>
     <message>
         <source>Force FALSE</source>
-        <translation>Tving FALSE</translation>
+        <translation>Forcer FALSE</translation>
     </message>
     <message>
         <source>Release</source>
-        <translation>Frigiv</translation>
+        <translation>Ophæv forcering</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
-        <translation>Slå brudpunkt til/fra</translation>
+        <translation>Slå stoppunkt til/fra</translation>
     </message>
 </context>
 </TS>

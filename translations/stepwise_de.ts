@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>An assignment is not a condition; use = to compare</source>
-        <translation>Eine Zuweisung ist keine Bedingung; zum Vergleichen = benutzen</translation>
+        <translation>Eine Zuweisung ist keine Bedingung; zum Vergleichen = verwenden</translation>
     </message>
     <message>
         <source>A colon is missing between the name and its type</source>
@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
-        <translation>Dezimalzahlen werden mit Punkt geschrieben: {0}</translation>
+        <translation>In Dezimalzahlen wird ein Punkt verwendet: {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
@@ -85,11 +85,11 @@
     </message>
     <message>
         <source>{0} cannot be converted to {1}</source>
-        <translation>{0} kann nicht in {1} umgewandelt werden</translation>
+        <translation>{0} kann nicht in {1} konvertiert werden</translation>
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
-        <translation>Implizite Umwandlung von {0} in {1} kann Daten verlieren; explizit umwandeln</translation>
+        <translation>Bei der impliziten Konvertierung von {0} nach {1} können Daten verloren gehen; explizit konvertieren</translation>
     </message>
     <message>
         <source>{0} cannot be assigned to</source>
@@ -189,15 +189,15 @@
     </message>
     <message>
         <source>This integer division discards the fraction before the conversion to {0}</source>
-        <translation>Diese Ganzzahldivision verwirft den Bruchteil vor der Umwandlung in {0}</translation>
+        <translation>Diese Ganzzahldivision schneidet die Nachkommastellen vor der Konvertierung nach {0} ab</translation>
     </message>
     <message>
         <source>{0} is computed as {1} and may overflow before the conversion to {2}</source>
-        <translation>{0} wird als {1} berechnet und kann vor der Umwandlung in {2} überlaufen</translation>
+        <translation>{0} wird als {1} berechnet und kann vor der Konvertierung in {2} überlaufen</translation>
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
-        <translation>{0} und {1} werden als {2} verglichen; eines davon umwandeln</translation>
+        <translation>{0} und {1} werden als {2} verglichen; eines davon konvertieren</translation>
     </message>
     <message>
         <source>{0} is not checked against the enumeration {1}; use one of its names</source>
@@ -213,7 +213,7 @@
     </message>
     <message>
         <source>{0} is not allowed in a watch or binding, which cannot have side effects</source>
-        <translation>{0} ist in einer Überwachung oder Bindung nicht erlaubt; sie darf keine Nebenwirkungen haben</translation>
+        <translation>{0} ist in Überwachungen und Variablenbindungen nicht erlaubt; dort sind keine Seiteneffekte zulässig</translation>
     </message>
     <message>
         <source>{0} is {1}; write {2}</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>{0} already has a branch</source>
-        <translation>{0} hat schon einen Zweig</translation>
+        <translation>{0} hat bereits einen Zweig</translation>
     </message>
     <message>
         <source>The task {0} is declared twice</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
-        <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines Main nennen oder eine CONFIGURATION schreiben</translation>
+        <translation>Es gibt mehrere Programme und keine CONFIGURATION; eines in Main umbenennen oder eine CONFIGURATION schreiben</translation>
     </message>
     <message>
         <source>There is no namespace {0}</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>Der Bereich {0}..{1} ist ungültig: die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
+        <translation>Der Bereich {0}..{1} ist ungültig: Die Untergrenze liegt über der Obergrenze oder es sind zu viele Elemente</translation>
     </message>
     <message>
         <source>{0} is not a variable of this configuration</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>{0} restarts on every call because functions keep no state</source>
-        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand behalten</translation>
+        <translation>{0} beginnt bei jedem Aufruf neu, weil Funktionen keinen Zustand speichern</translation>
     </message>
     <message>
         <source>Too many initial values: {0} for {1} {1:element|elements}</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: die Zweige von hier werden nicht zusammengeführt</translation>
+        <translation>Schritt {0} kann zweimal gleichzeitig aktiv werden: Die Zweige von hier werden nicht zusammengeführt</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
@@ -373,7 +373,7 @@
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Diese Transition ist immer wahr; der Schritt davor dauert einen Zyklus</translation>
+        <translation>Diese Transition ist immer wahr; der Schritt davor ist nur einen Zyklus aktiv</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
-        <translation>{0} ist eine strikte Enumeration, mit der nicht gerechnet werden kann; den Wert mit {1} umwandeln</translation>
+        <translation>{0} ist eine strikte Enumeration und kann nicht in Berechnungen verwendet werden; den Wert mit {1} konvertieren</translation>
     </message>
     <message>
         <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
-        <translation>{0} und {1} teilen sich den Speicher bei {2}; einen davon verschieben oder STRUCT OVERLAP schreiben</translation>
+        <translation>{0} und {1} teilen sich den Speicher bei {2}; eines davon verschieben oder STRUCT OVERLAP schreiben</translation>
     </message>
     <message>
         <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
@@ -465,7 +465,7 @@
     </message>
     <message>
         <source>{0} is a keyword and cannot be used as a name</source>
-        <translation>{0} ist ein Schlüsselwort und kann kein Name sein</translation>
+        <translation>{0} ist ein Schlüsselwort und kann nicht als Name verwendet werden</translation>
     </message>
     <message>
         <source>Use {1} instead of {0} in Structured Text</source>
@@ -473,11 +473,11 @@
     </message>
     <message>
         <source>This loop never ends and would stop the controller</source>
-        <translation>Diese Schleife endet nie und würde die Steuerung anhalten</translation>
+        <translation>Diese Schleife endet nie; die Steuerung würde darin hängen bleiben</translation>
     </message>
     <message>
         <source>{0} is marked OVERRIDE, but no base has a method with this name</source>
-        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber keine Basis hat eine Methode dieses Namens</translation>
+        <translation>{0} ist mit OVERRIDE gekennzeichnet, aber kein Basisbaustein hat eine Methode dieses Namens</translation>
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; rufen Sie {0} in einem Programm der Task {1} auf</translation>
+        <translation>Ein Baustein mit eigener Task wird nicht unterstützt; {0} in einem Programm der Task {1} aufrufen</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -531,11 +531,11 @@
     <name>Errors</name>
     <message>
         <source>division by zero</source>
-        <translation>Division durch Null</translation>
+        <translation>Division durch null</translation>
     </message>
     <message>
         <source>index {0} is used on an empty array</source>
-        <translation>Index {0} auf ein leeres Array angewendet</translation>
+        <translation>Zugriff auf Index {0} eines leeren Arrays</translation>
     </message>
     <message>
         <source>index {0} is outside {1}..{2}</source>
@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>character {0} is read from an empty string</source>
-        <translation>Zeichen {0} einer leeren Zeichenkette gelesen</translation>
+        <translation>Zugriff auf Zeichen {0} einer leeren Zeichenkette</translation>
     </message>
     <message>
         <source>character {0} is outside {1}..{2} of the string</source>
@@ -563,7 +563,7 @@
     </message>
     <message>
         <source>the watchdog stopped a task that did not end</source>
-        <translation>der Watchdog hat eine Task gestoppt, die nicht endete</translation>
+        <translation>der Watchdog hat eine Task abgebrochen, die nicht endete</translation>
     </message>
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
@@ -591,7 +591,7 @@
     </message>
     <message>
         <source>not in this image</source>
-        <translation>nicht in diesem Abbild</translation>
+        <translation>im Speicherabbild dieses Programms nicht vorhanden</translation>
     </message>
     <message>
         <source>has no value here</source>
@@ -663,7 +663,7 @@
     </message>
     <message>
         <source>it already exists</source>
-        <translation>es ist schon vorhanden</translation>
+        <translation>es ist bereits vorhanden</translation>
     </message>
     <message>
         <source>the folder is not empty</source>
@@ -739,7 +739,7 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
-        <translation>„{0}“ ist mehrdeutig; schreiben Sie eines von {1}</translation>
+        <translation>„{0}“ ist mehrdeutig; geben Sie eines von {1} an</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
@@ -883,7 +883,7 @@
     </message>
     <message>
         <source>there is no value to write</source>
-        <translation>es gibt keinen Wert zum Schreiben</translation>
+        <translation>kein Wert zum Schreiben vorhanden</translation>
     </message>
     <message>
         <source>a reference can only be set to NULL from outside</source>
@@ -947,7 +947,7 @@
     </message>
     <message>
         <source>There is no program to optimise</source>
-        <translation>Es gibt kein Programm zum Optimieren</translation>
+        <translation>Kein Programm zum Optimieren vorhanden</translation>
     </message>
     <message>
         <source>The expression is nested too deeply</source>
@@ -991,7 +991,7 @@
     </message>
     <message>
         <source>an expression cannot have side effects</source>
-        <translation>ein Ausdruck darf keine Nebenwirkungen haben</translation>
+        <translation>ein Ausdruck darf keine Seiteneffekte haben</translation>
     </message>
     <message>
         <source>only standard functions can be called here</source>
@@ -999,7 +999,7 @@
     </message>
     <message>
         <source>a cast to an interface cannot be watched</source>
-        <translation>eine Umwandlung in eine Schnittstelle kann nicht überwacht werden</translation>
+        <translation>eine Konvertierung in eine Schnittstelle kann nicht überwacht werden</translation>
     </message>
     <message>
         <source>this cannot be evaluated</source>
@@ -1007,7 +1007,7 @@
     </message>
     <message>
         <source>The code generator failed: {0}</source>
-        <translation>Der Codegenerator ist gescheitert: {0}</translation>
+        <translation>Der Codegenerator ist fehlgeschlagen: {0}</translation>
     </message>
     <message>
         <source>The code generator produced an invalid module: {0}</source>
@@ -1055,11 +1055,11 @@
     </message>
     <message>
         <source>{0} is already written in ST</source>
-        <translation>{0} ist schon in ST geschrieben</translation>
+        <translation>{0} ist bereits in ST geschrieben</translation>
     </message>
     <message>
         <source>{0} is already written in IL</source>
-        <translation>{0} ist schon in AWL geschrieben</translation>
+        <translation>{0} ist bereits in AWL geschrieben</translation>
     </message>
     <message>
         <source>Fix the text first: {0}</source>
@@ -1119,7 +1119,7 @@
     </message>
     <message>
         <source>There is no such file or folder</source>
-        <translation>Diese Datei oder diesen Ordner gibt es nicht</translation>
+        <translation>Datei oder Ordner nicht gefunden</translation>
     </message>
     <message>
         <source>Specify one project folder or ST files, not both</source>
@@ -1139,11 +1139,11 @@
     </message>
     <message>
         <source>{0} already exists in the project</source>
-        <translation>{0} gibt es schon im Projekt</translation>
+        <translation>{0} ist im Projekt bereits vorhanden</translation>
     </message>
     <message>
         <source>{0} already exists in {1}</source>
-        <translation>{0} gibt es schon in {1}</translation>
+        <translation>{0} ist in {1} bereits vorhanden</translation>
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
@@ -1159,7 +1159,7 @@
     </message>
     <message>
         <source>The folder already exists and is not empty; choose another name</source>
-        <translation>Der Ordner ist schon vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
+        <translation>Der Ordner ist bereits vorhanden und nicht leer; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>The page cannot be written</source>
@@ -1167,11 +1167,11 @@
     </message>
     <message>
         <source>There is no such file in the project</source>
-        <translation>Diese Datei gibt es im Projekt nicht</translation>
+        <translation>Diese Datei ist im Projekt nicht vorhanden</translation>
     </message>
     <message>
         <source>A file with this name already exists</source>
-        <translation>Eine Datei dieses Namens gibt es schon</translation>
+        <translation>Eine Datei dieses Namens ist bereits vorhanden</translation>
     </message>
     <message>
         <source>The file is read-only and was not overwritten</source>
@@ -1195,7 +1195,7 @@
     </message>
     <message>
         <source>A panel with this name already exists</source>
-        <translation>Ein Panel dieses Namens gibt es schon</translation>
+        <translation>Ein Panel dieses Namens ist bereits vorhanden</translation>
     </message>
     <message>
         <source>The controller is not running</source>
@@ -1203,11 +1203,11 @@
     </message>
     <message>
         <source>There is no program to run</source>
-        <translation>Es gibt kein Programm zum Ausführen</translation>
+        <translation>Kein Programm zum Ausführen vorhanden</translation>
     </message>
     <message>
         <source>There is no program to test</source>
-        <translation>Es gibt kein Programm zum Testen</translation>
+        <translation>Kein Programm zum Testen vorhanden</translation>
     </message>
     <message>
         <source>This statement is not possible in a TEST together with RUN or ASSERT around it</source>
@@ -1275,11 +1275,11 @@
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
-        <translation>Ein Netzwerk lässt sich innerhalb seines Anweisungsblocks verschieben; nehmen Sie für mehr Ausschneiden und Einfügen im Text.</translation>
+        <translation>Ein Netzwerk lässt sich innerhalb seines Anweisungsblocks verschieben; verwenden Sie für mehr Ausschneiden und Einfügen im Text.</translation>
     </message>
     <message>
         <source>Delete the call in the text: other statements may use its outputs.</source>
-        <translation>Löschen Sie den Aufruf im Text: andere Anweisungen könnten seine Ausgänge verwenden.</translation>
+        <translation>Löschen Sie den Aufruf im Text: Andere Anweisungen könnten seine Ausgänge verwenden.</translation>
     </message>
     <message>
         <source>Delete this output in the text.</source>
@@ -1291,7 +1291,7 @@
     </message>
     <message>
         <source>Select a box with text.</source>
-        <translation>Wählen Sie einen Kasten mit Text.</translation>
+        <translation>Wählen Sie eine Box mit Text.</translation>
     </message>
     <message>
         <source>Select a coil.</source>
@@ -1351,7 +1351,7 @@
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
-        <translation>Diese Änderung ist im Bild nicht möglich; ändern Sie den Text.</translation>
+        <translation>Diese Änderung ist in der Zeichnung nicht möglich; ändern Sie den Text.</translation>
     </message>
     <message>
         <source>This has no operand.</source>
@@ -1403,7 +1403,7 @@
     </message>
     <message>
         <source>A step {0} already exists</source>
-        <translation>Einen Schritt {0} gibt es schon</translation>
+        <translation>Ein Schritt {0} ist bereits vorhanden</translation>
     </message>
     <message>
         <source>This edit would change the same text twice</source>
@@ -1459,7 +1459,7 @@
     </message>
     <message>
         <source>There is no such action</source>
-        <translation>Diese Aktion gibt es nicht</translation>
+        <translation>Diese Aktion ist nicht vorhanden</translation>
     </message>
     <message>
         <source>There is no chart yet</source>
@@ -1559,7 +1559,7 @@
     </message>
     <message>
         <source>The key {0} is already on line {1}</source>
-        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
+        <translation>Der Schlüssel {0} ist bereits in Zeile {1} vorhanden</translation>
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
@@ -1611,7 +1611,7 @@
     </message>
     <message>
         <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
+        <translation>Die Textliste {0} ist leer: Es gibt keinen Schlüssel {1}</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
@@ -1627,7 +1627,7 @@
     </message>
     <message>
         <source>The file {0} does not exist</source>
-        <translation>Die Datei {0} gibt es nicht</translation>
+        <translation>Die Datei {0} ist nicht vorhanden</translation>
     </message>
     <message>
         <source>There is no panel {0}</source>
@@ -1651,7 +1651,7 @@
     </message>
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
+        <translation>Die Platzhalter sind unterschiedlich: {0} hat {1}, {2} hat {3}</translation>
     </message>
     <message>
         <source>The key {0} has no text in {1}</source>
@@ -1667,11 +1667,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
+        <translation>„{0}“ passt nicht: benötigt {1} px, verfügbar sind {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
+        <translation>„{0}“ passt nicht: benötigt eine Höhe von {1} px, verfügbar sind {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1743,15 +1743,15 @@
     </message>
     <message>
         <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
+        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; kehren Sie zuerst zur laufenden Steuerung zurück</translation>
     </message>
     <message>
         <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
+        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst ab hier fort</translation>
     </message>
     <message>
         <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
+        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst ab hier fort oder kehren Sie zum Livebetrieb zurück</translation>
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
@@ -1825,408 +1825,13 @@
         <source>Type a name and a block: T1 : TON</source>
         <translation>Geben Sie einen Namen und einen Baustein ein: T1 : TON</translation>
     </message>
-</context>
-<context>
-    <name>Hmi</name>
-    <message>
-        <source>{0} is {1}</source>
-        <translation>{0} ist {1}</translation>
-    </message>
-    <message>
-        <source>{0} is {1}, expected {2} {3}</source>
-        <translation>{0} ist {1}, erwartet {2} {3}</translation>
-    </message>
-    <message>
-        <source>{0} is {1}, recorded {2} in scan {3}</source>
-        <translation>{0} ist {1}, aufgezeichnet {2} in Zyklus {3}</translation>
-    </message>
-    <message>
-        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
-        <translation>Die Aufzeichnung {0} hat {1} {1:Zyklus|Zyklen}, dieser Lauf {2}</translation>
-    </message>
-    <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
-    </message>
-    <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>die Bedingung kann nicht ausgewertet werden</translation>
-    </message>
-    <message>
-        <source>There is no action {0}</source>
-        <translation>Es gibt keine Aktion {0}</translation>
-    </message>
-    <message>
-        <source>{0} is not a valid name; use letters, digits and underscores</source>
-        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
-    </message>
-    <message>
-        <source>A step {0} already exists</source>
-        <translation>Einen Schritt {0} gibt es schon</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Diese Änderung würde denselben Text zweimal ändern</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Diese Transition führt noch zu keinem Schritt</translation>
-    </message>
-    <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
-    </message>
-    <message>
-        <source>The initial step stays at the top</source>
-        <translation>Der Initialschritt bleibt oben</translation>
-    </message>
-    <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden</translation>
-    </message>
-    <message>
-        <source>The step is already there</source>
-        <translation>Der Schritt ist schon dort</translation>
-    </message>
-    <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt</translation>
-    </message>
-    <message>
-        <source>This step only leads to itself</source>
-        <translation>Dieser Schritt führt nur zu sich selbst</translation>
-    </message>
-    <message>
-        <source>There is no branch here</source>
-        <translation>Hier gibt es keinen Zweig</translation>
-    </message>
-    <message>
-        <source>A transition needs a condition</source>
-        <translation>Eine Transition braucht eine Bedingung</translation>
-    </message>
-    <message>
-        <source>A priority must be a positive number</source>
-        <translation>Eine Priorität muss eine positive Zahl sein</translation>
-    </message>
-    <message>
-        <source>Nothing follows this step yet; insert a step after it first</source>
-        <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
-    </message>
-    <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>Der letzte Zweig führt zu keinem Schritt</translation>
-    </message>
-    <message>
-        <source>There is no such action</source>
-        <translation>Diese Aktion gibt es nicht</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Es gibt noch keine Schrittkette</translation>
-    </message>
-    <message>
-        <source>The initial step cannot be deleted; make another step the initial step first</source>
-        <translation>Der Initialschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen Schritt zum Initialschritt</translation>
-    </message>
-    <message>
-        <source>Several transitions leave this step; delete its branches first</source>
-        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige</translation>
-    </message>
-    <message>
-        <source>The condition of this transition cannot be read; edit it in the text</source>
-        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text</translation>
-    </message>
-    <message>
-        <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
-    </message>
-    <message>
-        <source>The panel is not valid JSON</source>
-        <translation>Das Panel ist kein gültiges JSON</translation>
-    </message>
-    <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Ein Panel muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>„{0}“ muss eine Liste sein</translation>
-    </message>
-    <message>
-        <source>Element {0} is not an object</source>
-        <translation>Element {0} ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Die Art von Element {0} ist kein Text</translation>
-    </message>
-    <message>
-        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
-    </message>
-    <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Die Alarme sind kein gültiges JSON</translation>
-    </message>
-    <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>An alarm has no id</source>
-        <translation>Ein Alarm hat keine Kennung</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Zwei Alarme haben die Kennung „{0}“</translation>
-    </message>
-    <message>
-        <source>This line is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Diese Zeile ist kein gültiges UTF-8; speichern Sie die Datei als UTF-8</translation>
-    </message>
-    <message>
-        <source>There is text after a closing quote; double a quote that belongs to the text</source>
-        <translation>Nach einem schließenden Anführungszeichen steht Text; verdoppeln Sie ein Anführungszeichen, das zum Text gehört</translation>
-    </message>
-    <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>The first line must be {0} and one language tag per column</source>
-        <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
-    </message>
-    <message>
-        <source>Column {0} has no language tag</source>
-        <translation>Spalte {0} hat kein Sprachkürzel</translation>
-    </message>
-    <message>
-        <source>The language {0} has two columns</source>
-        <translation>Die Sprache {0} hat zwei Spalten</translation>
-    </message>
-    <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Diese Zeile hat keinen Schlüssel</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be opened: {0}</source>
-        <translation>Die Alarmhistorie kann nicht geöffnet werden: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be used: {0}</source>
-        <translation>Die Alarmhistorie kann nicht verwendet werden: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be written: {0}</source>
-        <translation>Die Alarmhistorie kann nicht geschrieben werden: {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} passt nicht in {1}</translation>
-    </message>
-    <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
-    </message>
-    <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>Ein {0} kann von einem Panel nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Der Ordner für die Bilder kann nicht angelegt werden</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written</source>
-        <translation>Das Bild kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>The project has no such panel</source>
-        <translation>Das Projekt hat kein solches Panel</translation>
-    </message>
-    <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
-    </message>
-    <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>Der Schlüssel {0} ist nicht in der Texttabelle</translation>
-    </message>
-    <message>
-        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
-        <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
-    </message>
-    <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
-    </message>
-    <message>
-        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Diese Version kennt die Elementart „{0}“ nicht; sie bleibt unverändert</translation>
-    </message>
-    <message>
-        <source>The project has no language {0}</source>
-        <translation>Das Projekt hat keine Sprache {0}</translation>
-    </message>
-    <message>
-        <source>The element is outside the panel</source>
-        <translation>Das Element liegt außerhalb des Panels</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Die Datei {0} gibt es nicht</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>Es gibt kein Panel {0}</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known; use for example {1} or {2}</source>
-        <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
-    </message>
-    <message>
-        <source>The alarm has no condition</source>
-        <translation>Der Alarm hat keine Bedingung</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>Es gibt keine Alarmklasse {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>Der Schlüssel {0} hat keinen Text in {1}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Keine Schrift hat das Zeichen {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
-    </message>
-    <message>
-        <source>{0}; did you mean {1}?</source>
-        <translation>{0}; meinten Sie {1}?</translation>
-    </message>
-    <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a BOOL is needed here</source>
-        <translation>{0} ist {1}; hier wird ein BOOL gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a number is needed here</source>
-        <translation>{0} ist {1}; hier wird eine Zahl gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a STRING is needed here</source>
-        <translation>{0} ist {1}; hier wird ein STRING gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; an array is needed here</source>
-        <translation>{0} ist {1}; hier wird ein Array gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a single value is needed here</source>
-        <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
-    </message>
-    <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known</source>
-        <translation>Das Format {0} ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0})</translation>
-    </message>
-    <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0})</translation>
-    </message>
-    <message>
-        <source>The trace configuration is invalid: {0}</source>
-        <translation>Die Trace-Konfiguration ist ungültig: {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be {1}</source>
-        <translation>„{0}“ muss {1} sein</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>„{0}“ fehlt</translation>
-    </message>
-    <message>
-        <source>A picture&apos;s name must end in one of {0}</source>
-        <translation>Der Name eines Bilds muss auf eines von {0} enden</translation>
-    </message>
-    <message>
-        <source>no longer recorded</source>
-        <translation>nicht mehr aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat</translation>
-    </message>
-    <message>
-        <source>A priority is a number; 0 removes it</source>
-        <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
-    </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
         <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
-        <translation>{0} ist zu groß für den Stapel der Maschine; teilen Sie es auf</translation>
+        <translation>{0} ist zu groß für den Stack; teilen Sie es in mehrere Funktionen auf</translation>
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
@@ -2247,52 +1852,8 @@
         <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
     </message>
     <message>
-        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
-        <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
-    </message>
-    <message>
-        <source>There is nothing in it that can be imported</source>
-        <translation>Darin ist nichts, das importiert werden kann</translation>
-    </message>
-    <message>
-        <source>The folder exists and is not empty; name a new one</source>
-        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
-    </message>
-    <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
-        <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
-    </message>
-    <message>
-        <source>The file is too large to be read</source>
-        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
-    </message>
-    <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
-    </message>
-    <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
-    </message>
-    <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
-    </message>
-    <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
-    </message>
-    <message>
-        <source>The file has no elements</source>
-        <translation>Die Datei hat keine Elemente</translation>
-    </message>
-    <message>
-        <source>This is XML, not structured text; import it (stepwise import --help)</source>
-        <translation>Dies ist XML, kein strukturierter Text; importieren Sie es (stepwise import --help)</translation>
-    </message>
-    <message>
-        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
-        <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche.</translation>
     </message>
 </context>
 <context>
@@ -2303,7 +1864,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keine</translation>
+        <translation>(keine Auswahl)</translation>
     </message>
     <message>
         <source>Other…</source>
@@ -2319,7 +1880,7 @@
     </message>
     <message>
         <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Wird dem Bediener gezeigt. Ein getippter Text bekommt seinen Schlüssel von selbst; @key nennt einen.</translation>
+        <translation>Wird dem Bediener angezeigt. Eingegebener Text erhält automatisch einen Schlüssel; mit @Schlüssel wählen Sie einen vorhandenen.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2367,7 +1928,7 @@
     </message>
     <message>
         <source>Line</source>
-        <translation>Zeile</translation>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Line width</source>
@@ -2427,19 +1988,19 @@
     </message>
     <message>
         <source>Limit low-low</source>
-        <translation>Grenze unten 2</translation>
+        <translation>Unterster Grenzwert (LL)</translation>
     </message>
     <message>
         <source>Limit low</source>
-        <translation>Grenze unten</translation>
+        <translation>Unterer Grenzwert (L)</translation>
     </message>
     <message>
         <source>Limit high</source>
-        <translation>Grenze oben</translation>
+        <translation>Oberer Grenzwert (H)</translation>
     </message>
     <message>
         <source>Limit high-high</source>
-        <translation>Grenze oben 2</translation>
+        <translation>Oberster Grenzwert (HH)</translation>
     </message>
     <message>
         <source>Choices</source>
@@ -2503,11 +2064,11 @@
     </message>
     <message>
         <source>Must be acknowledged</source>
-        <translation>Muss quittiert werden</translation>
+        <translation>Quittierpflichtig</translation>
     </message>
     <message>
         <source>Suppressed if</source>
-        <translation>Unterdrückt wenn</translation>
+        <translation>Unterdrückt, wenn</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -2519,15 +2080,15 @@
     </message>
     <message>
         <source>Group</source>
-        <translation>Gruppieren</translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Tab page</source>
-        <translation>Registerseite</translation>
+        <translation>Registerkarte</translation>
     </message>
     <message>
         <source>Place and size</source>
-        <translation>Lage und Größe</translation>
+        <translation>Position und Größe</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -2539,11 +2100,11 @@
     </message>
     <message>
         <source>Visible if</source>
-        <translation>Sichtbar wenn</translation>
+        <translation>Sichtbar, wenn</translation>
     </message>
     <message>
         <source>Enabled if</source>
-        <translation>Freigegeben wenn</translation>
+        <translation>Bedienbar, wenn</translation>
     </message>
     <message>
         <source>Appearance by condition</source>
@@ -2579,15 +2140,15 @@
     </message>
     <message>
         <source>Enabled</source>
-        <translation>Freigegeben</translation>
+        <translation>Bedienbar</translation>
     </message>
     <message>
         <source>On if</source>
-        <translation>Ein wenn</translation>
+        <translation>Ein, wenn</translation>
     </message>
     <message>
         <source>Blinks if</source>
-        <translation>Blinkt wenn</translation>
+        <translation>Blinkt, wenn</translation>
     </message>
     <message>
         <source>Variable with [#] as index</source>
@@ -2647,7 +2208,7 @@
     </message>
     <message>
         <source>Span</source>
-        <translation>Bogenweite</translation>
+        <translation>Bogenwinkel</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -2671,7 +2232,7 @@
     </message>
     <message>
         <source>Wraps</source>
-        <translation>Bricht um</translation>
+        <translation>Zeilenumbruch</translation>
     </message>
     <message>
         <source>Image</source>
@@ -2683,7 +2244,7 @@
     </message>
     <message>
         <source>Fit</source>
-        <translation>Anpassen</translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Symbol</source>
@@ -2691,15 +2252,15 @@
     </message>
     <message>
         <source>Running if</source>
-        <translation>Läuft wenn</translation>
+        <translation>Läuft, wenn</translation>
     </message>
     <message>
         <source>Warning if</source>
-        <translation>Warnung wenn</translation>
+        <translation>Warnung, wenn</translation>
     </message>
     <message>
         <source>Fault if</source>
-        <translation>Störung wenn</translation>
+        <translation>Störung, wenn</translation>
     </message>
     <message>
         <source>Colour off</source>
@@ -2719,7 +2280,7 @@
     </message>
     <message>
         <source>Button</source>
-        <translation>Taste</translation>
+        <translation>Schaltfläche</translation>
     </message>
     <message>
         <source>Action</source>
@@ -2747,7 +2308,7 @@
     </message>
     <message>
         <source>Lit if</source>
-        <translation>Leuchtet wenn</translation>
+        <translation>Leuchtet, wenn</translation>
     </message>
     <message>
         <source>Colour lit</source>
@@ -2755,7 +2316,7 @@
     </message>
     <message>
         <source>Icon</source>
-        <translation>Bildzeichen</translation>
+        <translation>Icon</translation>
     </message>
     <message>
         <source>Switch</source>
@@ -2791,11 +2352,11 @@
     </message>
     <message>
         <source>Combo box</source>
-        <translation>Auswahlfeld</translation>
+        <translation>Kombinationsfeld</translation>
     </message>
     <message>
         <source>Slider</source>
-        <translation>Schieber</translation>
+        <translation>Schieberegler</translation>
     </message>
     <message>
         <source>Step</source>
@@ -2803,11 +2364,11 @@
     </message>
     <message>
         <source>Orientation</source>
-        <translation>Lage</translation>
+        <translation>Orientierung</translation>
     </message>
     <message>
         <source>Shows the value</source>
-        <translation>Zeigt den Wert</translation>
+        <translation>Wert anzeigen</translation>
     </message>
     <message>
         <source>Turning knob</source>
@@ -2847,7 +2408,7 @@
     </message>
     <message>
         <source>Hides the value</source>
-        <translation>Verbirgt den Wert</translation>
+        <translation>Wert verbergen</translation>
     </message>
     <message>
         <source>Numeric display</source>
@@ -2867,7 +2428,7 @@
     </message>
     <message>
         <source>Shows</source>
-        <translation>Zeigt</translation>
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -2875,11 +2436,11 @@
     </message>
     <message>
         <source>Lamp</source>
-        <translation>Leuchte</translation>
+        <translation>Lampe</translation>
     </message>
     <message>
         <source>Blinks when on</source>
-        <translation>Blinkt wenn ein</translation>
+        <translation>Blinkt im Ein-Zustand</translation>
     </message>
     <message>
         <source>Multi-state indicator</source>
@@ -2891,7 +2452,7 @@
     </message>
     <message>
         <source>Bar</source>
-        <translation>Balken</translation>
+        <translation>Balkenanzeige</translation>
     </message>
     <message>
         <source>Set point</source>
@@ -2899,7 +2460,7 @@
     </message>
     <message>
         <source>Tank level</source>
-        <translation>Tankfüllstand</translation>
+        <translation>Behälterfüllstand</translation>
     </message>
     <message>
         <source>Gauge</source>
@@ -2907,11 +2468,11 @@
     </message>
     <message>
         <source>Span of the scale</source>
-        <translation>Winkel der Skala</translation>
+        <translation>Skalenwinkel</translation>
     </message>
     <message>
         <source>Divisions</source>
-        <translation>Teilungen</translation>
+        <translation>Skalenteilung</translation>
     </message>
     <message>
         <source>7-segment display</source>
@@ -2943,7 +2504,7 @@
     </message>
     <message>
         <source>Siren if</source>
-        <translation>Sirene wenn</translation>
+        <translation>Sirene, wenn</translation>
     </message>
     <message>
         <source>Float switch</source>
@@ -2951,7 +2512,7 @@
     </message>
     <message>
         <source>Raised if</source>
-        <translation>Angehoben wenn</translation>
+        <translation>Angehoben, wenn</translation>
     </message>
     <message>
         <source>Colour raised</source>
@@ -2987,7 +2548,7 @@
     </message>
     <message>
         <source>Shows the numbers</source>
-        <translation>Zeigt die Nummern</translation>
+        <translation>Nummern anzeigen</translation>
     </message>
     <message>
         <source>Table</source>
@@ -3011,11 +2572,11 @@
     </message>
     <message>
         <source>Array of x</source>
-        <translation>Array für x</translation>
+        <translation>Array der x-Werte</translation>
     </message>
     <message>
         <source>Array of y</source>
-        <translation>Array für y</translation>
+        <translation>Array der y-Werte</translation>
     </message>
     <message>
         <source>Operating point x</source>
@@ -3043,11 +2604,11 @@
     </message>
     <message>
         <source>Title of x</source>
-        <translation>Titel von x</translation>
+        <translation>Titel der x-Achse</translation>
     </message>
     <message>
         <source>Title of y</source>
-        <translation>Titel von y</translation>
+        <translation>Titel der y-Achse</translation>
     </message>
     <message>
         <source>Trend chart</source>
@@ -3087,7 +2648,7 @@
     </message>
     <message>
         <source>Acknowledge buttons</source>
-        <translation>Quittiertasten</translation>
+        <translation>Quittierschaltflächen</translation>
     </message>
     <message>
         <source>Alarm banner</source>
@@ -3107,7 +2668,7 @@
     </message>
     <message>
         <source>Tab</source>
-        <translation>Register</translation>
+        <translation>Registerkarten</translation>
     </message>
     <message>
         <source>Pages</source>
@@ -3131,11 +2692,11 @@
     </message>
     <message>
         <source>Operation</source>
-        <translation>Bedienung</translation>
+        <translation>Bedienelemente</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation>Anzeige</translation>
+        <translation>Anzeigeelemente</translation>
     </message>
     <message>
         <source>Arrays and charts</source>
@@ -3147,7 +2708,7 @@
     </message>
     <message>
         <source>Containers</source>
-        <translation>Behälter</translation>
+        <translation>Container</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -3164,472 +2725,6 @@
     <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>{0} is {1}</source>
-        <translation>{0} ist {1}</translation>
-    </message>
-    <message>
-        <source>{0} is {1}, expected {2} {3}</source>
-        <translation>{0} ist {1}, erwartet {2} {3}</translation>
-    </message>
-    <message>
-        <source>{0} is {1}, recorded {2} in scan {3}</source>
-        <translation>{0} ist {1}, aufgezeichnet {2} in Zyklus {3}</translation>
-    </message>
-    <message>
-        <source>The recording {0} has {1} {1:scan|scans}, this run {2}</source>
-        <translation>Die Aufzeichnung {0} hat {1} {1:Zyklus|Zyklen}, dieser Lauf {2}</translation>
-    </message>
-    <message>
-        <source>The run differs from the recording {0}</source>
-        <translation>Der Lauf weicht von der Aufzeichnung {0} ab</translation>
-    </message>
-    <message>
-        <source>the condition cannot be evaluated</source>
-        <translation>die Bedingung kann nicht ausgewertet werden</translation>
-    </message>
-    <message>
-        <source>There is no action {0}</source>
-        <translation>Es gibt keine Aktion {0}</translation>
-    </message>
-    <message>
-        <source>{0} is not a valid name; use letters, digits and underscores</source>
-        <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche</translation>
-    </message>
-    <message>
-        <source>A step {0} already exists</source>
-        <translation>Einen Schritt {0} gibt es schon</translation>
-    </message>
-    <message>
-        <source>This edit would change the same text twice</source>
-        <translation>Diese Änderung würde denselben Text zweimal ändern</translation>
-    </message>
-    <message>
-        <source>This transition does not lead to a step yet</source>
-        <translation>Diese Transition führt noch zu keinem Schritt</translation>
-    </message>
-    <message>
-        <source>Nothing would lead to the join after this step</source>
-        <translation>Zur Zusammenführung nach diesem Schritt würde nichts mehr führen</translation>
-    </message>
-    <message>
-        <source>The initial step stays at the top</source>
-        <translation>Der Initialschritt bleibt oben</translation>
-    </message>
-    <message>
-        <source>Only a step with a single transition of its own can be moved</source>
-        <translation>Nur ein Schritt mit einer einzelnen eigenen Transition kann verschoben werden</translation>
-    </message>
-    <message>
-        <source>The step is already there</source>
-        <translation>Der Schritt ist schon dort</translation>
-    </message>
-    <message>
-        <source>A step can be placed after a transition that leads to one step</source>
-        <translation>Ein Schritt kann nach einer Transition eingefügt werden, die zu einem einzigen Schritt führt</translation>
-    </message>
-    <message>
-        <source>This step only leads to itself</source>
-        <translation>Dieser Schritt führt nur zu sich selbst</translation>
-    </message>
-    <message>
-        <source>There is no branch here</source>
-        <translation>Hier gibt es keinen Zweig</translation>
-    </message>
-    <message>
-        <source>A transition needs a condition</source>
-        <translation>Eine Transition braucht eine Bedingung</translation>
-    </message>
-    <message>
-        <source>A priority must be a positive number</source>
-        <translation>Eine Priorität muss eine positive Zahl sein</translation>
-    </message>
-    <message>
-        <source>Nothing follows this step yet; insert a step after it first</source>
-        <translation>Auf diesen Schritt folgt noch nichts; fügen Sie zuerst einen Schritt danach ein</translation>
-    </message>
-    <message>
-        <source>The last branch does not lead to a step</source>
-        <translation>Der letzte Zweig führt zu keinem Schritt</translation>
-    </message>
-    <message>
-        <source>There is no such action</source>
-        <translation>Diese Aktion gibt es nicht</translation>
-    </message>
-    <message>
-        <source>There is no chart yet</source>
-        <translation>Es gibt noch keine Schrittkette</translation>
-    </message>
-    <message>
-        <source>The initial step cannot be deleted; make another step the initial step first</source>
-        <translation>Der Initialschritt kann nicht gelöscht werden; machen Sie zuerst einen anderen Schritt zum Initialschritt</translation>
-    </message>
-    <message>
-        <source>Several transitions leave this step; delete its branches first</source>
-        <translation>Mehrere Transitionen verlassen diesen Schritt; löschen Sie zuerst seine Zweige</translation>
-    </message>
-    <message>
-        <source>The condition of this transition cannot be read; edit it in the text</source>
-        <translation>Die Bedingung dieser Transition ist nicht lesbar; bearbeiten Sie sie im Text</translation>
-    </message>
-    <message>
-        <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Die Zweige nach dieser Transition werden nicht zusammengeführt; verbinden Sie sie zuerst im Text</translation>
-    </message>
-    <message>
-        <source>The panel is not valid JSON</source>
-        <translation>Das Panel ist kein gültiges JSON</translation>
-    </message>
-    <message>
-        <source>A panel must be a JSON object</source>
-        <translation>Ein Panel muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>The panel was written by a newer version of Stepwise</source>
-        <translation>Das Panel wurde von einer neueren Version von Stepwise geschrieben</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be a list</source>
-        <translation>„{0}“ muss eine Liste sein</translation>
-    </message>
-    <message>
-        <source>Element {0} is not an object</source>
-        <translation>Element {0} ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>The kind of element {0} is not a text</source>
-        <translation>Die Art von Element {0} ist kein Text</translation>
-    </message>
-    <message>
-        <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>Zwei Elemente haben die Kennung „{0}“; ändern Sie eine davon</translation>
-    </message>
-    <message>
-        <source>The alarms are not valid JSON</source>
-        <translation>Die Alarme sind kein gültiges JSON</translation>
-    </message>
-    <message>
-        <source>Every alarm and every alarm class must be a JSON object</source>
-        <translation>Jeder Alarm und jede Alarmklasse muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>An alarm has no id</source>
-        <translation>Ein Alarm hat keine Kennung</translation>
-    </message>
-    <message>
-        <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Zwei Alarme haben die Kennung „{0}“</translation>
-    </message>
-    <message>
-        <source>This line is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Diese Zeile ist kein gültiges UTF-8; speichern Sie die Datei als UTF-8</translation>
-    </message>
-    <message>
-        <source>There is text after a closing quote; double a quote that belongs to the text</source>
-        <translation>Nach einem schließenden Anführungszeichen steht Text; verdoppeln Sie ein Anführungszeichen, das zum Text gehört</translation>
-    </message>
-    <message>
-        <source>The quote that opens here is never closed</source>
-        <translation>Das hier geöffnete Anführungszeichen wird nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>The first line must be {0} and one language tag per column</source>
-        <translation>Die erste Zeile muss {0} und ein Sprachkürzel je Spalte sein</translation>
-    </message>
-    <message>
-        <source>Column {0} has no language tag</source>
-        <translation>Spalte {0} hat kein Sprachkürzel</translation>
-    </message>
-    <message>
-        <source>The language {0} has two columns</source>
-        <translation>Die Sprache {0} hat zwei Spalten</translation>
-    </message>
-    <message>
-        <source>This line has {0} {0:field|fields}, the header has {1}</source>
-        <translation>Diese Zeile hat {0} {0:Feld|Felder}, die Kopfzeile hat {1}</translation>
-    </message>
-    <message>
-        <source>This line has no key</source>
-        <translation>Diese Zeile hat keinen Schlüssel</translation>
-    </message>
-    <message>
-        <source>The key {0} is already on line {1}</source>
-        <translation>Der Schlüssel {0} ist schon in Zeile {1}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be opened: {0}</source>
-        <translation>Die Alarmhistorie kann nicht geöffnet werden: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be used: {0}</source>
-        <translation>Die Alarmhistorie kann nicht verwendet werden: {0}</translation>
-    </message>
-    <message>
-        <source>The alarm history cannot be written: {0}</source>
-        <translation>Die Alarmhistorie kann nicht geschrieben werden: {0}</translation>
-    </message>
-    <message>
-        <source>{0} does not fit into {1}</source>
-        <translation>{0} passt nicht in {1}</translation>
-    </message>
-    <message>
-        <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING fasst nur Latin-1; deklarieren Sie die Variable als WSTRING</translation>
-    </message>
-    <message>
-        <source>A {0} cannot be written from a panel</source>
-        <translation>Ein {0} kann von einem Panel nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>The folder for the pictures cannot be created</source>
-        <translation>Der Ordner für die Bilder kann nicht angelegt werden</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written</source>
-        <translation>Das Bild kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>The project has no such panel</source>
-        <translation>Das Projekt hat kein solches Panel</translation>
-    </message>
-    <message>
-        <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Der Text „{0}“ hat keinen Schlüssel und kann deshalb nicht übersetzt werden</translation>
-    </message>
-    <message>
-        <source>The key {0} is not in the text table</source>
-        <translation>Der Schlüssel {0} ist nicht in der Texttabelle</translation>
-    </message>
-    <message>
-        <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
-        <translation>Der Text braucht einen Wert für {0}; geben Sie ihn unter „Werte in Texten“ an</translation>
-    </message>
-    <message>
-        <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>Die Textliste {0} ist leer: es gibt keinen Schlüssel {1}</translation>
-    </message>
-    <message>
-        <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Diese Version kennt die Elementart „{0}“ nicht; sie bleibt unverändert</translation>
-    </message>
-    <message>
-        <source>The project has no language {0}</source>
-        <translation>Das Projekt hat keine Sprache {0}</translation>
-    </message>
-    <message>
-        <source>The element is outside the panel</source>
-        <translation>Das Element liegt außerhalb des Panels</translation>
-    </message>
-    <message>
-        <source>The file {0} does not exist</source>
-        <translation>Die Datei {0} gibt es nicht</translation>
-    </message>
-    <message>
-        <source>There is no panel {0}</source>
-        <translation>Es gibt kein Panel {0}</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known; use for example {1} or {2}</source>
-        <translation>Das Format {0} ist nicht bekannt; verwenden Sie zum Beispiel {1} oder {2}</translation>
-    </message>
-    <message>
-        <source>The alarm has no condition</source>
-        <translation>Der Alarm hat keine Bedingung</translation>
-    </message>
-    <message>
-        <source>There is no alarm class {0}</source>
-        <translation>Es gibt keine Alarmklasse {0}</translation>
-    </message>
-    <message>
-        <source>No panel and no alarm uses the key {0}</source>
-        <translation>Kein Panel und kein Alarm verwendet den Schlüssel {0}</translation>
-    </message>
-    <message>
-        <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Die Platzhalter sind verschieden: {0} hat {1}, {2} hat {3}</translation>
-    </message>
-    <message>
-        <source>The key {0} has no text in {1}</source>
-        <translation>Der Schlüssel {0} hat keinen Text in {1}</translation>
-    </message>
-    <message>
-        <source>The font {0} is not installed here, so texts cannot be measured</source>
-        <translation>Die Schrift {0} ist hier nicht installiert, deshalb können Texte nicht gemessen werden</translation>
-    </message>
-    <message>
-        <source>No font has the character {0}</source>
-        <translation>Keine Schrift hat das Zeichen {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht {1} px, das Maximum ist {2}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>„{0}“ passt nicht: es braucht eine Höhe von {1} px, das Maximum ist {2}</translation>
-    </message>
-    <message>
-        <source>{0}; did you mean {1}?</source>
-        <translation>{0}; meinten Sie {1}?</translation>
-    </message>
-    <message>
-        <source>{0} is not a variable, so it cannot be written</source>
-        <translation>{0} ist keine Variable und kann deshalb nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a BOOL is needed here</source>
-        <translation>{0} ist {1}; hier wird ein BOOL gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a number is needed here</source>
-        <translation>{0} ist {1}; hier wird eine Zahl gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a STRING is needed here</source>
-        <translation>{0} ist {1}; hier wird ein STRING gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; an array is needed here</source>
-        <translation>{0} ist {1}; hier wird ein Array gebraucht</translation>
-    </message>
-    <message>
-        <source>{0} is {1}; a single value is needed here</source>
-        <translation>{0} ist {1}; hier wird ein einzelner Wert gebraucht</translation>
-    </message>
-    <message>
-        <source>A placeholder is not closed with {0}</source>
-        <translation>Ein Platzhalter ist nicht mit {0} geschlossen</translation>
-    </message>
-    <message>
-        <source>The format {0} is not known</source>
-        <translation>Das Format {0} ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>The trace configuration is not valid JSON (see line {0})</source>
-        <translation>Die Trace-Konfiguration ist kein gültiges JSON (siehe Zeile {0})</translation>
-    </message>
-    <message>
-        <source>A trace configuration must be a JSON object</source>
-        <translation>Eine Trace-Konfiguration muss ein JSON-Objekt sein</translation>
-    </message>
-    <message>
-        <source>This trace configuration was written by a newer version of Stepwise (version {0})</source>
-        <translation>Diese Trace-Konfiguration wurde von einer neueren Version von Stepwise geschrieben (Version {0})</translation>
-    </message>
-    <message>
-        <source>The trace configuration is invalid: {0}</source>
-        <translation>Die Trace-Konfiguration ist ungültig: {0}</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; must be {1}</source>
-        <translation>„{0}“ muss {1} sein</translation>
-    </message>
-    <message>
-        <source>&quot;{0}&quot; is missing</source>
-        <translation>„{0}“ fehlt</translation>
-    </message>
-    <message>
-        <source>A picture&apos;s name must end in one of {0}</source>
-        <translation>Der Name eines Bilds muss auf eines von {0} enden</translation>
-    </message>
-    <message>
-        <source>no longer recorded</source>
-        <translation>nicht mehr aufgezeichnet</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht geschrieben werden; gehen Sie zuerst zur laufenden Steuerung zurück</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Aufgezeichnete Werte können nicht geschrieben werden; setzen Sie zuerst von hier fort</translation>
-    </message>
-    <message>
-        <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Aufgezeichnete Werte können nicht geforct werden; setzen Sie zuerst von hier fort oder gehen Sie zum Livebetrieb zurück</translation>
-    </message>
-    <message>
-        <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
-        <translation>Eine Aufzeichnung aus einer Datei kann nicht fortgesetzt werden, nur was die Steuerung selbst aufgezeichnet hat</translation>
-    </message>
-    <message>
-        <source>A priority is a number; 0 removes it</source>
-        <translation>Eine Priorität ist eine Zahl; 0 entfernt sie</translation>
-    </message>
-    <message>
-        <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>Die lokalen Variablen von {0} und allem, was es aufruft, brauchen {1} Bytes; möglich sind höchstens {2}</translation>
-    </message>
-    <message>
-        <source>{0} is too large for the stack; divide it into several functions</source>
-        <translation>{0} ist zu groß für den Stapel der Maschine; teilen Sie es auf</translation>
-    </message>
-    <message>
-        <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Arbeitseinheiten (Schleifendurchläufe, Aufrufe, Kopien) in einem Lauf der Task; gibt es eine Schleife ohne Ende?</translation>
-    </message>
-    <message>
-        <source>{0} is not a whole number</source>
-        <translation>{0} ist keine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>{0} is not a number of scans</source>
-        <translation>{0} ist keine Anzahl von Zyklen</translation>
-    </message>
-    <message>
-        <source>{0} is not a time</source>
-        <translation>{0} ist keine Zeit</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
-    </message>
-    <message>
-        <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
-        <translation>Dieses XML ist weder PLCopen XML noch von TwinCAT oder CODESYS; exportieren Sie das Projekt als PLCopen XML und importieren Sie diese Datei</translation>
-    </message>
-    <message>
-        <source>There is nothing in it that can be imported</source>
-        <translation>Darin ist nichts, das importiert werden kann</translation>
-    </message>
-    <message>
-        <source>The folder exists and is not empty; name a new one</source>
-        <translation>Der Ordner ist vorhanden und nicht leer; nennen Sie einen neuen</translation>
-    </message>
-    <message>
-        <source>The sources have errors of syntax; stepwise check lists them</source>
-        <translation>Die Quelltexte haben Syntaxfehler; stepwise check listet sie auf</translation>
-    </message>
-    <message>
-        <source>The file is too large to be read</source>
-        <translation>Die Datei ist zu groß, um gelesen zu werden</translation>
-    </message>
-    <message>
-        <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Die Datei hat die Kodierung {0}, die nicht gelesen wird; speichern Sie sie als UTF-8</translation>
-    </message>
-    <message>
-        <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Die Datei deklariert einen Dokumenttyp oder eigene Entitäten, was nicht gelesen wird; exportieren Sie sie ohne diese</translation>
-    </message>
-    <message>
-        <source>The elements of the file are nested too deeply</source>
-        <translation>Die Elemente der Datei sind zu tief verschachtelt</translation>
-    </message>
-    <message>
-        <source>This is not well-formed XML: {0}</source>
-        <translation>Dies ist kein wohlgeformtes XML: {0}</translation>
-    </message>
-    <message>
-        <source>The file has no elements</source>
-        <translation>Die Datei hat keine Elemente</translation>
-    </message>
-    <message>
-        <source>This is XML, not structured text; import it (stepwise import --help)</source>
-        <translation>Dies ist XML, kein strukturierter Text; importieren Sie es (stepwise import --help)</translation>
-    </message>
-    <message>
-        <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
-        <translation>Windows-1252 hat das Zeichen {0} nicht; schreiben Sie die Datei als UTF-8</translation>
     </message>
 </context>
 <context>
@@ -3671,15 +2766,15 @@
     </message>
     <message>
         <source>All forces released</source>
-        <translation>Alle Forces aufgehoben</translation>
+        <translation>Forcen für alle Werte aufgehoben</translation>
     </message>
     <message>
         <source>Released</source>
-        <translation>Freigegeben</translation>
+        <translation>Forcen aufgehoben</translation>
     </message>
     <message>
         <source>Online change</source>
-        <translation>Online-Änderung</translation>
+        <translation>Online-Change</translation>
     </message>
     <message>
         <source>Breakpoint</source>
@@ -3696,8 +2791,8 @@
     <message numerus="yes">
         <source>%n scan(s) skipped: the machine was late</source>
         <translation>
-            <numerusform>%n Zyklus ausgelassen: der Rechner war zu spät</numerusform>
-            <numerusform>%n Zyklen ausgelassen: der Rechner war zu spät</numerusform>
+            <numerusform>%n Zyklus ausgelassen: Der Rechner war zu spät</numerusform>
+            <numerusform>%n Zyklen ausgelassen: Der Rechner war zu spät</numerusform>
         </translation>
     </message>
     <message>
@@ -3717,7 +2812,7 @@
     </message>
     <message>
         <source>scans skipped</source>
-        <translation>Zyklen übersprungen</translation>
+        <translation>Zyklen ausgelassen</translation>
     </message>
     <message>
         <source>not recorded</source>
@@ -3753,11 +2848,11 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>RMS</source>
-        <translation>Effektiv</translation>
+        <translation>Effektivwert</translation>
     </message>
     <message>
         <source>Rise time</source>
@@ -3769,7 +2864,7 @@
     </message>
     <message>
         <source>Settling</source>
-        <translation>Einschwingzeit</translation>
+        <translation>Ausregelzeit</translation>
     </message>
 </context>
 <context>
@@ -3795,11 +2890,11 @@
     </message>
     <message>
         <source>Instruction list, as it stands</source>
-        <translation>Anweisungsliste, wie sie dasteht</translation>
+        <translation>Anweisungsliste (vorhandener Text)</translation>
     </message>
     <message>
         <source>ST, as it stands</source>
-        <translation>ST, wie es dasteht</translation>
+        <translation>ST (vorhandener Text)</translation>
     </message>
     <message>
         <source>The same as ST</source>
@@ -3811,7 +2906,7 @@
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
-        <translation>Beide ergeben dasselbe. Ersetzen ist ein Schritt zum Rückgängigmachen; Kommentare bleiben, jeder über seiner Anweisung.</translation>
+        <translation>Beide liefern dieselben Ergebnisse. Das Ersetzen lässt sich in einem Schritt rückgängig machen; Kommentare bleiben erhalten, jeder über seiner Anweisung.</translation>
     </message>
     <message>
         <source>Replace the Text</source>
@@ -3895,7 +2990,7 @@
     </message>
     <message>
         <source>Force</source>
-        <translation>Erzwingen</translation>
+        <translation>Forcen</translation>
     </message>
     <message>
         <source>Write</source>
@@ -3906,7 +3001,7 @@
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
-        <translation>Gezeigtes Panel</translation>
+        <translation>Angezeigtes Panel</translation>
     </message>
     <message>
         <source>Full screen (Esc ends it)</source>
@@ -3920,11 +3015,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The alarm history is kept in memory only: %1</source>
-        <translation>Die Alarmgeschichte bleibt nur im Speicher: %1</translation>
+        <translation>Die Alarmhistorie bleibt nur im Speicher erhalten: %1</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Die Aufzeichnung wird gespeichert …</translation>
+        <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
 </context>
 <context>
@@ -3955,11 +3050,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation>Erzwungene Werte</translation>
+        <translation>Geforcte Werte</translation>
     </message>
     <message>
         <source>Call Path</source>
-        <translation>Aufrufpfad</translation>
+        <translation>Aufrufliste</translation>
     </message>
     <message>
         <source>Breakpoints</source>
@@ -3995,7 +3090,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Recent Projects</source>
-        <translation>Letzte Projekte</translation>
+        <translation>Zuletzt verwendete Projekte</translation>
     </message>
     <message>
         <source>View</source>
@@ -4003,7 +3098,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Main</source>
-        <translation>Hauptleiste</translation>
+        <translation>Symbolleiste</translation>
     </message>
     <message>
         <source>State of the controller</source>
@@ -4039,7 +3134,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>PAST</source>
-        <translation>VERGANGEN</translation>
+        <translation>VERGANGENHEIT</translation>
     </message>
     <message>
         <source>%1 · scan %2</source>
@@ -4047,7 +3142,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · %2 % Last</translation>
+        <translation>%1 µs · %2 % Auslastung</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
@@ -4079,7 +3174,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Das Studio endete ohne zu speichern. Ungespeicherte Änderungen von %1 sind erhalten. Wiederherstellen?</translation>
+        <translation>Das Studio wurde beendet, ohne zu speichern. Ungespeicherte Änderungen an %1 sind erhalten. Wiederherstellen?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -4095,7 +3190,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is no name at the cursor</source>
-        <translation>An der Schreibmarke steht kein Name</translation>
+        <translation>Am Cursor steht kein Name</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -4210,11 +3305,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>F5 compiles to native code and runs it. Values then stand beside each line.</source>
-        <translation>F5 übersetzt in Maschinencode und startet ihn. Die Werte stehen dann neben jeder Zeile.</translation>
+        <translation>F5 übersetzt in Maschinencode und führt ihn aus. Die Werte erscheinen dann neben jeder Zeile.</translation>
     </message>
     <message>
         <source>Any expression, at any moment. Prepare a value and write or force it with one click.</source>
-        <translation>Jeder Ausdruck, jederzeit. Einen Wert vorbereiten und mit einem Klick schreiben oder erzwingen.</translation>
+        <translation>Jeder Ausdruck, jederzeit. Einen Wert vorbereiten und mit einem Klick schreiben oder forcen.</translation>
     </message>
     <message>
         <source>The trace</source>
@@ -4238,7 +3333,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel zeigen die Vergangenheit. „Ab hier fortsetzen“ geht von dort weiter.</translation>
+        <translation>Den Zeitschieber ziehen oder Strg+Alt+Links drücken: Code, Diagramme und Panel werden zu diesem Zeitpunkt angezeigt. „Ab hier fortsetzen“ setzt die Steuerung von dort fort.</translation>
     </message>
     <message>
         <source>That is it</source>
@@ -4358,7 +3453,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Gehe zur Deklaration</translation>
+        <translation>Gehe zur Definition</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -4386,7 +3481,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Zeile verdoppeln</translation>
+        <translation>Zeile duplizieren</translation>
     </message>
     <message>
         <source>Select the Block Around</source>
@@ -4430,15 +3525,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Step In</source>
-        <translation>Einzelschritt hinein</translation>
+        <translation>Einzelschritt</translation>
     </message>
     <message>
         <source>Step Over</source>
-        <translation>Einzelschritt darüber</translation>
+        <translation>Prozedurschritt</translation>
     </message>
     <message>
         <source>Step Out</source>
-        <translation>Schritt hinaus</translation>
+        <translation>Ausführen bis Rücksprung</translation>
     </message>
     <message>
         <source>Run to Cursor</source>
@@ -4446,7 +3541,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
-        <translation>Haltepunkt setzen oder löschen</translation>
+        <translation>Haltepunkt umschalten</translation>
     </message>
     <message>
         <source>Reset Warm</source>
@@ -4462,7 +3557,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Online Change</source>
-        <translation>Online-Änderung</translation>
+        <translation>Online-Change</translation>
     </message>
     <message>
         <source>Speed…</source>
@@ -4478,15 +3573,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Write Prepared Values</source>
-        <translation>Vorbereitete Werte schreiben</translation>
+        <translation>Werte schreiben</translation>
     </message>
     <message>
         <source>Force Prepared Values</source>
-        <translation>Vorbereitete Werte erzwingen</translation>
+        <translation>Werte forcen</translation>
     </message>
     <message>
         <source>Release All Forces</source>
-        <translation>Erzwingen überall aufheben</translation>
+        <translation>Forcen für alle Werte aufheben</translation>
     </message>
     <message>
         <source>Run the Tests</source>
@@ -4502,11 +3597,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Back to Live</source>
-        <translation>Zurück zur Gegenwart</translation>
+        <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
         <source>Resume From Here</source>
-        <translation>Von hier fortsetzen</translation>
+        <translation>Ab hier fortsetzen</translation>
     </message>
     <message>
         <source>Command Palette</source>
@@ -4522,11 +3617,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Chart Beside the Text</source>
-        <translation>Diagramm neben dem Text</translation>
+        <translation>Schrittkette neben dem Text</translation>
     </message>
     <message>
         <source>Online Values in the Text</source>
-        <translation>Onlinewerte im Text</translation>
+        <translation>Online-Werte im Text</translation>
     </message>
     <message>
         <source>Larger</source>
@@ -4538,15 +3633,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Light Theme</source>
-        <translation>Helles Design</translation>
+        <translation>Helles Farbschema</translation>
     </message>
     <message>
         <source>Dark Theme</source>
-        <translation>Dunkles Design</translation>
+        <translation>Dunkles Farbschema</translation>
     </message>
     <message>
         <source>Theme of the System</source>
-        <translation>Design des Systems</translation>
+        <translation>Farbschema des Systems</translation>
     </message>
     <message>
         <source>Reset the Layout</source>
@@ -4566,7 +3661,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>All values are of a recording from a file. A click goes back to the controller.</source>
-        <translation>Alle Werte stammen aus einer gespeicherten Aufzeichnung. Ein Klick führt zurück zur Steuerung.</translation>
+        <translation>Alle Werte stammen aus der Aufzeichnung in einer Datei. Ein Klick führt zurück zur Steuerung.</translation>
     </message>
     <message>
         <source>RECORDING</source>
@@ -4574,7 +3669,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 – back to live</source>
-        <translation>%1 – zurück zur Steuerung</translation>
+        <translation>%1 – zurück zum Livebetrieb</translation>
     </message>
     <message>
         <source>Panel %1</source>
@@ -4594,15 +3689,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show as ST…</source>
-        <translation>Als ST zeigen…</translation>
+        <translation>Als ST anzeigen…</translation>
     </message>
     <message>
         <source>Show as an Instruction List…</source>
-        <translation>Als Anweisungsliste zeigen…</translation>
+        <translation>Als Anweisungsliste anzeigen…</translation>
     </message>
     <message>
         <source>Put the cursor into a unit that is written in ST or IL</source>
-        <translation>Setzen Sie die Schreibmarke in einen Baustein in ST oder AWL</translation>
+        <translation>Setzen Sie den Cursor in einen ST- oder AWL-Baustein</translation>
     </message>
     <message>
         <source>The text has changed meanwhile</source>
@@ -4615,17 +3710,17 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message numerus="yes">
         <source>It is used in %n other place(s).</source>
         <translation>
-            <numerusform>Er wird an %n anderen Stelle verwendet.</numerusform>
-            <numerusform>Er wird an %n anderen Stellen verwendet.</numerusform>
+            <numerusform>Verwendet an %n weiteren Stelle.</numerusform>
+            <numerusform>Verwendet an %n weiteren Stellen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Delete and Comment Out the Uses</source>
-        <translation>Löschen und Verwendungen auskommentieren</translation>
+        <translation>Löschen, Verwendungen auskommentieren</translation>
     </message>
     <message>
         <source>Show the Uses</source>
-        <translation>Verwendungen zeigen</translation>
+        <translation>Verwendungen anzeigen</translation>
     </message>
     <message>
         <source>New Trace</source>
@@ -4645,7 +3740,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is a trace %1 already</source>
-        <translation>Einen Trace %1 gibt es schon</translation>
+        <translation>Ein Trace %1 ist bereits vorhanden</translation>
     </message>
     <message>
         <source>New name of %1:</source>
@@ -4653,19 +3748,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is a file %1 already</source>
-        <translation>Eine Datei %1 gibt es schon</translation>
+        <translation>Eine Datei %1 ist bereits vorhanden</translation>
     </message>
     <message>
         <source>The file can not be renamed; check the permissions of the folder</source>
-        <translation>Die Datei lässt sich nicht umbenennen; bitte die Rechte des Ordners prüfen</translation>
+        <translation>Die Datei kann nicht umbenannt werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
         <source>These panels lead to it; their buttons will be problems: %1</source>
-        <translation>Diese Panels führen dorthin; ihre Schaltflächen werden zu Problemen: %1</translation>
+        <translation>Diese Panels verweisen darauf; ihre Schaltflächen führen dann ins Leere: %1</translation>
     </message>
     <message>
         <source>The file can not be removed; check the permissions of the folder</source>
-        <translation>Die Datei lässt sich nicht löschen; bitte die Rechte des Ordners prüfen</translation>
+        <translation>Die Datei kann nicht gelöscht werden; prüfen Sie die Rechte des Ordners</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
@@ -4709,7 +3804,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Fault of the controller</source>
-        <translation>Fehler der Steuerung</translation>
+        <translation>Steuerungsfehler</translation>
     </message>
     <message>
         <source>RUN %1</source>
@@ -4717,7 +3812,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>at full speed</source>
-        <translation>so schnell es geht</translation>
+        <translation>so schnell wie möglich</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -4808,11 +3903,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation>Ablauf</translation>
+        <translation>Ablaufsteuerung</translation>
     </message>
     <message>
         <source>Fill, mix, empty as a sequential function chart</source>
-        <translation>Füllen, mischen, leeren als Ablaufsprache</translation>
+        <translation>Füllen, mischen, leeren als Schrittkette</translation>
     </message>
     <message>
         <source>New Project</source>
@@ -4852,7 +3947,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 exists already and is not empty</source>
-        <translation>%1 gibt es schon, und es ist nicht leer</translation>
+        <translation>%1 ist bereits vorhanden und nicht leer</translation>
     </message>
     <message>
         <source>Will be made in %1</source>
@@ -4879,7 +3974,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Enumeration</source>
-        <translation>Aufzählung</translation>
+        <translation>Enumeration</translation>
     </message>
     <message>
         <source>Interface</source>
@@ -4891,7 +3986,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Sequential function chart</source>
-        <translation>Ablaufsprache</translation>
+        <translation>Schrittkette (AS)</translation>
     </message>
     <message>
         <source>Simulation of the plant</source>
@@ -4935,11 +4030,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is a %1 in the project already</source>
-        <translation>%1 gibt es im Projekt schon</translation>
+        <translation>%1 ist im Projekt bereits vorhanden</translation>
     </message>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
-        <translation>Die Datei %1 gibt es schon: Wählen Sie sie oder einen anderen Namen</translation>
+        <translation>Die Datei %1 ist bereits vorhanden: Wählen Sie sie oder einen anderen Namen</translation>
     </message>
     <message>
         <source>Program as a ladder diagram</source>
@@ -4970,15 +4065,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show errors</source>
-        <translation>Fehler zeigen</translation>
+        <translation>Fehler anzeigen</translation>
     </message>
     <message>
         <source>Show warnings</source>
-        <translation>Warnungen zeigen</translation>
+        <translation>Warnungen anzeigen</translation>
     </message>
     <message>
         <source>Show notes</source>
-        <translation>Hinweise zeigen</translation>
+        <translation>Hinweise anzeigen</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -5005,7 +4100,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation>Diagramm</translation>
+        <translation>Schrittkette</translation>
     </message>
     <message>
         <source>Programs</source>
@@ -5085,7 +4180,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Watch</source>
-        <translation>Beobachten</translation>
+        <translation>Zur Überwachung hinzufügen</translation>
     </message>
     <message>
         <source>Arrange by file</source>
@@ -5148,7 +4243,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Not a pattern: %1</source>
-        <translation>Kein gültiges Muster: %1</translation>
+        <translation>Ungültiger regulärer Ausdruck: %1</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -5260,7 +4355,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Write keywords in capitals while typing</source>
-        <translation>Schlüsselwörter beim Tippen groß schreiben</translation>
+        <translation>Schlüsselwörter beim Tippen in Großbuchstaben umwandeln</translation>
     </message>
     <message>
         <source>Close blocks with Enter (IF … END_IF)</source>
@@ -5268,7 +4363,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show online values in the text</source>
-        <translation>Online-Werte im Text zeigen</translation>
+        <translation>Online-Werte im Text anzeigen</translation>
     </message>
     <message>
         <source>Format when saving</source>
@@ -5276,7 +4371,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Saving changes the running controller (online change)</source>
-        <translation>Speichern ändert die laufende Steuerung (Online-Change)</translation>
+        <translation>Beim Speichern Online-Change ausführen</translation>
     </message>
     <message>
         <source>Memory for the recording of every scan</source>
@@ -5288,7 +4383,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation>Aktion</translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Shortcut</source>
@@ -5296,7 +4391,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Another action has the same shortcut</source>
-        <translation>Eine andere Aktion hat dasselbe Kürzel</translation>
+        <translation>Ein anderer Befehl hat dasselbe Tastenkürzel</translation>
     </message>
     <message>
         <source>Shortcut of %1</source>
@@ -5308,7 +4403,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>All Defaults</source>
-        <translation>Alle zurücksetzen</translation>
+        <translation>Standard wiederherstellen</translation>
     </message>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
@@ -5338,11 +4433,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::app::StartPage</name>
     <message>
         <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
-        <translation>SPS-Programme schreiben, ausführen und beobachten. Jeder Zyklus wird aufgezeichnet; die Zeit läuft auch rückwärts.</translation>
+        <translation>SPS-Programme schreiben, ausführen und überwachen. Jeder Zyklus wird aufgezeichnet; die Zeit läuft auch rückwärts.</translation>
     </message>
     <message>
         <source>Recent projects</source>
-        <translation>Letzte Projekte</translation>
+        <translation>Zuletzt verwendete Projekte</translation>
     </message>
     <message>
         <source>Examples</source>
@@ -5362,7 +4457,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Recent</source>
-        <translation>Zuletzt geöffnet</translation>
+        <translation>Zuletzt verwendet</translation>
     </message>
     <message>
         <source>Examples: open one and press Run</source>
@@ -5439,7 +4534,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::editor::CallPathView</name>
     <message>
         <source>Unit</source>
-        <translation>Einheit</translation>
+        <translation>Baustein</translation>
     </message>
     <message>
         <source>Instance</source>
@@ -5451,7 +4546,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Call path</source>
-        <translation>Aufrufpfad</translation>
+        <translation>Aufrufliste</translation>
     </message>
     <message>
         <source>Variable</source>
@@ -5470,19 +4565,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::editor::ChartView</name>
     <message>
         <source>Sequential function chart</source>
-        <translation>Ablaufsprache</translation>
+        <translation>Schrittkette</translation>
     </message>
     <message>
         <source>Insert a step behind (Ins)</source>
-        <translation>Schritt dahinter einfügen (Einfg)</translation>
+        <translation>Schritt danach einfügen (Einfg)</translation>
     </message>
     <message>
         <source>Insert a branch beside</source>
-        <translation>Zweig daneben einfügen</translation>
+        <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
         <source>Insert a simultaneous branch</source>
-        <translation>Simultanzweig einfügen</translation>
+        <translation>Parallelzweig einfügen</translation>
     </message>
     <message>
         <source>Add an action</source>
@@ -5498,7 +4593,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation>Alles zeigen</translation>
+        <translation>Alles anzeigen</translation>
     </message>
     <message>
         <source>Export the chart</source>
@@ -5518,7 +4613,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>The unit %1 is not in the text any more</source>
-        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
+        <translation>Der Baustein %1 ist im Text nicht mehr vorhanden</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
@@ -5526,7 +4621,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 is not a chart</source>
-        <translation>%1 ist kein Ablauf</translation>
+        <translation>%1 ist keine Schrittkette</translation>
     </message>
     <message>
         <source>Mend the text first: this is the last good drawing</source>
@@ -5534,27 +4629,27 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
-        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
+        <translation>Wählen Sie den Schritt, von dem der Zweig ausgeht</translation>
     </message>
     <message>
         <source>Select the transition behind which the steps run at the same time</source>
-        <translation>Die Transition wählen, hinter der die Schritte gleichzeitig laufen</translation>
+        <translation>Wählen Sie die Transition, nach der die Schritte gleichzeitig laufen</translation>
     </message>
     <message>
         <source>Select the step that gets the action</source>
-        <translation>Den Schritt wählen, der die Aktion bekommt</translation>
+        <translation>Wählen Sie den Schritt, der die Aktion bekommt</translation>
     </message>
     <message>
         <source>Insert a Step Behind</source>
-        <translation>Schritt dahinter einfügen</translation>
+        <translation>Schritt danach einfügen</translation>
     </message>
     <message>
         <source>Insert a Branch Beside</source>
-        <translation>Zweig daneben einfügen</translation>
+        <translation>Alternativzweig einfügen</translation>
     </message>
     <message>
         <source>Insert a Simultaneous Branch</source>
-        <translation>Simultanzweig einfügen</translation>
+        <translation>Parallelzweig einfügen</translation>
     </message>
     <message>
         <source>Add an Action</source>
@@ -5566,11 +4661,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Force the Step On</source>
-        <translation>Schritt einschalten (erzwingen)</translation>
+        <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
         <source>Release the Step</source>
-        <translation>Schritt freigeben</translation>
+        <translation>Forcen des Schritts aufheben</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>
@@ -5602,7 +4697,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 behind this transition</source>
-        <translation>%1 hinter diese Transition</translation>
+        <translation>%1 nach dieser Transition</translation>
     </message>
     <message>
         <source>leads to %1</source>
@@ -5634,27 +4729,27 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>To the chart around (Backspace)</source>
-        <translation>Zum Plan darum herum (Rücktaste)</translation>
+        <translation>Zur übergeordneten Schrittkette (Rücktaste)</translation>
     </message>
     <message>
         <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
-        <translation>Haltepunkt: hält, wenn der Schritt aktiv wird, wenn die Transition genommen wird (F9)</translation>
+        <translation>Haltepunkt: hält, wenn der Schritt aktiv wird oder die Transition schaltet (F9)</translation>
     </message>
     <message>
         <source>Force the step on</source>
-        <translation>Schritt auf aktiv zwingen</translation>
+        <translation>Schritt aktiv forcen</translation>
     </message>
     <message>
         <source>Release the step</source>
-        <translation>Schritt freigeben</translation>
+        <translation>Forcen des Schritts aufheben</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+        <translation>Als SVG, PNG oder PDF exportieren…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
-        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
+        <translation>%1 ist eine Variable: Sie hat keinen Rumpf</translation>
     </message>
     <message>
         <source>Select a step or a transition</source>
@@ -5666,7 +4761,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Open Its Chart or Text</source>
-        <translation>Plan oder Text öffnen</translation>
+        <translation>Schrittkette oder Text öffnen</translation>
     </message>
     <message>
         <source>Priority…</source>
@@ -5705,7 +4800,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Initial value</source>
-        <translation>Anfangswert</translation>
+        <translation>Initialwert</translation>
     </message>
     <message>
         <source>Comment</source>
@@ -5764,7 +4859,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Copy the selected rows, else all</source>
-        <translation>Die ausgewählten Zeilen kopieren, sonst alle</translation>
+        <translation>Die gewählten Zeilen kopieren, sonst alle</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -5824,7 +4919,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Previous (Shift+Enter)</source>
-        <translation>Vorheriges (Umschalt+Enter)</translation>
+        <translation>Voriges (Umschalt+Enter)</translation>
     </message>
     <message>
         <source>Next (Enter)</source>
@@ -5851,7 +4946,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>not a pattern</source>
-        <translation>kein Muster</translation>
+        <translation>ungültiger regulärer Ausdruck</translation>
     </message>
     <message numerus="yes">
         <source>%n found</source>
@@ -5873,19 +4968,19 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Forced value</source>
-        <translation>Erzwungener Wert</translation>
+        <translation>Geforcter Wert</translation>
     </message>
     <message>
         <source>Forced variables</source>
-        <translation>Erzwungene Variablen</translation>
+        <translation>Geforcte Variablen</translation>
     </message>
     <message>
         <source>Release selected</source>
-        <translation>Auswahl freigeben</translation>
+        <translation>Forcen der Auswahl aufheben</translation>
     </message>
     <message>
         <source>Release all</source>
-        <translation>Alle freigeben</translation>
+        <translation>Forcen für alle aufheben</translation>
     </message>
 </context>
 <context>
@@ -5903,7 +4998,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Online change: %1 kept, %2 new, %3 lost</source>
-        <translation>Online-Change: %1 behalten, %2 neu, %3 verloren</translation>
+        <translation>Online-Change: %1 Variablen erhalten, %2 neu, %3 entfernt</translation>
     </message>
     <message>
         <source>The change waits for the end of the scan</source>
@@ -5931,7 +5026,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>There is no code at or below line %1 of %2</source>
-        <translation>In %2 steht in und unter Zeile %1 kein Code</translation>
+        <translation>In %2 gibt es in und unter Zeile %1 keinen Code</translation>
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
@@ -5954,7 +5049,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Go to Definition</source>
-        <translation>Zur Definition gehen</translation>
+        <translation>Gehe zur Definition</translation>
     </message>
     <message>
         <source>Find All Uses</source>
@@ -5999,11 +5094,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Force…</source>
-        <translation>Erzwingen…</translation>
+        <translation>Forcen…</translation>
     </message>
     <message>
         <source>Release the Force</source>
-        <translation>Erzwingen aufheben</translation>
+        <translation>Forcen aufheben</translation>
     </message>
 </context>
 <context>
@@ -6014,7 +5109,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Execution times appear here while the controller runs</source>
-        <translation>Hier stehen Ausführungszeiten, während die Steuerung läuft</translation>
+        <translation>Hier erscheinen die Ausführungszeiten, während die Steuerung läuft</translation>
     </message>
     <message>
         <source>Task</source>
@@ -6022,7 +5117,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Runs</source>
-        <translation>Läufe</translation>
+        <translation>Anzahl Zyklen</translation>
     </message>
     <message>
         <source>Last</source>
@@ -6034,7 +5129,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Durchschnitt</translation>
     </message>
     <message>
         <source>Max</source>
@@ -6046,11 +5141,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Overruns</source>
-        <translation>Überläufe</translation>
+        <translation>Zeitüberschreitungen</translation>
     </message>
     <message>
         <source>Load</source>
-        <translation>Last</translation>
+        <translation>Auslastung</translation>
     </message>
     <message>
         <source>Tasks</source>
@@ -6097,15 +5192,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Write prepared values</source>
-        <translation>Vorbereitete Werte schreiben</translation>
+        <translation>Werte schreiben</translation>
     </message>
     <message>
         <source>Force prepared values</source>
-        <translation>Vorbereitete Werte erzwingen</translation>
+        <translation>Werte forcen</translation>
     </message>
     <message>
         <source>Release the selected forces</source>
-        <translation>Gewählte erzwungene Werte freigeben</translation>
+        <translation>Forcen der gewählten Werte aufheben</translation>
     </message>
     <message>
         <source>Decimal</source>
@@ -6129,15 +5224,15 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Force to %1</source>
-        <translation>Erzwingen: %1</translation>
+        <translation>Auf %1 forcen</translation>
     </message>
     <message>
         <source>Release force</source>
-        <translation>Erzwungenen Wert freigeben</translation>
+        <translation>Forcen aufheben</translation>
     </message>
     <message>
         <source>Show in trace</source>
-        <translation>Im Trace zeigen</translation>
+        <translation>Im Trace anzeigen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -6261,7 +5356,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::hmi::ArrayDialog</name>
     <message>
         <source>Duplicate as array</source>
-        <translation>Als Array vervielfältigen</translation>
+        <translation>Als Array duplizieren</translation>
     </message>
     <message>
         <source>Number of elements</source>
@@ -6352,7 +5447,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <name>plc::hmi::PanelDesigner</name>
     <message>
         <source>Finding</source>
-        <translation>Befund</translation>
+        <translation>Meldung</translation>
     </message>
     <message>
         <source>Element</source>
@@ -6380,7 +5475,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Duplicate as array…</source>
-        <translation>Als Array vervielfältigen…</translation>
+        <translation>Als Array duplizieren…</translation>
     </message>
     <message>
         <source>Select all</source>
@@ -6466,7 +5561,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Show the grid</source>
-        <translation>Raster zeigen</translation>
+        <translation>Raster anzeigen</translation>
     </message>
     <message>
         <source>Snap (Alt: not now)</source>
@@ -6494,7 +5589,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Language shown</source>
-        <translation>Gezeigte Sprache</translation>
+        <translation>Angezeigte Sprache</translation>
     </message>
     <message>
         <source>Theme of the panel</source>
@@ -6518,7 +5613,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>Duplicate as array</source>
-        <translation>Als Array vervielfältigen</translation>
+        <translation>Als Array duplizieren</translation>
     </message>
     <message>
         <source>Elements</source>
@@ -6633,11 +5728,11 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
     <message>
         <source>%1 is not used.</source>
-        <translation>%1 wird nicht benutzt.</translation>
+        <translation>%1 wird nicht verwendet.</translation>
     </message>
     <message>
         <source>%1 is used by %2</source>
-        <translation>%1 wird benutzt von %2</translation>
+        <translation>%1 wird von %2 verwendet</translation>
     </message>
 </context>
 <context>
@@ -6715,7 +5810,7 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>%1
 Click selects, Ctrl+click shows or hides.</source>
         <translation>%1
-Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
+Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     </message>
 </context>
 <context>
@@ -6758,7 +5853,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>various</source>
-        <translation>verschieden</translation>
+        <translation>unterschiedlich</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -6804,7 +5899,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>%1 is being cancelled…</source>
-        <translation>%1: wird abgebrochen …</translation>
+        <translation>%1: wird abgebrochen…</translation>
     </message>
     <message>
         <source>Cancel: %1</source>
@@ -6839,11 +5934,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Show channel</source>
-        <translation>Kanal zeigen</translation>
+        <translation>Kanal anzeigen</translation>
     </message>
     <message>
         <source>Hide channel</source>
-        <translation>Kanal verbergen</translation>
+        <translation>Kanal ausblenden</translation>
     </message>
     <message>
         <source>Chart %1</source>
@@ -6875,11 +5970,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation>Zeile</translation>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Hold</source>
-        <translation>Halten</translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Digital</source>
@@ -6895,11 +5990,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation>Skalierung</translation>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Offset</source>
-        <translation>Versatz</translation>
+        <translation>Offset</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -6963,7 +6058,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Record while</source>
-        <translation>Aufzeichnen solange</translation>
+        <translation>Aufzeichnungsbedingung</translation>
     </message>
     <message>
         <source>Trigger</source>
@@ -7007,11 +6102,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Shown before</source>
-        <translation>Gezeigt davor</translation>
+        <translation>Anzeige vor dem Trigger</translation>
     </message>
     <message>
         <source>Shown after</source>
-        <translation>Gezeigt danach</translation>
+        <translation>Anzeige nach dem Trigger</translation>
     </message>
     <message>
         <source>Change channel</source>
@@ -7130,11 +6225,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Show channel</source>
-        <translation>Kanal zeigen</translation>
+        <translation>Kanal anzeigen</translation>
     </message>
     <message>
         <source>Hide channel</source>
-        <translation>Kanal verbergen</translation>
+        <translation>Kanal ausblenden</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -7150,7 +6245,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Show everything recorded (Home)</source>
-        <translation>Alles Aufgezeichnete zeigen (Pos1)</translation>
+        <translation>Alles Aufgezeichnete anzeigen (Pos1)</translation>
     </message>
     <message>
         <source>Fit values</source>
@@ -7182,7 +6277,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Drag to pan (middle button always does)</source>
-        <translation>Ziehen verschiebt (mittlere Taste immer)</translation>
+        <translation>Ziehen verschiebt (mittlere Maustaste immer)</translation>
     </message>
     <message>
         <source>Cursors</source>
@@ -7242,7 +6337,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Load an older recording beneath the present one</source>
-        <translation>Eine ältere Aufzeichnung unter die jetzige legen</translation>
+        <translation>Eine ältere Aufzeichnung laden und unter die jetzige legen</translation>
     </message>
     <message>
         <source>Recording to draw beneath</source>
@@ -7254,31 +6349,31 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Trace set-up</source>
-        <translation>Trace-Einstellung</translation>
+        <translation>Trace-Konfiguration</translation>
     </message>
     <message>
         <source>Open set-up…</source>
-        <translation>Einstellung öffnen…</translation>
+        <translation>Konfiguration öffnen…</translation>
     </message>
     <message>
         <source>Open trace set-up</source>
-        <translation>Trace-Einstellung öffnen</translation>
+        <translation>Trace-Konfiguration öffnen</translation>
     </message>
     <message>
         <source>Trace set-ups (*.trace.json)</source>
-        <translation>Trace-Einstellungen (*.trace.json)</translation>
+        <translation>Trace-Konfigurationen (*.trace.json)</translation>
     </message>
     <message>
         <source>Save trace set-up</source>
-        <translation>Trace-Einstellung speichern</translation>
+        <translation>Trace-Konfiguration speichern</translation>
     </message>
     <message>
         <source>Save set-up</source>
-        <translation>Einstellung speichern</translation>
+        <translation>Konfiguration speichern</translation>
     </message>
     <message>
         <source>Save set-up as…</source>
-        <translation>Einstellung speichern unter…</translation>
+        <translation>Konfiguration speichern unter…</translation>
     </message>
     <message>
         <source>Open recording…</source>
@@ -7290,7 +6385,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Back to the running PLC</source>
-        <translation>Zurück zur laufenden SPS</translation>
+        <translation>Zurück zum Livebetrieb</translation>
     </message>
     <message>
         <source>Save recording…</source>
@@ -7338,7 +6433,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
-        <translation>Der Trigger hat noch keinen Ausdruck: in den Eigenschaften des Trace eingeben.</translation>
+        <translation>Der Trigger hat noch keinen Ausdruck: Geben Sie ihn in den Eigenschaften des Trace ein.</translation>
     </message>
     <message>
         <source>Trigger armed</source>
@@ -7365,7 +6460,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 Zyklen erhalten  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
+        <translation>%L1 Zyklen gespeichert  ·  Historie %2 von %3 MB  ·  Kanäle %4 von %5 MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -7389,11 +6484,11 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Opening %1…</source>
-        <translation>%1 wird geöffnet …</translation>
+        <translation>%1 wird geöffnet…</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
-        <translation>Die Aufzeichnung wird gespeichert …</translation>
+        <translation>Die Aufzeichnung wird gespeichert…</translation>
     </message>
 </context>
 <context>
@@ -7747,7 +6842,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Convert with {0}</source>
-        <translation>Mit {0} umwandeln</translation>
+        <translation>Mit {0} konvertieren</translation>
     </message>
     <message>
         <source>Move {0} to {1}</source>
@@ -7779,7 +6874,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>Remove the unused declaration</source>
-        <translation>Unbenutzte Deklaration entfernen</translation>
+        <translation>Nicht verwendete Deklaration entfernen</translation>
     </message>
     <message>
         <source>Replace with IF and ELSIF</source>
@@ -7921,7 +7016,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: ein Ausdruck wiederholt sich endlos</translation>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
     </message>
     <message>
         <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
@@ -7945,7 +7040,7 @@ Klick wählt aus, Strg+Klick zeigt oder verbirgt.</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; der TEST &apos;{0}&apos; wurde ausgelassen</translation>
+        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
     </message>
     <message>
         <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
@@ -8076,7 +7171,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>This folder is not empty; name a new one</source>
-        <translation>Dieser Ordner ist nicht leer; nennen Sie einen neuen</translation>
+        <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
     </message>
 </context>
 <context>
@@ -8114,11 +7209,11 @@ Nicht erhalten: %3</translation>
     <name>plc::editor::GraphView</name>
     <message>
         <source>Show all</source>
-        <translation>Alles zeigen</translation>
+        <translation>Alles anzeigen</translation>
     </message>
     <message>
         <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF ausgeben…</translation>
+        <translation>Als SVG, PNG oder PDF exportieren…</translation>
     </message>
     <message>
         <source>Export the Drawing</source>
@@ -8138,7 +7233,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Fix the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
     </message>
 </context>
 <context>
@@ -8202,7 +7297,7 @@ Nicht erhalten: %3</translation>
     <name>plc::app::InstanceBar</name>
     <message>
         <source>Instance whose values are shown</source>
-        <translation>Instanz, deren Werte gezeigt werden</translation>
+        <translation>Instanz, deren Werte angezeigt werden</translation>
     </message>
     <message>
         <source>Values of the instance of %1:</source>
@@ -8217,7 +7312,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Previous</source>
-        <translation>Vorheriger</translation>
+        <translation>Voriger</translation>
     </message>
     <message>
         <source>Next</source>
@@ -8342,7 +7437,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Show the Recording of the Failure</source>
-        <translation>Aufzeichnung des Fehlschlags zeigen</translation>
+        <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
     </message>
 </context>
 <context>
@@ -8403,11 +7498,11 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Show as a function block diagram</source>
-        <translation>Als Funktionsplan zeigen</translation>
+        <translation>Als Funktionsplan anzeigen</translation>
     </message>
     <message>
         <source>Show as a ladder diagram</source>
-        <translation>Als Kontaktplan zeigen</translation>
+        <translation>Als Kontaktplan anzeigen</translation>
     </message>
     <message>
         <source>%1 is not in the text any more</source>
@@ -8583,7 +7678,7 @@ Nicht erhalten: %3</translation>
     </message>
     <message>
         <source>Release</source>
-        <translation>Freigeben</translation>
+        <translation>Forcen aufheben</translation>
     </message>
     <message>
         <source>Toggle Breakpoint</source>

@@ -157,18 +157,18 @@ TEST_F(GermanStudioTest, ADivisionByZeroReadsGermanEverywhere) {
     bool isOnButton = false;
     ASSERT_TRUE(waitFor([&] {
         for (auto* button : window->findChildren<QToolButton*>())
-            isOnButton |= button->isVisible() && button->text() == "Division durch Null";
+            isOnButton |= button->isVisible() && button->text() == "Division durch null";
         return isOnButton;
     }));
     EXPECT_TRUE(waitFor([&] {
         for (auto* tree : window->log().findChildren<QTreeWidget*>())
             for (int i = 0; i < tree->topLevelItemCount(); ++i)
-                if (tree->topLevelItem(i)->text(3).endsWith(": Division durch Null")) return true;
+                if (tree->topLevelItem(i)->text(3).endsWith(": Division durch null")) return true;
         return false;
     }));
     const auto* strip = window->live().player()->findChild<hmi::PlayerStatus*>();
     ASSERT_NE(strip, nullptr);
-    EXPECT_TRUE(waitFor([&] { return strip->stateText().endsWith(": Division durch Null"); }))
+    EXPECT_TRUE(waitFor([&] { return strip->stateText().endsWith(": Division durch null"); }))
         << strip->stateText().toStdString();
 }
 
