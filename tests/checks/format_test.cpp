@@ -24,7 +24,7 @@ TEST(Format, SourcesAreLaidOutByClangFormat) {
     const std::string find =
         "cd '" + plc::sourceDir() + "' && find runtime projects editor hmi app tests -name '*.cpp' -o -name '*.h'";
     EXPECT_EQ(outputOf(find + " | xargs -P 2 -n 80 clang-format-14 --dry-run -Werror"), "exit 0\n")
-        << "mend with: clang-format-14 -i FILE…";
+        << "fix with: clang-format-14 -i FILE…";
 }
 
 } // namespace

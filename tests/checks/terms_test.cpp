@@ -105,7 +105,9 @@ std::vector<Term> terms() {
 }
 
 bool hasWord(const std::string& text, const std::string& word) {
-    const auto isInWord = [&](size_t at) { return at < text.size() && (isLetter(text[at]) || text[at] == '_'); };
+    const auto isInWord = [&](size_t at) { // English: “ and … are no letters
+        return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == '_');
+    };
     for (size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
         const size_t end = at + word.size();
         const bool isPlural = end < text.size() && text[end] == 's';
