@@ -151,7 +151,7 @@ TEST_F(OnlineSourceTest, SeveralWatchListsWithFormatsStayWithTheProject) {
     editor::WatchView& watch = window->watch();
     window->showDock("watch");
     watch.setExpressions({"Main.n", "Main.a.pos"});
-    watch.setRowFormat(watch.tree().topLevelItem(0), types::NumberFormat::Hexadecimal);
+    watch.setRowFormat(watch.tree().topLevelItem(0), types::NumberFormat::Hex);
     watch.addList("Axis b");
     EXPECT_TRUE(watch.expressions().isEmpty());
     watch.add("Main.b.pos");
@@ -165,7 +165,7 @@ TEST_F(OnlineSourceTest, SeveralWatchListsWithFormatsStayWithTheProject) {
     window->closeProject();
     ASSERT_TRUE(window->openProject(folder.path()));
     EXPECT_EQ(watch.listNames(), (QStringList{"Watch", "Axis b"}));
-    EXPECT_EQ(watch.rows().front().format, std::optional(types::NumberFormat::Hexadecimal));
+    EXPECT_EQ(watch.rows().front().format, std::optional(types::NumberFormat::Hex));
     watch.showList("Axis b");
     EXPECT_EQ(watch.expressions(), QStringList{"Main.b.pos"});
     watch.removeList();

@@ -173,17 +173,17 @@ TEST_F(ShortcutTest, GroupingAndDuplicatingWorkInTheDesigner) {
     design->selection().set({"a", "b"});
     design->canvas().setFocus();
     QTest::keyClick(&design->canvas(), Qt::Key_G, Qt::ControlModifier);
-    EXPECT_EQ(design->document().panel().elements.size(), 1U) << "one group";
+    EXPECT_EQ(design->document().panel().elements().size(), 1U) << "one group";
     QTest::keyClick(&design->canvas(), Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(design->document().panel().elements.size(), 2U);
+    EXPECT_EQ(design->document().panel().elements().size(), 2U);
     const double zoom = design->canvas().zoom();
     QTest::keyClick(&design->canvas(), Qt::Key_Plus, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_GT(design->canvas().zoom(), zoom);
     design->selection().set({"a"});
     QTest::keyClick(&design->canvas(), Qt::Key_D, Qt::ControlModifier);
-    EXPECT_EQ(design->document().panel().elements.size(), 3U);
+    EXPECT_EQ(design->document().panel().elements().size(), 3U);
     window->action("edit.undo")->trigger(); // the menu means what has the focus
-    EXPECT_EQ(design->document().panel().elements.size(), 2U);
+    EXPECT_EQ(design->document().panel().elements().size(), 2U);
     design->document().undoStack().setClean();
 }
 

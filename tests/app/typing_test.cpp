@@ -74,7 +74,7 @@ TEST_F(TypingTest, EnterInTheWatchLineTakesTheNameThatWasBegun) {
 }
 
 TEST_F(TypingTest, ANewDocumentHasTheKeyboard) {
-    window->projectTree();
+    (void)window->projectTree();
     window->watch().tree().setFocus();
     answerWithName("Mixer");
     window->action("file.newUnit")->trigger();
