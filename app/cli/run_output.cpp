@@ -89,6 +89,7 @@ std::string secondsText(std::chrono::nanoseconds time) {
 namespace {
 /// The value in the image, unless it is too large to be of use to anybody.
 expression::Outcome shownValue(const Watch& watch, std::span<const std::byte> image) {
+    if (!watch.expression.type().isValid()) return watch.expression.evaluate(image); // not of this version
     const types::Type& type = watch.expression.types()[watch.expression.type()];
     if (type.size <= watch.largest) return watch.expression.evaluate(image);
     expression::Outcome outcome;

@@ -87,7 +87,8 @@ void ExpressionEdit::refresh(bool forced) {
     const int cursor = cursorPosition();
     const QString before = text().left(cursor);
     const bool inName = !before.isEmpty() && (isNameCharacter(before.back()) || before.back() == QLatin1Char('.'));
-    if (!m_source || (!forced && !inName)) {
+    const bool isNumber = wordStart() < cursor && text()[wordStart()].isDigit(); // 2 is not the end of ATAN2
+    if (!m_source || (!forced && (!inName || isNumber))) {
         m_completer->popup()->hide();
         return;
     }

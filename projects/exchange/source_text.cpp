@@ -39,6 +39,19 @@ uint32_t SourceView::leadingBegin(uint32_t begin) const {
     return word == std::string_view::npos ? begin : std::min(begin, static_cast<uint32_t>(word));
 }
 
+uint32_t SourceView::attachedBegin(uint32_t begin) const {
+    const uint32_t from = leadingBegin(begin);
+    const std::string_view above = m_text.substr(from, begin - from);
+    uint32_t attached = from;
+    for (size_t line = above.find('\n'); line != std::string_view::npos; line = above.find('\n', line + 1)) {
+        const size_t next = above.find_first_not_of(" \t\r", line + 1);
+        if (next == std::string_view::npos || above[next] != '\n') continue;
+        const size_t word = above.find_first_not_of(" \t\r\n", next);
+        attached = word == std::string_view::npos ? begin : from + static_cast<uint32_t>(word);
+    }
+    return attached;
+}
+
 uint32_t SourceView::trailingEnd(uint32_t end) const {
     const uint32_t lineEnd = static_cast<uint32_t>(std::min(m_text.find('\n', end), m_text.size()));
     uint32_t at = end;
@@ -73,7 +86,9 @@ UnitText SourceView::textOf(const syntax::Pou& pou) const {
     };
     for (const syntax::Pou* each : pou.methods) member(each->range);
     for (const syntax::Property* each : pou.properties) member(each->range);
-    for (const syntax::ActionDecl* each : pou.actions) member(each->range);
+    for (const syntax::ActionDecl* each : pou.actions)
+        if (each->range.begin >= declared && each->range.begin < end)
+            end = std::min(end, attachedBegin(each->range.begin));
     const uint32_t begin = leadingBegin(pou.header.begin);
     return {trimmedLines(m_text.substr(begin, declared - begin)),
             declared < end ? trimmedLines(m_text.substr(declared, end - declared)) : std::string()};
@@ -85,7 +100,7 @@ UnitText SourceView::textOf(const syntax::ActionDecl& action) const {
     if (colon != std::string_view::npos && colon < action.range.end) declared = static_cast<uint32_t>(colon) + 1;
     for (const syntax::VarSection* section : action.sections) declared = std::max(declared, section->range.end);
     const uint32_t end = std::max(declared, endWord(action.range));
-    const uint32_t begin = leadingBegin(action.range.begin);
+    const uint32_t begin = attachedBegin(action.range.begin);
     std::string above = trimmedLines(m_text.substr(begin, action.range.begin - begin));
     std::string body = trimmedLines(m_text.substr(declared, end - declared));
     if (!above.empty()) body = above + (body.empty() ? "" : "\n" + body);

@@ -25,6 +25,8 @@ public:
     }
     /// Where the comments and pragmas above a unit begin; comments behind the code before it stay there.
     [[nodiscard]] uint32_t leadingBegin(uint32_t begin) const;
+    /// As leadingBegin, but a comment above a blank line belongs to what is before it.
+    [[nodiscard]] uint32_t attachedBegin(uint32_t begin) const;
     /// The end of the line's comments behind `end`, when nothing else is there.
     [[nodiscard]] uint32_t trailingEnd(uint32_t end) const;
     [[nodiscard]] UnitText textOf(const syntax::Pou& pou) const;

@@ -173,7 +173,7 @@ TEST_F(ShortcutTest, GroupingAndDuplicatingWorkInTheDesigner) {
     design->selection().set({"a", "b"});
     design->canvas().setFocus();
     QTest::keyClick(&design->canvas(), Qt::Key_G, Qt::ControlModifier);
-    EXPECT_EQ(design->document().panel().elements().size(), 1U) << "one group";
+    EXPECT_EQ(design->document().panel().elements().size(), 3U) << "the group and its two";
     QTest::keyClick(&design->canvas(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(design->document().panel().elements().size(), 2U);
     const double zoom = design->canvas().zoom();

@@ -79,13 +79,15 @@ TEST_F(TypingTest, ANewDocumentHasTheKeyboard) {
     answerWithName("Mixer");
     window->action("file.newUnit")->trigger();
     ASSERT_NE(window->tabs().currentEditor(), nullptr);
-    EXPECT_TRUE(editor().hasFocus() || editor().viewport()->hasFocus());
+    EXPECT_TRUE(waitFor([&] { return editor().hasFocus() || editor().viewport()->hasFocus(); }))
+        << (QApplication::focusWidget() ? QApplication::focusWidget()->metaObject()->className() : "nobody");
     window->watch().tree().setFocus();
     answerWithName("desk");
     window->action("file.newPanel")->trigger();
     auto* designer = qobject_cast<hmi::PanelDesigner*>(window->tabs().currentWidget());
     ASSERT_NE(designer, nullptr);
-    EXPECT_TRUE(designer->canvas().hasFocus());
+    EXPECT_TRUE(waitFor([&] { return designer->canvas().hasFocus(); }))
+        << (QApplication::focusWidget() ? QApplication::focusWidget()->metaObject()->className() : "nobody");
 }
 
 } // namespace

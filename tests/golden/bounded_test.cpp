@@ -89,8 +89,9 @@ TEST(Bounded, LocalsBeyondTheImageAreRefused) {
                               "PROGRAM Main\nVAR a : INT; END_VAR\na := F16(3);\nEND_PROGRAM\n";
     EXPECT_NE(refusal(chain), "");
     const std::string temporaries = "PROGRAM Main\nVAR a : INT; END_VAR\nVAR_TEMP\n" +
-                                    repeated(16, [&](int i) { return "t" + std::to_string(i) + kBig; }) +
-                                    "END_VAR\nt15[5] := 1; a := t15[5];\nEND_PROGRAM\n";
+                                    repeated(16, [&](int i) { return "t" + std::to_string(i) + kBig; }) + "END_VAR\n" +
+                                    repeated(16, [](int i) { return "t" + std::to_string(i) + "[5] := 1;\n"; }) +
+                                    "a := t15[5];\nEND_PROGRAM\n";
     EXPECT_NE(refusal(temporaries), "");
 }
 

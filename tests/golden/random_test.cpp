@@ -461,7 +461,7 @@ void changeOnline(const driver::Built& built, const Scanned& expected, const std
     for (int i = 0; i < kScans; ++i) {
         if (i == kScans / 2) {
             const auto report = controller.changeProgram(other.program);
-            ASSERT_EQ(report.refusal, "") << what;
+            ASSERT_TRUE(report.refusal.isEmpty()) << report.refusal << what;
             ASSERT_TRUE(report.lost.empty()) << report.lost.front() << "\n" << what;
         }
         ASSERT_TRUE(controller.scan()) << what;

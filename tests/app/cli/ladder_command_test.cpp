@@ -60,7 +60,7 @@ private:
 TEST_F(LadderCommand, DrawsARungInCharacters) {
     const Outcome outcome = run({"units.st", "--pou", "main"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    const char* const parts[] = {"     holds itself\n   1 │", "├┬─┤ ├─", "┤/├─", "─( )─", "motor↺", "T#3s ─┤PT"};
+    const char* const parts[] = {"     holds itself\n   1 │", "│└──┤ ├──┘", "┤/├─", "─( )─", "motor↺", "T#3s ─┤PT"};
     for (const char* part : parts) EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
     EXPECT_EQ(contentOf("units.st"), kText);
 }

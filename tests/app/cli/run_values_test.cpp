@@ -62,8 +62,8 @@ TEST_F(RunValues, WhatAValueWouldLoseIsRefusedAndTheMessageSaysWhatToWrite) {
     const struct {
         const char *write, *remedy;
     } rows[] = {
-        {"Main.x=1.5", "1.5 does not fit into Main.x, which is INT; write a whole number"},
-        {"Main.x=TRUE", "write a whole number"},
+        {"Main.x=1.5", "1.5 does not fit into Main.x, which is INT; write an integer"},
+        {"Main.x=TRUE", "write an integer"},
         {"Main.x=70000", "70000 does not fit into Main.x"},
         {"Main.b=5", "5 does not fit into Main.b, which is BOOL; write TRUE or FALSE"},
         {"Main.r=1e39", "1e39 does not fit into Main.r"},
@@ -87,9 +87,9 @@ TEST_F(RunValues, WhatAValueWouldLoseIsRefusedAndTheMessageSaysWhatToWrite) {
 
 TEST_F(RunValues, ARunThatEndsBeforeItsConditionSaysSo) {
     EXPECT_EQ(run({"--until", "Main.n > 100"}), 0);
-    EXPECT_NE(err.find("--until Main.n > 100 did not come true"), std::string::npos) << err;
+    EXPECT_NE(err.find("--until Main.n > 100 did not become true"), std::string::npos) << err;
     EXPECT_EQ(run({"--until", "Main.n = 2"}), 0);
-    EXPECT_EQ(err.find("did not come true"), std::string::npos) << err;
+    EXPECT_EQ(err.find("did not become true"), std::string::npos) << err;
     EXPECT_EQ(run({"--until", "Main.a[Main.n + 3] > 5"}), 0);
     EXPECT_NE(err.find("has no value: index 6"), std::string::npos) << err;
 }
@@ -156,6 +156,10 @@ TEST_F(RunValues, TheExampleOfEveryHelpWorks) {
     fs::create_directory_symlink(plc::sourceDir() + "/projects", path("projects"));
     const fs::path before = fs::current_path();
     fs::current_path(path("."));
+    write("plc.xml",
+          "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\"><types><dataTypes/><pous><pou name=\"Main\" "
+          "pouType=\"program\"><interface/><body><ST><xhtml xmlns=\"http://www.w3.org/1999/xhtml\">;</xhtml></ST>"
+          "</body></pou></pous></types><instances><configurations/></instances></project>");
     std::vector<std::string> examples;
     for (const cli::Command& each : cli::commands()) examples.emplace_back(each.spec.example);
     std::stable_partition(examples.begin(), examples.end(), // what it records is looked into by another

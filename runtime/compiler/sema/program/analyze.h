@@ -1,4 +1,5 @@
-
+// What the whole program is made of while it is checked: its symbols and the references to them. Free functions over
+// the World of one check; one thread.
 #pragma once
 #include "runtime/compiler/sema/context.h"
 
@@ -7,7 +8,7 @@ namespace plc::sema {
 SymbolId addSymbol(World& world, SymbolKind kind, std::string_view name, std::string_view owner, SourceRange range,
                    std::string_view comment = {});
 [[nodiscard]] bool isLibraryFile(const World& world, FileId file);
-/// in it or just behind it
+/// In `range` or just after it.
 [[nodiscard]] bool hasSyntaxErrorAt(const World& world, SourceRange range);
 void refer(World& world, SourceRange range, SymbolId symbol, bool isRead, bool isWrite);
 tree::FunctionId newFunction(World& world, std::string name, const Unit* unit);

@@ -92,12 +92,12 @@ TEST(Declarations, OfVariables) {
 TEST(Declarations, OfConfigurations) {
     check({{"CONFIGURATION c VAR_GLOBAL g AT %QX0.0 : BOOL; END_VAR RESOURCE r ON cpu TASK fast(INTERVAL := T#10ms, "
             "PRIORITY := 1, WATCHDOG := T#5ms); TASK ev(SINGLE := g, PRIORITY := 2);"
-            " PROGRAM p1 WITH fast : Main(in := %IX0.0, out => g, fb WITH ev); END_RESOURCE VAR_CONFIG r.p1.x AT %QW1 "
+            " PROGRAM p1 WITH fast : Main(in := %IX0.0, out => g); END_RESOURCE VAR_CONFIG r.p1.x AT %QW1 "
             ": INT := 3; END_VAR VAR_ACCESS a : r.p1.y : REAL READ_ONLY; b : r.%IX1.1 : BOOL READ_WRITE; END_VAR "
             "END_CONFIGURATION",
             "CONFIGURATION c GLOBAL(g@%QX0.0:BOOL) CONFIG(r.p1.x@%QW1:INT=3) ACCESS(a = r.p1.y:REAL read only; b = "
             "r@%IX1.1:BOOL) RESOURCE(r on cpu TASK fast every T#10ms prio 1WATCHDOG := T#5ms TASK ev at g prio 2"
-            " PROGRAM p1 with fast:Main(in := %IX0.0, out => g) fb with ev)"},
+            " PROGRAM p1 with fast:Main(in := %IX0.0, out => g))"},
            {"CONFIGURATION c TASK t(INTERVAL := T#1s); PROGRAM RETAIN main WITH t : Lib.Main; END_CONFIGURATION",
             "CONFIGURATION c RESOURCE( on  TASK t every T#1s PROGRAM main with t:Lib.Main())"}});
 }
