@@ -41,6 +41,12 @@ public:
     using QTreeWidget::QTreeWidget;
     /// True: a double click there has done its work, nothing opens.
     std::function<bool(QTreeWidgetItem* item, int column)> onDoubleClick;
+    /// Down or up only: the columns stay under the pointer between the two clicks of a double click.
+    void scrollTo(const QModelIndex& index, ScrollHint hint) override {
+        const int left = horizontalScrollBar()->value();
+        QTreeWidget::scrollTo(index, hint);
+        horizontalScrollBar()->setValue(left);
+    }
 
 protected:
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override {

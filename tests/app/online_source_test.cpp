@@ -137,6 +137,8 @@ TEST_F(OnlineSourceTest, ADoubleClickTogglesAPreparedBool) {
     EXPECT_LT(tree.header()->sectionViewportPosition(kPrepared) + 10, tree.viewport()->width()) << "in sight";
     const auto doubleClick = [&] {
         const QRect cell = tree.visualRect(tree.model()->index(0, kPrepared));
+        QTest::mouseClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier,
+                          cell.center()); // a double click begins with one
         QTest::mouseDClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
     };
     doubleClick();
