@@ -67,7 +67,7 @@ private:
     bool m_isShown = false;
 };
 
-/// The progress line of work that can not report itself: what is done and for how long, until this ends.
+/// The progress line of work that cannot report itself: what is done and for how long, until this ends.
 class Busy {
 public:
     explicit Busy(std::string what);

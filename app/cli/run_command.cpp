@@ -182,7 +182,7 @@ int run(const Arguments& arguments) {
         << (json ? report.toJson() : report.toText(wantsColours(1)));
     const bool faulted = session.controller().state() == controller::State::Fault;
     session.controller().stop();
-    // One file that can not be written costs neither the values nor the other files.
+    // One file that cannot be written costs neither the values nor the other files.
     std::optional<Error> problem;
     const auto note = [&](const Result<void>& done) {
         if (!done && problem) std::cerr << "stepwise: " << done.error().english() << "\n";

@@ -152,7 +152,7 @@ int playPanels(const PanelProject& project, session::Session& session, const QSt
     PanelPlayer player(project, &session);
     if (!panel.isEmpty()) player.showPanel(panel);
     if (project.hasAlarms && !player.keepAlarmsInProject()) {
-        // A project that can not be written: beside what else the program keeps of a project that is not part of it.
+        // A project that cannot be written: beside what else the program keeps of a project that is not part of it.
         const QString folder =
             QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/alarms");
         QDir().mkpath(folder);

@@ -453,7 +453,7 @@ struct Diagram::State {
                           : std::string();
     }
 
-    /// The type of an output as far as it can be known without the checker; "" when it can not.
+    /// The type of an output as far as it can be known without the checker; "" when it cannot.
     std::string typeOf(pugi::xml_node node, const std::string& pinName, int depth = 0) const {
         if (!node || depth > 50) return {};
         const std::string_view kind = localName(node);

@@ -13,7 +13,7 @@ void Session::State::loadRetained() {
     if (settings.retainFile.empty()) return;
     const Result<std::vector<controller::RetainedLeaf>> leaves = controller::loadRetain(settings.retainFile);
     if (!leaves) {
-        // What can not be read is kept aside: it would be written over at the next save, and may be a file named by
+        // What cannot be read is kept aside: it would be written over at the next save, and may be a file named by
         // mistake.
         const std::string aside = settings.retainFile + ".damaged";
         struct stat known {};

@@ -119,7 +119,7 @@ public:
     void step(Step kind);
     void runTo(FileId file, uint32_t line);
     [[nodiscard]] std::vector<FaultFrame> haltFrames() const;
-    /// Why it stands: a condition that can not be evaluated, else empty.
+    /// Why it stands: a condition that cannot be evaluated, else empty.
     [[nodiscard]] Message haltProblem() const;
     /// Name and value of the locals of a frame of haltFrames(); after a fault, of the fault's call path as it was then.
     [[nodiscard]] std::vector<std::pair<std::string, types::Value>> frameVariables(size_t frame) const;

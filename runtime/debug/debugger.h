@@ -11,7 +11,7 @@ namespace plc::debug {
 struct Halt {
     uint32_t site = 0;
     std::optional<size_t> breakpoint;           // index into the list; none: a step or run to cursor
-    Message problem;                            // a condition that can not be evaluated, in words
+    Message problem;                            // a condition that cannot be evaluated, in words
     std::vector<controller::FaultFrame> frames; // innermost first
 };
 

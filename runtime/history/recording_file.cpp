@@ -103,7 +103,7 @@ public:
         T value{};
         return bytes(&value, sizeof value) ? value : T{};
     }
-    /// A count that can not be true in a file of this size is damage.
+    /// A count that cannot be true in a file of this size is damage.
     uint64_t count(uint64_t limit) {
         const auto value = number<uint64_t>();
         if (value > limit) m_isGood = false;

@@ -68,7 +68,7 @@ private:
     std::shared_ptr<const image::CompiledProgram> m_program;
     const tree::Program* m_tree;
     struct Unit {
-        std::map<uint32_t, StatementCoverage> statements; // by begin of the text
+        std::map<uint32_t, StatementCoverage> statements; // by start of the text
         std::map<std::pair<uint32_t, int64_t>, BranchCoverage> branches;
         std::vector<uint32_t> decisions;
     };

@@ -169,7 +169,7 @@ const PassWindow* Recorder::windowOf(const tree::Stmt& loop) const {
 
 void Recorder::pass(const tree::Stmt& loop) {
     Running& running = m_running.back();
-    // Loops that ran within this one are over; one beside it stays in the chain and is told apart by its text.
+    // Loops that ran within this one are over; one beside it stays in the chain and is distinguished by its text.
     uint32_t at = running.passes;
     while (at != kNone && m_look.m_passes[at].loop != &loop) at = m_look.m_passes[at].around;
     uint64_t number = 0;

@@ -1,4 +1,4 @@
-// docs/tutorial.md, step by step: the program and the test are read from the page itself, so that it can not go stale.
+// docs/tutorial.md, step by step: the program and the test are read from the page itself, so that it cannot go stale.
 #include "tests/app/studio_fixture.h"
 #include "tests/support/paths.h"
 

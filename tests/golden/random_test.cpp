@@ -492,7 +492,7 @@ void runRandom(uint32_t seed, bool mayFault, Tally& tally) {
     const driver::Built built = driver::build(input);
     ASSERT_EQ(built.failure.english(), "") << "seed " << seed << "\n" << text;
     for (const auto& diagnostic : built.checked.analysis->diagnostics) {
-        // chance made a constant index or divisor that can not be
+        // chance made a constant index or divisor that cannot be
         if (diagnostic.kind == diagnostics::Kind::ConstantIndexOutOfRange ||
             diagnostic.kind == diagnostics::Kind::DivisionByConstantZero)
             return;

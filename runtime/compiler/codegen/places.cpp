@@ -350,7 +350,7 @@ Address FunctionEmitter::indexAddress(const Place& place) {
     return a;
 }
 
-/// The end mark behind the last character may be read (it is 0), as loops over a text do; it can not be written.
+/// The end mark behind the last character may be read (it is 0), as loops over a text do; it cannot be written.
 Address FunctionEmitter::textIndexAddress(const Place& place, Purpose purpose) {
     Address a = address(*place.base);
     const Text text = textAt(a);

@@ -20,7 +20,7 @@ void FunctionEmitter::body(const std::vector<Stmt*>& statements) {
 }
 
 /// Schedulers and the vectoriser take a time that grows with the square of a block: converted ladder diagrams are
-/// thousands of assignments in a row. A branch that LLVM can not see through cuts them.
+/// thousands of assignments in a row. A branch that LLVM cannot see through cuts them.
 void FunctionEmitter::breakBlock() {
     if (b.GetInsertBlock()->getTerminator()) return;
     llvm::LoadInst* depth = loadContext(m.i32, offsetof(image::RuntimeContext, depth));

@@ -439,7 +439,7 @@ private:
         if (value > 127) return std::nullopt;
         return negative ? -value : value;
     }
-    /// A counted loop whose end and step are constants, so that nothing has to be kept and the count can not run over
+    /// A counted loop whose end and step are constants, so that nothing has to be kept and the count cannot run over
     /// its type.
     void count(const Stmt& s) {
         const auto to = smallConstant(s.to), by = smallConstant(s.by);

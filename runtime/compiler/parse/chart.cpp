@@ -227,7 +227,7 @@ TransitionDecl* Parser::parseTransition() {
             expected(Verbatim(":="));
         }
         while (!atEnd() && !atStatementEnd() && !atChart() && !atPouMember() && !atDeclaration())
-            advance(); // the rest of a condition that can not be read
+            advance(); // the rest of a condition that cannot be read
     }
     expectEnd(TokenKind::EndTransition, opening);
     transition->range = rangeFrom(first);

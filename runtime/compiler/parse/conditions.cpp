@@ -44,7 +44,7 @@ class Condition {
 public:
     Condition(std::string_view text, const Definitions& known) : m_rest(text), m_known(known) {}
 
-    /// Nothing when it can not be read.
+    /// Nothing when it cannot be read.
     std::optional<bool> read() {
         const std::optional<bool> value = readOr();
         return trimmed(m_rest).empty() ? value : std::nullopt;

@@ -1,4 +1,4 @@
-// Text → syntax tree. Never fails: what can not be read is skipped with one message per mistake, and the tree holds the
+// Text → syntax tree. Never fails: what cannot be read is skipped with one message per mistake, and the tree holds the
 // rest. Pure functions; any thread, one file at a time.
 #pragma once
 #include "runtime/compiler/parse/conditions.h"

@@ -55,7 +55,7 @@ protected:
         const Result<void> done = plc->write(path, Value{{}, value});
         ASSERT_TRUE(done) << done.error().english();
     }
-    /// A reference can not be written from outside; programs do it.
+    /// A reference cannot be written from outside; programs do it.
     void refer(const std::string& path, const std::string& target) {
         const auto from = plc->program().layout.find(path);
         const auto to = plc->program().layout.find(target);

@@ -483,7 +483,7 @@ void declareVariables(World& world, Unit& unit, const std::vector<syntax::VarSec
                 variable.spec = declaration->type;
                 variable.range = name.range;
                 variable.kind = section->kind;
-                // a CONSTANT parameter has the caller's value, but can not be written
+                // a CONSTANT parameter has the caller's value, but cannot be written
                 variable.isConstant = section->constant && section->kind != SectionKind::Input &&
                                       section->kind != SectionKind::InOut && section->kind != SectionKind::Output;
                 variable.isLocated = !declaration->address.empty();

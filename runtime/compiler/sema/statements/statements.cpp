@@ -134,7 +134,7 @@ void statement(Context& context, const syntax::Stmt& stmt, std::vector<tree::Stm
     }
 }
 
-/// Where a value goes: a place or a property. Reports what can not be written.
+/// Where a value goes: a place or a property. Reports what cannot be written.
 ///   ok:    x := 5;      wrong: t.Q := TRUE;  (P2005)      advice: FOR i := 1 TO 5 DO i := i + 1; END_FOR  (P3021)
 Denoted target(Context& context, const syntax::Expr& e, TypeId* type) {
     Denoted denoted = denote(context, e, Access::Write);

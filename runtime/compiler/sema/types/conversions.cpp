@@ -349,7 +349,7 @@ std::optional<Operand> convertedObject(Context& context, const Operand& operand,
 }
 
 /// Says where an operation was done in fewer bits than its result is given; returns whether it divides integers for a
-/// REAL, which is told as that and not as narrowing.
+/// REAL, which is reported as that and not as narrowing.
 ///   ok:    d := INT_TO_DINT(i) * i; r := i / 2.0;      advice: d := i * i;  (P2030)   r := i / 2;  (P2029)
 bool tellEarlyOperation(Context& context, const Operand& operand, TypeId to) {
     const tree::Expr& e = *operand.expr;
