@@ -19,6 +19,13 @@ options_of() { # PROJECT panel|trace DEFAULTS…
     line=$(sed -n "s/^$kind //p" "$file" 2>/dev/null || true)
     echo "${line:-$*}"
 }
+# What the pictures were made from: docs/pictures.sum in the project, which test_examples compares with what is there.
+sum_of() { # PROJECT
+    (cd "$1" && find project.json src hmi traces docs/pictures.txt -type f | LC_ALL=C sort | while read -r file; do
+        printf '%s\n' "$file"
+        cat "$file"
+    done | sha256sum | cut -d' ' -f1)
+}
 only=${2:-}
 for project in projects/examples/*/; do
     name=$(basename "$project")
@@ -41,4 +48,5 @@ for project in projects/examples/*/; do
         fi
         rm -r "$folder"
     fi
+    if [ -d "${project}docs" ]; then sum_of "$project" >"${project}docs/pictures.sum"; fi
 done
