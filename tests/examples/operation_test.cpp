@@ -84,7 +84,9 @@ TEST_P(Example, HasReadmeWithPicturesPanelTraceTestsAndFourLanguages) {
 
     const std::string readme = textOf(folder + "/README.md");
     EXPECT_TRUE(readme.starts_with("# "));
-    EXPECT_NE(readme.find("## What to try"), std::string::npos);
+    for (const std::string section : {"## What to watch", "## What to try", "## What one learns"})
+        EXPECT_NE(readme.find("\n" + section + "\n"), std::string::npos) << section;
+    EXPECT_NE(readme.find("\n3. "), std::string::npos) << "three things to try";
     std::set<std::string> pictures;
     const std::regex picture(R"(!\[[^\]]+\]\(([^)]+)\))");
     for (std::sregex_iterator at(readme.begin(), readme.end(), picture), end; at != end; ++at)
