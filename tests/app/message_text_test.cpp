@@ -71,7 +71,7 @@ TEST(MessageText, EveryMessageShowsItsArgumentsInEveryLanguage) {
         std::vector<messages::Argument> arguments;
         for (size_t i = 0; i < form->count; ++i) arguments.push_back(sample(form->parameters[i], i));
         const Message message(*form, arguments);
-        for (const char* language : {"en", "de", "da"}) {
+        for (const char* language : {"en", "de", "da", "fr", "es", "zh-CN"}) {
             const QString shown = kit::messageText(message, language);
             EXPECT_FALSE(shown.isEmpty()) << form->name << ' ' << language;
             EXPECT_FALSE(shown.contains(u'{') || shown.contains(u'|')) << language << ": " << shown.toStdString();
@@ -112,7 +112,7 @@ TEST(MessageText, EveryFaultIsTranslated) {
         for (const int last : {0, 5}) {
             context.faultDetail[2] = last;
             const Message fault = controller::faultMessage(context);
-            for (const char* language : {"de", "da"}) {
+            for (const char* language : {"de", "da", "fr", "es", "zh-CN"}) {
                 const QString shown = kit::messageText(fault, language);
                 EXPECT_NE(shown.toStdString(), fault.english()) << language;
                 EXPECT_EQ(shown.contains(u'7'), fault.english().find('7') != std::string::npos) << shown.toStdString();
