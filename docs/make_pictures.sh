@@ -10,7 +10,7 @@ if [ -z "${2:-}" ]; then
 fi
 export QT_QPA_PLATFORM=offscreen
 docs/pictures/chart.sh "build/$preset/bin"
-for theme in light dark; do "build/$preset/bin/ladder_pictures" docs/pictures $theme >/dev/null; done
+docs/pictures/ladder.sh "build/$preset/bin"
 # What a project's pictures are of, where it is worth more than the first seconds at rest: docs/pictures.txt in the project has a
 # line `panel OPTIONS` and a line `trace OPTIONS`, with the options of those commands (--at, --set PATH=VALUE@TIME, --for …).
 options_of() { # PROJECT panel|trace DEFAULTS…
