@@ -374,15 +374,29 @@ QString LadderView::complaintOf(const QString& text) const {
     return edits ? QString() : kit::messageText(edits.error());
 }
 
+std::vector<kit::Completion> LadderView::blockCompletions() const {
+    std::vector<kit::Completion> out;
+    for (const std::string& block : m_types->blocks())
+        out.push_back({QString::fromStdString(block), tr("block"), kit::Icon::Layers});
+    return out;
+}
+
+/// Behind "limit :" stands a type.
+std::vector<kit::Completion> LadderView::typeCompletions() const {
+    std::vector<kit::Completion> out;
+    for (const char* type : {"BOOL", "INT", "DINT", "UINT", "WORD", "REAL", "LREAL", "TIME", "STRING"})
+        out.push_back({type, tr("type"), kit::Icon::Type});
+    for (kit::Completion& block : blockCompletions()) out.push_back(std::move(block));
+    return out;
+}
+
 std::vector<kit::Completion> LadderView::completions(const QString& text, int cursor) const {
     if (m_fieldKind == FieldKind::Comment || m_fieldKind == FieldKind::Statement) return {};
     if (m_fieldKind == FieldKind::Block) {
-        std::vector<kit::Completion> out;
-        if (!text.left(cursor).contains(':')) return out;
-        for (const std::string& block : m_types->blocks())
-            out.push_back({QString::fromStdString(block), tr("block"), kit::Icon::Layers});
-        return out;
+        if (!text.left(cursor).contains(':')) return {};
+        return blockCompletions();
     }
+    if (text.left(cursor).contains(':')) return typeCompletions();
     const QString typed = text.startsWith('/') ? text.mid(1) : text;
     const int shift = static_cast<int>(text.size() - typed.size());
     std::vector<kit::Completion> out = namesAt(typed, cursor - shift, [](const QString&) { return true; });

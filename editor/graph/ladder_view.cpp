@@ -91,8 +91,9 @@ void LadderView::setText(const std::string& text) {
         return;
     }
     diagnostics::Sink sink;
-    const auto kept = std::make_unique<std::string>(text);
-    auto syntax = parse::parseFile(FileId(size_t(0)), *kept, sink);
+    std::string kept = text;
+    kept.reserve(64); // on the heap, where a swap leaves the bytes that the tree views
+    auto syntax = parse::parseFile(FileId(size_t(0)), kept, sink);
     const ladder::Unit place = ladder::findUnit(*syntax, m_unit.toStdString());
     if (!place.body) return showStale(tr("%1 is not in the text any more").arg(m_unit));
     for (const diagnostics::Diagnostic& d : sink.all())
@@ -102,12 +103,10 @@ void LadderView::setText(const std::string& text) {
     showFresh();
     closeField(false);
     // The tree views the text: both are replaced together.
-    m_text = text;
-    diagnostics::Sink again;
-    auto tree = parse::parseFile(FileId(size_t(0)), m_text, again);
     m_types.reset();
-    m_syntax = std::move(tree);
-    m_place = ladder::findUnit(*m_syntax, m_unit.toStdString());
+    m_text.swap(kept);
+    m_syntax = std::move(syntax);
+    m_place = place;
     rebuild();
 }
 

@@ -99,6 +99,8 @@ private:
     [[nodiscard]] GraphValue valueOf(const ladder::Question& question, const ComputedValues* computed) const;
     void showValues(const ladder::Node& node, ladder::NodeId id, const ComputedValues* computed,
                     LadderOnline& out) const;
+    [[nodiscard]] std::vector<kit::Completion> blockCompletions() const;
+    [[nodiscard]] std::vector<kit::Completion> typeCompletions() const;
     void addLookMenu();
     void addWireMenu(QMenu& menu, const LadderGap& gap);
     [[nodiscard]] uint32_t placeOfName(const LadderPick& pick) const;

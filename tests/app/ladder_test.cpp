@@ -8,7 +8,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -329,9 +329,8 @@ TEST_F(LadderTest, AClickOnAWireInsertsAContactThere) {
     EXPECT_NE(editor().utf8().find("(start OR motor) AND NOT stop AND lamp;"), std::string::npos) << editor().utf8();
     // in front of the branch, before both
     const QRectF first = view->scene().rectOf(pickOf("start"));
-    QTest::mouseClick(
-        view->canvas().viewport(), Qt::LeftButton, {},
-        on({first.left() - view->scene().cellWidth() * 1.6, first.bottom() - view->scene().cellHeight() / 2}));
+    QTest::mouseClick(view->canvas().viewport(), Qt::LeftButton, {},
+                      on({first.left() - view->scene().cellWidth(), first.bottom() - view->scene().cellHeight() / 2}));
     type("/lamp");
     EXPECT_NE(editor().utf8().find("NOT lamp AND (start OR motor)"), std::string::npos) << editor().utf8();
 }
@@ -350,7 +349,7 @@ TEST_F(LadderTest, AContactIsDraggedWithinItsRungAndToAnother) {
         << editor().utf8();
     editor().undo();
     EXPECT_EQ(editor().utf8(), kLadder);
-    drag(middleOf("stop"), behind("motor"));
+    drag(middleOf("stop"), middleOf("motor") + QPoint(12, 0));
     EXPECT_NE(editor().utf8().find("motor := (start OR motor AND NOT stop); // till stop"), std::string::npos)
         << editor().utf8();
     editor().undo();
@@ -405,12 +404,12 @@ TEST_F(LadderTest, AProblemIsOnItsElementAndAltEnterAppliesAFix) {
     ASSERT_TRUE(waitFor([&] { return view->scene().problemCount() > 0; }));
     EXPECT_FALSE(view->scene().problemAt(pickOf("stopp")).isEmpty());
     select("stopp");
+    QTimer chooser; // several fixes are a menu: the first one
+    QObject::connect(&chooser, &QTimer::timeout, [] {
+        if (QWidget* menu = QApplication::activePopupWidget()) QTest::keyClick(menu, Qt::Key_Return);
+    });
+    chooser.start(20);
     press(Qt::Key_Return, Qt::AltModifier);
-    QApplication::processEvents();
-    if (QWidget* menu = QApplication::activePopupWidget()) { // several fixes: the first one
-        QTest::keyClick(menu, Qt::Key_Down);
-        QTest::keyClick(menu, Qt::Key_Return);
-    }
     EXPECT_TRUE(waitFor([&] { return editor().utf8().find("stopp : BOOL") != std::string::npos; })) << editor().utf8();
 }
 
@@ -438,12 +437,11 @@ TEST_F(LadderTest, UsesAndDefinitionComeFromTheElement) {
     press(Qt::Key_F12, Qt::ShiftModifier);
     EXPECT_EQ(asked, editor().utf8().find("stop; // till"));
     QObject::connect(view, &editor::GraphView::renameRequested, view, [&](uint32_t offset) { asked = offset + 1000; });
-    QMetaObject::invokeMethod(
-        qApp,
-        [] {
-            if (QWidget* dialog = QApplication::activeModalWidget()) dialog->close();
-        },
-        Qt::QueuedConnection);
+    QTimer closer; // of the dialog that asks for the new name
+    QObject::connect(&closer, &QTimer::timeout, [] {
+        if (QWidget* dialog = QApplication::activeModalWidget()) dialog->close();
+    });
+    closer.start(20);
     select("start");
     press(Qt::Key_F2, Qt::ShiftModifier);
     EXPECT_EQ(asked, editor().utf8().find("start OR") + 1000);
