@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -461,6 +462,17 @@ TEST_F(LadderTest, ABookmarkIsOnTheRungAndMovesWithIt) {
     view->canvas().setFocus();
     press(Qt::Key_F2, Qt::ControlModifier);
     EXPECT_EQ(view->scene().bookmarks(), std::vector<bool>({false, false}));
+}
+
+TEST_F(LadderTest, TheDrawingIsExported) {
+    for (const char* ending : {"svg", "png", "pdf"}) {
+        const QString path = folder.path() + "/drawing." + ending;
+        const bool good = path.endsWith("svg")   ? view->canvas().exportSvg(path)
+                          : path.endsWith("png") ? view->canvas().exportPng(path)
+                                                 : view->canvas().exportPdf(path);
+        EXPECT_TRUE(good) << ending;
+        EXPECT_GT(QFileInfo(path).size(), 1000) << ending;
+    }
 }
 
 TEST_F(LadderTest, WhatIsShownIsChosenAndKept) {

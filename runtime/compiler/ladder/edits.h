@@ -65,9 +65,13 @@ private:
         int level = 9; // of precedence: 1 OR … 8 **, 9 anything tighter
         bool isPlace = false;
     };
-    using Insert = std::function<Result<Edits>(const LadderEditor& left, uint32_t at, const std::string& operand)>;
-    /// `at`: where it goes to, in the text as it is.
-    [[nodiscard]] Result<Edits> moveTo(NodeId node, uint32_t at, const Insert& insert) const;
+    /// In series with the expressions that have exactly these texts.
+    [[nodiscard]] Result<Edits> insertAt(const std::vector<SourceRange>& places, Place place,
+                                         const std::string& operand) const;
+    using Insert =
+        std::function<Result<Edits>(const LadderEditor& left, const Edits& removed, const std::string& operand)>;
+    /// Takes it away, then inserts it into what is left.
+    [[nodiscard]] Result<Edits> moveWith(NodeId node, const Insert& insert) const;
     [[nodiscard]] Result<Operand> parsed(std::string_view operand) const;
     [[nodiscard]] static std::string fitted(const Operand& operand, int level);
     [[nodiscard]] std::string slice(SourceRange range) const {

@@ -58,25 +58,35 @@ std::optional<Edits> together(const Edits& first, const Edits& second) {
 
 } // namespace
 
+/// Beside the same expressions as the picture shows it: once it is taken away, other statements may share that contact.
 Result<Edits> LadderEditor::moveContact(NodeId node, NodeId beside, Place place) const {
-    return moveTo(node, m_diagram[beside].range.begin,
-                  [place](const LadderEditor& left, uint32_t at, const std::string& text) {
-                      const NodeId target = left.m_diagram.nodeAt(at);
-                      if (!target.isValid()) return Result<Edits>(Error{errors::SelectContactOrWire(), {}});
-                      return left.insertContact(target, place, text);
-                  });
+    const RungId rung = rungOf(beside);
+    if (!rung.isValid() || !m_diagram[beside].expr) return Error{errors::SelectContactOrWire(), {}};
+    std::vector<SourceRange> places;
+    for (const syntax::Expr* expr : sameIn(m_diagram[rung], beside)) places.push_back(expr->range);
+    return moveWith(node, [&](const LadderEditor& left, const Edits& removed, const std::string& text) {
+        std::vector<SourceRange> now = places;
+        for (SourceRange& each : now)
+            each = {each.file, placeAfter(removed, each.begin), placeAfter(removed, each.end)};
+        return left.insertAt(now, place, text);
+    });
 }
 
 Result<Edits> LadderEditor::moveContact(NodeId node, RungId rung) const {
-    return moveTo(node, m_diagram[rung].range.begin,
-                  [](const LadderEditor& left, uint32_t at, const std::string& text) {
-                      const RungId target = left.m_diagram.rungAt(at);
-                      if (!target.isValid()) return Result<Edits>(Error{errors::SelectContactOrWire(), {}});
-                      return left.appendContact(target, text);
-                  });
+    const NodeId power = m_diagram[rung].power;
+    const bool isSeries = power.isValid() && m_diagram[power].kind == NodeKind::Series;
+    const NodeId last = isSeries ? m_diagram[power].children.back() : power;
+    if (last == node) return Edits();
+    if (last.isValid() && m_diagram[last].expr && m_diagram[last].kind != NodeKind::Box)
+        return moveContact(node, last, Place::After);
+    return moveWith(node, [&](const LadderEditor& left, const Edits& removed, const std::string& text) {
+        const RungId target = left.m_diagram.rungAt(placeAfter(removed, m_diagram[rung].range.begin));
+        if (!target.isValid()) return Result<Edits>(Error{errors::SelectContactOrWire(), {}});
+        return left.appendContact(target, text);
+    });
 }
 
-Result<Edits> LadderEditor::moveTo(NodeId node, uint32_t at, const Insert& insert) const {
+Result<Edits> LadderEditor::moveWith(NodeId node, const Insert& insert) const {
     if (!m_diagram[node].expr) return Error{errors::SelectContactOrWire(), {}};
     const std::string operand = slice(innerRange(*m_diagram[node].expr, m_text));
     const Result<Edits> removed = remove(node);
@@ -90,7 +100,7 @@ Result<Edits> LadderEditor::moveTo(NodeId node, uint32_t at, const Insert& inser
     unit.owner = m_unit.owner;
     const Diagram diagram = project(text, *file, unit, m_types, m_diagram.form);
     const LadderEditor left(text, *file, unit, diagram, m_types);
-    const Result<Edits> inserted = insert(left, placeAfter(*removed, at), operand);
+    const Result<Edits> inserted = insert(left, *removed, operand);
     if (!inserted) return inserted.error();
     const std::string result = applyEdits(text, *inserted);
     if (const auto both = together(*removed, *inserted))
