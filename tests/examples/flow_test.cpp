@@ -43,6 +43,7 @@ struct Drawn {
     ladder::Unit unit;
     std::vector<ladder::Diagram> forms;
     std::vector<SourceRange> statements; // as they are reported
+    bool mayLeave = false;               // by RETURN or a jump: then a rung need not be executed
     /// What is asked of each statement: its sub-expressions.
     std::map<uint64_t, std::vector<SourceRange>> asked;
 };
@@ -54,8 +55,9 @@ struct Text {
     std::vector<Drawn> units;
 };
 
-void gatherStatements(const syntax::Block& block, std::vector<SourceRange>& out) {
+void gatherStatements(const syntax::Block& block, std::vector<SourceRange>& out, bool& mayLeave) {
     for (const syntax::Stmt* stmt : block) {
+        mayLeave |= stmt->kind == syntax::StmtKind::Return || stmt->kind == syntax::StmtKind::Jump;
         if (stmt->kind == syntax::StmtKind::Empty || stmt->kind == syntax::StmtKind::Label) continue;
         if (stmt->kind == syntax::StmtKind::Repeat)
             out.push_back(stmt->value->range);
@@ -65,10 +67,10 @@ void gatherStatements(const syntax::Block& block, std::vector<SourceRange>& out)
             out.push_back({stmt->range.file, stmt->range.begin, stmt->value->range.end});
         for (size_t i = 1; i < stmt->branches.size(); ++i)
             if (stmt->branches[i].condition) out.push_back(stmt->branches[i].condition->range);
-        for (const syntax::IfBranch& branch : stmt->branches) gatherStatements(branch.body, out);
-        for (const syntax::CaseArm& arm : stmt->arms) gatherStatements(arm.body, out);
-        gatherStatements(stmt->body, out);
-        gatherStatements(stmt->elseBody, out);
+        for (const syntax::IfBranch& branch : stmt->branches) gatherStatements(branch.body, out, mayLeave);
+        for (const syntax::CaseArm& arm : stmt->arms) gatherStatements(arm.body, out, mayLeave);
+        gatherStatements(stmt->body, out, mayLeave);
+        gatherStatements(stmt->elseBody, out, mayLeave);
     }
 }
 
@@ -125,7 +127,7 @@ private:
             if (unit.body->language != syntax::BodyLanguage::St) continue;
             Drawn drawn;
             drawn.unit = unit;
-            gatherStatements(unit.body->statements, drawn.statements);
+            gatherStatements(unit.body->statements, drawn.statements, drawn.mayLeave);
             for (const ladder::Form form : {ladder::Form::Ladder, ladder::Form::Blocks}) {
                 drawn.forms.push_back(ladder::project(text.text, *text.file, unit, *m_types, form));
                 const ladder::Diagram& diagram = drawn.forms.back();
@@ -189,11 +191,12 @@ private:
             if (activations.size() != 1 || instance.empty()) continue; // functions keep their variables in frames
             const KnownAt known = follow(text, drawn, look, activations[0], instance);
             const inside::PlaceValues places(owner, text.id, instance);
-            for (const ladder::Diagram& diagram : drawn.forms) compareDiagram(text, diagram, known, places, instance);
+            for (const ladder::Diagram& diagram : drawn.forms)
+                compareDiagram(text, drawn, diagram, known, places, instance);
         }
     }
 
-    void compareDiagram(const Text& text, const ladder::Diagram& diagram, const KnownAt& known,
+    void compareDiagram(const Text& text, const Drawn& drawn, const ladder::Diagram& diagram, const KnownAt& known,
                         const inside::PlaceValues& places, const std::string& instance) {
         const ladder::Answers answers = [&](const ladder::Question& question) {
             if (const auto* value = places.at(question.range)) return value->value.isTrue() ? Power::On : Power::Off;
@@ -209,6 +212,8 @@ private:
                                       std::string(text.text.substr(rung.range.begin, rung.range.length()));
             const bool isReached = ladder::isRungExecuted(diagram, rung, isExecuted);
             notExecuted += isReached ? 0 : 1;
+            const bool mustBe = rung.depth == 0 && rung.kind == ladder::RungKind::Logic && !drawn.mayLeave;
+            EXPECT_TRUE(isReached || !mustBe) << where;
             const Truth rail = isReached ? Truth(true) : Truth();
             const Truth shared =
                 rung.power.isValid() ? compareNode(diagram, rung.power, rail, known, power, where) : rail;
