@@ -97,6 +97,8 @@ public:
     [[nodiscard]] std::vector<uint64_t> passesAt(EventIndex event) const;
 
     // --- by place in the text. `instance`: a path; empty: any
+    /// By index in activations(): whether it counts for the instance.
+    [[nodiscard]] std::vector<bool> activationsIn(const std::string& instance) const;
     /// Each value that an expression with exactly this text had, in order.
     [[nodiscard]] std::vector<Seen> valuesOf(SourceRange range, const std::string& instance = {}) const;
     /// How often a statement with this text began.
@@ -112,8 +114,6 @@ public:
 private:
     friend class Insight;
     friend class Recorder;
-    /// The activations that count for an instance: by index.
-    [[nodiscard]] std::vector<bool> activationsIn(const std::string& instance) const;
     struct Index;
     [[nodiscard]] const Index& index() const;
 
