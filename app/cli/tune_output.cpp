@@ -62,7 +62,7 @@ std::string modelText(const TuneReport& report) {
     if (model.validation) out += " (" + numberText(*model.validation, 4) + " % of steps it was not made from)";
     out += "\n  " + formula(model.model) + "\n";
     for (const tuning::Bound& bound : model.bounds)
-        out += "  " + padded(bound.name, 11) + numberText(bound.value) + " +- " + numberText(bound.halfWidth, 2) +
+        out += "  " + padded(bound.name, 11) + numberText(bound.value) + " ± " + numberText(bound.halfWidth, 2) +
                (bound.name == "gain" || bound.name == "damping" ? ""
                 : bound.name == "frequency"                     ? " rad/s"
                                                                 : " s") +

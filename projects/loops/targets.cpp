@@ -1,4 +1,4 @@
-#include "projects/loops/loops.h"
+#include "projects/loops/trial.h"
 #include "runtime/compiler/tree/tree.h"
 
 #include <functional>
@@ -85,20 +85,22 @@ private:
 
 } // namespace
 
-std::vector<Target> targetsOf(const Loop& loop, const ProgramPointer& program) {
-    std::vector<Target> out;
+std::string sourceOf(const Loop& loop, const ProgramPointer& program, std::string_view pin) {
+    const std::string own = loop.pin(pin);
     const tree::Program* tree = driver::treeOf(program);
     const size_t dot = loop.instance.rfind('.');
+    if (!tree || dot == std::string::npos) return own;
     const auto owner = program->layout.find(loop.instance.substr(0, dot));
-    for (const tuning::ParameterForm& parameter : loop.form->parameters) {
-        Target target{std::string(parameter.member), loop.pin(parameter.member)};
-        const auto pin = program->layout.find(target.path);
-        if (tree && owner && pin && dot != std::string::npos) {
-            const Filling filling = Bodies(*tree, program->layout).fillingOf(*owner, *pin);
-            if (filling.isThere) target.path = filling.path;
-        }
-        out.push_back(std::move(target));
-    }
+    const auto place = program->layout.find(own);
+    if (!owner || !place) return own;
+    const Filling filling = Bodies(*tree, program->layout).fillingOf(*owner, *place);
+    return filling.isThere ? filling.path : own;
+}
+
+std::vector<Target> targetsOf(const Loop& loop, const ProgramPointer& program) {
+    std::vector<Target> out;
+    for (const tuning::ParameterForm& parameter : loop.form->parameters)
+        out.push_back({std::string(parameter.member), sourceOf(loop, program, parameter.member)});
     return out;
 }
 

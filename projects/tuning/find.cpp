@@ -170,8 +170,6 @@ void judge(const Context& context, FoundStep& step) {
     };
     constexpr size_t kLeast = 15;
     if (after < kLeast) return say(Verdict::TooShort, errors::StepTooShort(after));
-    if (change <= std::max(6 * perBlock, 0.5 * context.noise) || change <= 0)
-        return say(Verdict::Noisy, errors::StepNoisy(std::round(step.signalToNoise * 10) / 10));
     if (step.moved == Moved::SetPoint && context.inputRange > 0) {
         const double near = 1e-6 * context.inputRange;
         size_t limited = 0;
@@ -179,6 +177,8 @@ void judge(const Context& context, FoundStep& step) {
             limited += series.input[i] <= context.inputLow + near || series.input[i] >= context.inputHigh - near;
         if (limited * 10 > after * 6) return say(Verdict::Saturated, errors::StepSaturated(limited * 100 / after));
     }
+    if (change <= std::max(6 * perBlock, 0.5 * context.noise) || change <= 0)
+        return say(Verdict::Noisy, errors::StepNoisy(std::round(step.signalToNoise * 10) / 10));
     // at rest: the two halves of what was before agree
     const size_t half = step.begin + (step.step - step.begin) / 2;
     const double drift = std::abs(meanOf(series.output, step.begin, half) - meanOf(series.output, half, step.step));
@@ -190,13 +190,15 @@ void judge(const Context& context, FoundStep& step) {
         say(Verdict::Usable, errors::StepNotAtRest());
 }
 
-/// Steps of the input count where it is put by hand: quiet before and after, in one go.
-bool isByHand(const LoopSeries& series, const Change& change, double tolerance) {
+/// Steps of the input count where it is put by hand: it keeps one value before and another after. Where no set point is
+/// known, each counts.
+bool isByHand(const LoopSeries& series, const Change& change, double range) {
     constexpr size_t kHeld = 12;
     if (series.setPoint.empty()) return true;
-    if (change.settled > change.start + 3) return false;
+    if (change.settled > change.start + 3 || std::abs(change.to - change.from) < 0.02 * range) return false;
     const size_t before = change.start > kHeld ? change.start - kHeld : 0;
     const size_t after = std::min(change.settled + kHeld, series.size());
+    const double tolerance = 1e-9 * range;
     return staysPut(series.input, before, change.start, tolerance) &&
            staysPut(series.input, change.settled, after, tolerance);
 }
@@ -226,9 +228,12 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
     };
     if (!series.setPoint.empty())
         for (const Change& change : changesOf(series.setPoint)) add(change, Moved::SetPoint);
-    const double tolerance = 4.5 * noiseOf(series.input) + 1e-12;
+    Context context{series};
+    context.noise = noiseOf(series.output);
+    const auto [low, high] = std::minmax_element(series.input.begin(), series.input.end());
+    context.inputLow = *low, context.inputHigh = *high, context.inputRange = *high - *low;
     for (const Change& change : changesOf(series.input))
-        if (isByHand(series, change, tolerance)) add(change, Moved::Input);
+        if (isByHand(series, change, context.inputRange)) add(change, Moved::Input);
     std::stable_sort(out.begin(), out.end(), [](const FoundStep& a, const FoundStep& b) { return a.step < b.step; });
     // what the set point does at once in the input is the same step
     constexpr size_t kTogether = 4;
@@ -238,10 +243,6 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
             out.erase(out.begin() + static_cast<std::ptrdiff_t>(i));
         else
             ++i;
-    Context context{series};
-    context.noise = noiseOf(series.output);
-    const auto [low, high] = std::minmax_element(series.input.begin(), series.input.end());
-    context.inputLow = *low, context.inputHigh = *high, context.inputRange = *high - *low;
     for (size_t i = 0; i < out.size(); ++i) {
         FoundStep& step = out[i];
         step.end = i + 1 < out.size() ? out[i + 1].step : series.size();
@@ -249,8 +250,13 @@ std::vector<FoundStep> findSteps(const LoopSeries& series) {
         const size_t floor = i > 0 ? out[i - 1].settled : 0;
         const size_t wanted = std::max<size_t>((step.end - step.step) / 8, 10);
         step.begin = std::max(floor, step.step > wanted ? step.step - wanted : 0);
-        if (i > 0) step.begin = std::min(std::max(step.begin, floor), step.step);
+        step.begin = std::min(step.begin, step.step);
         judge(context, step);
+        // the change before may still be at work where it left little time
+        if (i > 0 && (step.step - floor) * 4 < step.end - step.step && step.isUsable()) {
+            step.startsAtRest = false;
+            step.reason = errors::StepNotAtRest();
+        }
     }
     return out;
 }
