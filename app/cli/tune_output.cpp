@@ -55,22 +55,27 @@ std::string stepsText(const TuneReport& report) {
     return out;
 }
 
+std::string boundText(const tuning::Bound& bound) {
+    const bool isExact = bound.halfWidth < 1e-4 * std::abs(bound.value);
+    const char* unit = bound.name == "gain" || bound.name == "damping" ? ""
+                       : bound.name == "frequency"                     ? " rad/s"
+                                                                       : " s";
+    const std::string width = isExact ? " (to 0.01 %)" : " ± " + numberText(bound.halfWidth, 2) + unit;
+    return "  " + padded(bound.name, 11) + numberText(bound.value) + (isExact ? unit : "") + width + "\n";
+}
+
 std::string modelText(const TuneReport& report) {
     const tuning::Identified& model = report.best();
     std::string out =
         "\nModel: " + std::string(title(model.structure)) + ", explains " + numberText(model.fit, 4) + " %";
     if (model.validation) out += " (" + numberText(*model.validation, 4) + " % of steps it was not made from)";
     out += "\n  " + formula(model.model) + "\n";
-    for (const tuning::Bound& bound : model.bounds)
-        out += "  " + padded(bound.name, 11) + numberText(bound.value) + " ± " + numberText(bound.halfWidth, 2) +
-               (bound.name == "gain" || bound.name == "damping" ? ""
-                : bound.name == "frequency"                     ? " rad/s"
-                                                                : " s") +
-               "\n";
+    for (const tuning::Bound& bound : model.bounds) out += boundText(bound);
     if (model.gainUp && model.gainDown)
         out += "  The gain is " + numberText(*model.gainUp) + " upwards and " + numberText(*model.gainDown) +
                " downwards; settings are made for " + numberText(model.model.gain) + ".\n";
-    for (size_t i = 1; i < std::min<size_t>(report.study.models.size(), 3); ++i) {
+    constexpr double kAll = 99.995; // then no other says more
+    for (size_t i = 1; i < std::min<size_t>(report.study.models.size(), 3) && model.fit < kAll; ++i) {
         const tuning::Identified& other = report.study.models[i];
         out += std::string(i == 1 ? "  also: " : "        ") + formula(other.model) + ", " + numberText(other.fit, 4) +
                " %\n";

@@ -140,17 +140,19 @@ std::vector<Loop> loopsOf(const image::CompiledProgram& program) {
 Result<Loop> findLoop(const image::CompiledProgram& program, const std::string& name) {
     const std::vector<Loop> all = loopsOf(program);
     std::vector<std::string> names;
-    std::vector<const Loop*> partly;
+    std::vector<const Loop*> byInstance, byName; // a part of the name will do
     const auto endsWith = [&](const std::string& whole) {
         return whole.size() > name.size() && whole[whole.size() - name.size() - 1] == '.' &&
                equalsIgnoringCase(whole.substr(whole.size() - name.size()), name);
     };
     for (const Loop& loop : all) {
         if (equalsIgnoringCase(loop.name, name)) return loop;
-        if (endsWith(loop.name) || endsWith(loop.instance)) partly.push_back(&loop);
+        if (endsWith(loop.instance)) byInstance.push_back(&loop);
+        if (endsWith(loop.name)) byName.push_back(&loop);
         names.push_back(loop.name);
     }
-    if (partly.size() == 1) return *partly.front();
+    if (byInstance.size() == 1) return *byInstance.front();
+    if (byInstance.empty() && byName.size() == 1) return *byName.front();
     if (all.empty()) return Error{errors::NoLoops(), name};
     return Error{errors::NoLoop(name, names), ""};
 }

@@ -3,6 +3,7 @@
 #include "projects/loops/errors.h"
 #include "runtime/controller/controller.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plc::loops {
@@ -221,8 +222,16 @@ Result<TrialPlan> planFor(const Loop& loop, const history::History& history, his
     plan.input = loop.pin(loop.form->input);
     plan.measured = sourceOf(loop, program, loop.form->output);
     if (plan.measured.empty()) return Error{errors::MeasuredIsExpression(loop.pin(loop.form->output)), ""};
-    const std::string setPoint = sourceOf(loop, program, loop.form->setPoint);
-    if (!setPoint.empty() && setPoint != loop.pin(loop.form->setPoint)) plan.played.push_back(setPoint);
+    // a cascade needs what its other loop sees, too
+    for (const tuning::BlockForm& form : tuning::blockForms()) {
+        if (form.type != loop.form->type) continue;
+        for (const std::string_view pin : {form.output, form.setPoint}) {
+            const std::string source = sourceOf(loop, program, pin);
+            const bool isKnown = source == plan.measured ||
+                                 std::find(plan.played.begin(), plan.played.end(), source) != plan.played.end();
+            if (!source.empty() && source != loop.pin(pin) && !isKnown) plan.played.push_back(source);
+        }
+    }
     return plan;
 }
 

@@ -178,6 +178,8 @@ const std::vector<BlockForm>& blockForms() {
 std::vector<ParameterValue> parametersOf(const BlockForm& form, const ControllerGains& gains, double cycle) {
     std::vector<ParameterValue> out;
     for (const ParameterForm& parameter : form.parameters) {
+        // without a derivative its filter stays as it is
+        if (parameter.quantity == Quantity::FilterTime && gains.derivativeTime <= 0) continue;
         double value = wanted(gains, parameter.quantity);
         if (parameter.quantity == Quantity::Gain && form.isReversed) value = -value;
         double least = parameter.least;

@@ -183,7 +183,7 @@ void judge(const Context& context, FoundStep& step) {
     const size_t half = step.begin + (step.step - step.begin) / 2;
     const double drift = std::abs(meanOf(series.output, step.begin, half) - meanOf(series.output, half, step.step));
     const double ofHalf = context.noise / std::sqrt(static_cast<double>(std::max<size_t>(half - step.begin, 1)));
-    step.startsAtRest = half > step.begin && drift <= std::max(0.01 * change, 4 * ofHalf);
+    step.startsAtRest = half > step.begin && drift <= std::max(0.001 * change, 4 * ofHalf);
     if (step.startsAtRest)
         say(Verdict::Usable, errors::StepUsable());
     else

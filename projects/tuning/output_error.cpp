@@ -309,6 +309,14 @@ std::vector<Excerpt> thinned(const std::vector<Excerpt>& excerpts, size_t most) 
     return out;
 }
 
+/// What has become nothing, or cancels, belongs to a simpler structure.
+bool isDegenerate(const ProcessModel& model, double least, const Shape& shape) {
+    for (const double lag : model.lags)
+        if (lag < least || (shape.hasZero && std::abs(model.zero - lag) < 1e-2 * lag)) return true;
+    if (model.oscillation && 1 / model.oscillation->frequency < least) return true;
+    return shape.hasDelay && model.deadTime < least;
+}
+
 } // namespace
 
 std::optional<OutputErrorFit> fitOutputError(const std::vector<Excerpt>& excerpts, Structure structure) {
@@ -325,10 +333,7 @@ std::optional<OutputErrorFit> fitOutputError(const std::vector<Excerpt>& excerpt
     fit.model = problem.solved(*at).first;
     fit.parameters = static_cast<size_t>(problem.inputs()) + 1 + (shape.hasZero ? 1 : 0);
     const double least = excerpts.front().interval * 0.02;
-    // a lag that has become nothing belongs to a simpler structure
-    for (const double lag : fit.model.lags)
-        if (lag < least) return std::nullopt;
-    if (fit.model.oscillation && 1 / fit.model.oscillation->frequency < least) return std::nullopt;
+    if (isDegenerate(fit.model, least, shape)) return std::nullopt;
     if (!std::isfinite(fit.model.gain) || fit.model.gain == 0) return std::nullopt;
     fit.simulated = simulate(fit.model, excerpts);
     return fit;

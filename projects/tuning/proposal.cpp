@@ -23,6 +23,9 @@ Assessment assess(const ProcessModel& process, const ControllerGains& gains, con
     out.loadTrajectory = loadResponse(process, controller, trial);
     out.setPoint = figuresOf(out.setPointTrajectory, 1);
     out.load = figuresOf(out.loadTrajectory, 0);
+    // what swings up because it is sampled
+    constexpr double kSwungUp = 1000; // per cent
+    if (!(out.setPoint.overshoot < kSwungUp)) out.figures.isStable = false;
     const double filter = gains.filterTime + conditions.cycle;
     out.noise =
         conditions.noise * std::abs(gains.gain * (1 + (gains.derivativeTime > 0 ? gains.derivativeTime / filter : 0)));
