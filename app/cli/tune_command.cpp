@@ -34,7 +34,7 @@ bool isTable(const std::string& path) {
 /// What was asked for, checked before anything long runs.
 struct Question {
     std::optional<std::string> loop;
-    loops::Signals signals;
+    loops::Signals channels;
     tuning::Rule rule = tuning::Rule::Simc;
     std::optional<ControllerKind> kind;
     double briskness = 0.5, setPoint = 0.5;
@@ -55,10 +55,10 @@ Result<double> shareOf(const Arguments& arguments, std::string_view option) {
 Result<Question> questionOf(const Arguments& arguments) {
     Question out;
     out.loop = arguments.value("--loop");
-    out.signals = {arguments.value("--input").value_or(""), arguments.value("--output").value_or(""),
-                   arguments.value("--setpoint").value_or("")};
-    if (out.signals.input.empty() != out.signals.output.empty()) return Error{errors::TuneNeedsBoth(), ""};
-    if (out.loop && !out.signals.input.empty()) return Error{errors::TuneLoopOrSignals(), ""};
+    out.channels = {arguments.value("--input").value_or(""), arguments.value("--output").value_or(""),
+                    arguments.value("--setpoint").value_or("")};
+    if (out.channels.input.empty() != out.channels.output.empty()) return Error{errors::TuneNeedsBoth(), ""};
+    if (out.loop && !out.channels.input.empty()) return Error{errors::TuneLoopOrSignals(), ""};
     if (const auto text = arguments.value("--rule")) {
         const auto rule = tuning::parseRule(*text);
         if (!rule) return Error{errors::RuleIs(*text), ""};
@@ -118,7 +118,7 @@ ControllerKind kindFor(const Question& question, const std::optional<loops::Loop
     return kinds.size() > 1 ? ControllerKind::Pi : ControllerKind::P;
 }
 
-/// Models and settings from what is in the report already: signals, series, loop and its present settings.
+/// Models and settings from what is in the report already: channels, series, loop and its present settings.
 int answer(const Arguments& arguments, const Question& question, TuneReport& report,
            const std::optional<loops::Settings>& settings) {
     if (auto studied = studyInto(question, report); !studied) return wrongUse(studied.error());
@@ -145,23 +145,24 @@ int answer(const Arguments& arguments, const Question& question, TuneReport& rep
 }
 
 int tuneTable(const Arguments& arguments, const Question& question, const std::string& path) {
-    if (question.signals.input.empty()) {
+    if (question.channels.input.empty()) {
         const auto columns = tuning::csvColumns(path);
         if (!columns) return wrongUse(columns.error());
         return wrongUse({errors::TuneTableNeedsSignals(*columns), path});
     }
-    auto series = tuning::readCsv(path, {question.signals.input, question.signals.output, question.signals.setPoint});
+    auto series =
+        tuning::readCsv(path, {question.channels.input, question.channels.output, question.channels.setPoint});
     if (!series) return wrongUse(series.error());
     TuneReport report;
     report.name = std::filesystem::path(path).filename().string();
-    report.signals = question.signals;
+    report.channels = question.channels;
     report.series = std::move(*series);
     return answer(arguments, question, report, std::nullopt);
 }
 
 /// The loop that was named, or the only one there is.
 Result<std::optional<loops::Loop>> loopFor(const Question& question, const image::CompiledProgram& program) {
-    if (!question.signals.input.empty()) return std::optional<loops::Loop>();
+    if (!question.channels.input.empty()) return std::optional<loops::Loop>();
     if (question.loop) {
         auto found = loops::findLoop(program, *question.loop);
         if (!found) return found.error();
@@ -182,8 +183,8 @@ int tuneHistory(const Arguments& arguments, const Question& question, const hist
     TuneReport report;
     report.loop = *loop;
     report.name = report.loop ? report.loop->name : arguments.paths()[0];
-    report.signals = report.loop ? loops::signalsOf(*report.loop) : question.signals;
-    auto series = loops::seriesOf(history, report.signals);
+    report.channels = report.loop ? loops::signalsOf(*report.loop) : question.channels;
+    auto series = loops::seriesOf(history, report.channels);
     if (!series) return wrongUse(series.error());
     report.series = std::move(*series);
     std::optional<loops::Settings> settings;

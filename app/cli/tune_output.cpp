@@ -141,7 +141,7 @@ const RuleAnswer* TuneReport::answer() const {
 }
 
 std::string textOf(const TuneReport& report) {
-    return report.name + ": " + report.signals.output + " by " + report.signals.input + "\n" + stepsText(report) +
+    return report.name + ": " + report.channels.output + " by " + report.channels.input + "\n" + stepsText(report) +
            modelText(report) + settingsText(report) + chosenText(report);
 }
 
@@ -206,8 +206,8 @@ std::string jsonOf(const TuneReport& report) {
                          {"used", isUsed(report, i)},
                          {"reason", step.reason.english()}});
     }
-    Json json{{"loop", report.name},     {"input", report.signals.input}, {"output", report.signals.output},
-              {"cycle_s", report.cycle}, {"steps", std::move(steps)},     {"model", modelJson(report.best())}};
+    Json json{{"loop", report.name},     {"input", report.channels.input}, {"output", report.channels.output},
+              {"cycle_s", report.cycle}, {"steps", std::move(steps)},      {"model", modelJson(report.best())}};
     Json others = Json::array();
     for (size_t i = 1; i < std::min<size_t>(report.study.models.size(), 5); ++i)
         others.push_back(modelJson(report.study.models[i]));
@@ -246,7 +246,7 @@ void thin(tuning::Curve& curve) {
 }
 
 tuning::Chart dataChart(const TuneReport& report) {
-    tuning::Chart chart{"Recorded and modelled", "time [s]", report.signals.output, {}, false};
+    tuning::Chart chart{"Recorded and modelled", "time [s]", report.channels.output, {}, false};
     for (size_t i = 0; i < report.study.used.size(); ++i) {
         const tuning::Excerpt& excerpt = report.study.excerpts[i];
         const auto times = timesOf(report.series, report.study.steps[report.study.used[i]], excerpt);
@@ -308,9 +308,9 @@ std::string pictureOf(const TuneReport& report, bool isDark) {
                              numberText(answer->assessment.figures.sensitivity, 3));
     page.charts.push_back(dataChart(report));
     page.charts.push_back(bodeChart(report));
-    page.charts.push_back({"Step of the set point", "time [s]", report.signals.output, {}, false});
+    page.charts.push_back({"Step of the set point", "time [s]", report.channels.output, {}, false});
     addCurves(report, page.charts.back(), &tuning::Assessment::setPointTrajectory);
-    page.charts.push_back({"Step of the load", "time [s]", report.signals.output, {}, false});
+    page.charts.push_back({"Step of the load", "time [s]", report.channels.output, {}, false});
     addCurves(report, page.charts.back(), &tuning::Assessment::loadTrajectory);
     return svgOf(page);
 }

@@ -12,7 +12,7 @@ struct RuleAnswer {
 
 struct TuneReport {
     std::string name; // of the loop, or of the file
-    loops::Signals signals;
+    loops::Signals channels;
     tuning::LoopSeries series;
     tuning::Study study;
     double cycle = 0;

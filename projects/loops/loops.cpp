@@ -77,20 +77,6 @@ void visit(const image::CompiledProgram& program, const std::string& path, types
         if (types.isAggregate(field.type)) visit(program, path + "." + field.name, field.type, depth + 1, out);
 }
 
-std::optional<double> numberAt(const image::CompiledProgram& program, std::span<const std::byte> image,
-                               const std::string& path) {
-    const auto place = program.layout.find(path);
-    if (!place) return std::nullopt;
-    const types::TypeTable& types = *program.layout.types;
-    const types::Value value = types::readValue(types, place->type, image.subspan(place->offset), place->bit);
-    if (const auto* number = std::get_if<double>(&value.data)) return *number;
-    if (const auto* number = std::get_if<int64_t>(&value.data)) {
-        const bool isTime = types.family(place->type) == types::Family::Duration;
-        return isTime ? static_cast<double>(*number) * 1e-9 : static_cast<double>(*number);
-    }
-    return std::nullopt;
-}
-
 /// An expression and what it is in the other versions of the program that the recording holds.
 class Meaning {
 public:
@@ -127,6 +113,20 @@ private:
 
 } // namespace
 
+std::optional<double> numberAt(const image::CompiledProgram& program, std::span<const std::byte> image,
+                               const std::string& path) {
+    const auto place = program.layout.find(path);
+    if (!place) return std::nullopt;
+    const types::TypeTable& types = *program.layout.types;
+    const types::Value value = types::readValue(types, place->type, image.subspan(place->offset), place->bit);
+    if (const auto* number = std::get_if<double>(&value.data)) return *number;
+    if (const auto* number = std::get_if<int64_t>(&value.data)) {
+        const bool isTime = types.family(place->type) == types::Family::Duration;
+        return isTime ? static_cast<double>(*number) * 1e-9 : static_cast<double>(*number);
+    }
+    return std::nullopt;
+}
+
 std::string Loop::pin(std::string_view member) const { return instance + "." + std::string(member); }
 
 std::vector<Loop> loopsOf(const image::CompiledProgram& program) {
@@ -161,13 +161,13 @@ Signals signalsOf(const Loop& loop) {
     return {loop.pin(loop.form->input), loop.pin(loop.form->output), loop.pin(loop.form->setPoint)};
 }
 
-Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& signals) {
+Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels) {
     const history::Statistics all = history.statistics();
     tuning::LoopSeries out;
     const auto ranges = history::chainTo(history.branches(), all.end);
     for (const auto& [text, target] :
-         {std::pair{signals.input, &tuning::LoopSeries::input}, std::pair{signals.output, &tuning::LoopSeries::output},
-          std::pair{signals.setPoint, &tuning::LoopSeries::setPoint}}) {
+         {std::pair{channels.input, &tuning::LoopSeries::input}, std::pair{channels.output, &tuning::LoopSeries::output},
+          std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
         if (text.empty()) continue;
         const Meaning meaning(history, text);
         const auto expression = meaning.newest();

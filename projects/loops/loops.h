@@ -28,7 +28,7 @@ struct Signals {
 };
 [[nodiscard]] Signals signalsOf(const Loop& loop);
 /// On the newest branch, as far as the recording reaches back.
-[[nodiscard]] Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& signals);
+[[nodiscard]] Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signals& channels);
 
 /// What the block works with at a scan.
 struct Settings {
@@ -39,6 +39,10 @@ struct Settings {
 };
 [[nodiscard]] Settings settingsOf(const Loop& loop, const image::CompiledProgram& program,
                                   std::span<const std::byte> image);
+
+/// A variable of an image as a number; times in seconds.
+[[nodiscard]] std::optional<double> numberAt(const image::CompiledProgram& program, std::span<const std::byte> image,
+                                             const std::string& path);
 
 /// Where a parameter is written so that it lasts: the variable that the call hands to the pin, the pin itself where no
 /// call does; empty where the call has a constant or an expression.
