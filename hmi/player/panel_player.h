@@ -37,6 +37,13 @@ public:
     /// A recording from a file in the place of the controller, as its past: nothing can be written. None goes back.
     void setRecording(std::optional<PanelRecording> recording);
     void setFullScreen(bool full);
+    /// Shows everything, writes nothing and says that one must log in first (browsers before their login).
+    void setLocked(bool locked) { m_isLocked = locked; }
+    bool isLocked() const { return m_isLocked; }
+    /// Neither follows nor writes the program's language variable: one of several people with a language each.
+    void setOwnLanguage(bool own) { m_hasOwnLanguage = own; }
+    /// What the strip over the panel says of the controller; empty: all is well.
+    QString stateText() const;
     /// Keeps the alarm history in this file from now on; without it, in memory.
     Result<void> keepAlarmsIn(const QString& path) { return m_alarms.openStore(path); }
     /// The same in `.stepwise` of the project's folder, where the studio and `stepwise panel --play` both look.
@@ -76,6 +83,7 @@ private:
     void evaluateRecorded();
     QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
+    bool refusesLocked();
     struct Look;
     const PanelProject& m_project;
     session::Session* m_session;
@@ -95,6 +103,7 @@ private:
     QString m_languageAsked;
     QMap<QString, Value> m_pressed; // momentary buttons that are down: target → value to release to
     QElapsedTimer m_refusalAge;
+    bool m_isLocked = false, m_hasOwnLanguage = false;
     bool m_isInDock = false; // while it fills the screen: comes back into its place
 };
 
