@@ -9,8 +9,9 @@ using hmi::web::ClientMessage;
 using hmi::web::ClientWord;
 
 PanelLink::PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Session& session,
-                     hmi::web::PaintStore& store, Gate& gate, LinkLimits limits, QObject* parent)
-    : QObject(parent), m_socket(socket), m_panel(project, session, store), m_gate(gate), m_limits(limits),
+                     hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits,
+                     QObject* parent)
+    : QObject(parent), m_socket(socket), m_panel(project, session, store, station), m_gate(gate), m_limits(limits),
       m_address(socket->peerAddress().toString()), m_budget(limits.messagesPerSecond) {
     socket->setParent(this);
     socket->setMaxAllowedIncomingFrameSize(hmi::web::kLargestClientMessage);

@@ -19,13 +19,14 @@ class PanelLink final : public QObject {
     Q_OBJECT
 public:
     PanelLink(QWebSocket* socket, const hmi::PanelProject& project, session::Session& session,
-              hmi::web::PaintStore& store, Gate& gate, LinkLimits limits, QObject* parent);
+              hmi::web::PaintStore& store, hmi::PanelPlayer& station, Gate& gate, LinkLimits limits, QObject* parent);
     ~PanelLink() override;
 
     /// Sends what is new, if the browser is ready for it; time in ms of any epoch.
     void frame(qint64 now);
     uint64_t sentBytes() const { return m_sentBytes; }
     uint64_t sentFrames() const { return m_sentFrames; }
+    void tell(const QString& reason) { m_panel.tell(reason); }
     bool isOperator() const { return m_panel.isOperator(); }
 
 signals:

@@ -1,6 +1,7 @@
 #include "app/serve/serve.h"
 
 #include "app/serve/errors.h"
+#include "app/serve/service_notes.h"
 
 #include <QCoreApplication>
 #include <QRandomGenerator>
@@ -56,6 +57,34 @@ Result<QByteArray> accessCode(const ServeSettings& settings) {
     return QByteArray::fromStdString(code);
 }
 
+/// Whether scans go on: a watchdog restarts a controller that does not finish them.
+class Liveness {
+public:
+    explicit Liveness(const image::CompiledProgram& program) {
+        for (const image::Task& task : program.tasks)
+            if (task.kind == image::TaskKind::Cyclic) m_longest = std::max(m_longest, 3 * task.interval);
+    }
+    bool isAlive(const session::Status& status, std::chrono::steady_clock::time_point now) {
+        if (status.state != controller::State::Running || status.scans != m_scans) {
+            m_scans = status.scans;
+            m_since = now;
+        }
+        return now - m_since < m_longest;
+    }
+
+private:
+    std::chrono::nanoseconds m_longest = std::chrono::seconds(5);
+    uint64_t m_scans = ~uint64_t(0);
+    std::chrono::steady_clock::time_point m_since{};
+};
+
+/// The outputs become safe; a scan that does not end is not waited for.
+void stopOf(session::Session& session) {
+    session.stop();
+    for (int tries = 0; tries < 200 && session.status().state == controller::State::Running; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 } // namespace
 
 Result<void> prepareState(const ServeSettings& settings) {
@@ -91,12 +120,21 @@ Result<void> serve(const hmi::PanelProject& project, session::Session& session, 
     session.startThread({session::Pace::Real});
     std::cout << "serving " << settings.server.name << " at " << server.url().toStdString() << "\n"
               << "the access code to operate is in " << tokenPath(settings) << std::endl;
-    QTimer watch;
+    const ServiceNotes notes;
+    notes.ready("serving " + settings.server.name);
+    Liveness liveness(*session.program());
+    QTimer watch, watchdog;
     QObject::connect(&watch, &QTimer::timeout, &watch, [&isStopping] {
         if (isStopping()) QCoreApplication::quit();
     });
+    QObject::connect(&watchdog, &QTimer::timeout, &watchdog, [&] {
+        if (liveness.isAlive(session.status(), std::chrono::steady_clock::now())) notes.alive();
+    });
     watch.start(100);
+    if (notes.watchdog()) watchdog.start(std::chrono::duration_cast<std::chrono::milliseconds>(*notes.watchdog() / 3));
     QCoreApplication::exec();
+    notes.stopping();
+    stopOf(session);
     session.end(); // the outputs are safe and what is retained is written before the recording ends
     ring.reset();
     std::cout << "stopped after " << session.status().scans << " scans" << std::endl;

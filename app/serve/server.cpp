@@ -27,11 +27,16 @@ QByteArray escaped(const QString& text) { return text.toHtmlEscaped().toUtf8(); 
 
 Server::Server(const hmi::PanelProject& project, session::Session& session, LogIn logIn, ServerSettings settings)
     : m_project(project), m_session(session), m_settings(std::move(settings)), m_gate(std::move(logIn)),
-      m_listener(m_settings.listener), m_sockets(QStringLiteral("Stepwise"), QWebSocketServer::NonSecureMode) {
+      m_station(project, &session), m_listener(m_settings.listener),
+      m_sockets(QStringLiteral("Stepwise"), QWebSocketServer::NonSecureMode) {
     [[maybe_unused]] static const bool registered = (registerPages(), true);
     m_listener.onRequest = [this](const HttpRequest& request) { return answer(request); };
     m_listener.onWebSocket = [this](QTcpSocket* socket) { m_sockets.handleConnection(socket); };
     connect(&m_sockets, &QWebSocketServer::newConnection, this, &Server::accept);
+    // Writes that the scan refused do not say who asked for them.
+    connect(&m_station, &hmi::PanelPlayer::writeRefused, this, [this](const QString& reason) {
+        for (PanelLink* link : m_links) link->tell(reason);
+    });
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(kFrame);
     connect(&m_timer, &QTimer::timeout, this, &Server::frames);
@@ -142,7 +147,7 @@ void Server::accept() {
             connect(socket, &QWebSocket::disconnected, socket, &QObject::deleteLater);
             continue;
         }
-        auto* link = new PanelLink(socket, m_project, m_session, m_store, m_gate, m_settings.link, this);
+        auto* link = new PanelLink(socket, m_project, m_session, m_store, m_station, m_gate, m_settings.link, this);
         m_links.push_back(link);
         connect(link, &PanelLink::gone, this, [this, link](bool wasHostile) {
             m_goneBytes += link->sentBytes();
@@ -157,7 +162,7 @@ void Server::accept() {
 /// Many browsers, or slow pictures, get fewer frames: half of the time is left for everything else.
 void Server::frames() {
     const qint64 begin = m_clock.elapsed();
-    for (PanelLink* link : std::vector(m_links)) link->frame(begin);
+    for (PanelLink* link : std::vector(m_links)) link->frame(now());
     const qint64 took = m_clock.elapsed() - begin;
     const int wanted = static_cast<int>(std::clamp<qint64>(2 * took, kFrame, 500));
     if (wanted != m_timer.interval()) m_timer.setInterval(wanted);

@@ -21,6 +21,7 @@ struct ServerSettings {
     ListenerLimits listener;
     LinkLimits link;
     size_t browsers = 64;
+    std::function<qint64()> clock; // ms for blinking and animation; empty: since the start
 };
 
 class Server final : public QObject {
@@ -43,11 +44,13 @@ private:
     QByteArray overview() const;
     void accept();
     void frames();
+    qint64 now() const { return m_settings.clock ? m_settings.clock() : m_clock.elapsed(); }
     const hmi::PanelProject& m_project;
     session::Session& m_session;
     ServerSettings m_settings;
     Gate m_gate;
     hmi::web::PaintStore m_store;
+    hmi::PanelPlayer m_station; // keeps the alarms, is never seen
     Listener m_listener;
     QWebSocketServer m_sockets;
     std::vector<PanelLink*> m_links;

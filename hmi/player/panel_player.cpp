@@ -70,11 +70,12 @@ void PanelPlayer::connectScene() {
     });
     connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
         if (m_recording) return refuse(systemText(m_project.texts, SystemText::InThePast, language()));
-        if (!m_watch || refusesLocked()) return;
+        AlarmWatch* const watch = alarmWatch();
+        if (!watch || refusesLocked()) return;
         if (acknowledge.all)
-            m_watch->acknowledgeAll(acknowledge.classes);
+            watch->acknowledgeAll(acknowledge.classes);
         else
-            m_watch->acknowledge(acknowledge.alarm);
+            watch->acknowledge(acknowledge.alarm);
     });
     connect(&scene(), &PanelScene::panelRequested, this,
             [this](const QString& name) { kit::post(this, [this, name] { showPanel(name); }); });
@@ -102,6 +103,12 @@ void PanelPlayer::setSession(session::Session* session) {
         scene().setValues(m_values.get());
     }
     updateStatus();
+}
+
+void PanelPlayer::shareAlarms(PanelPlayer& station) {
+    m_watch.reset();
+    m_station = &station;
+    scene().setAlarms(&alarms());
 }
 
 Result<void> PanelPlayer::keepAlarmsInProject() {
@@ -347,7 +354,7 @@ void PanelPlayer::frame() {
         m_values->refresh();
         followLanguageVariable();
         evaluateRecorded();
-        if (m_session)
+        if (m_session && !m_station) // taken once, by who keeps what all share
             for (const Error& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
     updateStatus();

@@ -51,14 +51,18 @@ public:
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }
-    AlarmBook& alarms() { return m_recording ? m_recordedAlarms : m_alarms; } // as the lists show them
-    AlarmWatch* alarmWatch() { return m_watch.get(); }
+    AlarmBook& alarms() { return m_recording ? m_recordedAlarms : liveAlarms(); } // as the lists show them
+    AlarmWatch* alarmWatch() { return m_station ? m_station->alarmWatch() : m_watch.get(); }
+    /// Shows and acknowledges the alarms that another player of the same controller keeps; it must outlive this one.
+    void shareAlarms(PanelPlayer& station);
     PlcValues* values() { return m_values.get(); }
+    /// Frames come from the owner alone, not from a timer.
+    void setStepped() { m_timer.stop(); }
     /// One frame now: values, language variable, state, refusals, repaint.
     void frame();
     Overlay* overlay() const;
     /// The history of the controller's alarms and its place, whatever is shown.
-    AlarmBook& liveAlarms() { return m_alarms; }
+    AlarmBook& liveAlarms() { return m_station ? m_station->liveAlarms() : m_alarms; }
     QString lastRefusal() const { return m_refusal; }
 
     /// Posts a write as a press on the panel would; the answer says why it was refused, or nothing.
@@ -94,6 +98,7 @@ private:
     std::optional<PanelRecording> m_recording;
     AlarmBook m_recordedAlarms; // those of the recording
     std::unique_ptr<AlarmEvaluator> m_recordedEvaluator;
+    PanelPlayer* m_station = nullptr; // keeps the alarms; null: this one does
     PanelView* m_view;
     PlayerStatus* m_status;
     QTimer m_timer;

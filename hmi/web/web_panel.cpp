@@ -34,8 +34,10 @@ void sendMouse(QWidget& to, QEvent::Type type, QPointF atOverlay, const QWidget&
 
 } // namespace
 
-WebPanel::WebPanel(const PanelProject& project, session::Session& session, PaintStore& store)
+WebPanel::WebPanel(const PanelProject& project, session::Session& session, PaintStore& store, PanelPlayer& station)
     : m_project(project), m_player(project, &session), m_stream(store, m_player) {
+    m_player.setStepped();
+    m_player.shareAlarms(station);
     m_player.setLocked(true);
     m_player.setOwnLanguage(true);
     connect(&m_player, &PanelPlayer::writeRefused, this, [this](const QString& reason) { m_refusal = reason; });
@@ -55,6 +57,10 @@ void WebPanel::setOperator(const QString& name) {
     m_operator = name;
     m_player.setLocked(name.isEmpty());
     m_isNew = true;
+}
+
+void WebPanel::tell(const QString& reason) {
+    if (isOperator()) m_refusal = reason;
 }
 
 void WebPanel::letGo() {

@@ -14,13 +14,16 @@ namespace plc::hmi::web {
 class WebPanel final : public QObject {
     Q_OBJECT
 public:
-    WebPanel(const PanelProject& project, session::Session& session, PaintStore& store);
+    /// `station` keeps the alarms of all browsers.
+    WebPanel(const PanelProject& project, session::Session& session, PaintStore& store, PanelPlayer& station);
     ~WebPanel() override;
 
     /// False: the message makes no sense here, and who sends it is not a browser of ours.
     [[nodiscard]] bool take(const ClientMessage& message);
     /// Whether this browser may operate, since somebody logged in; `name` is shown and recorded.
     void setOperator(const QString& name);
+    /// A note for whoever operates here: the controller refused a write.
+    void tell(const QString& reason);
     bool isOperator() const { return !m_player.isLocked(); }
     QString words(SystemText text) const { return systemText(m_project.texts, text, m_player.language()); }
 
