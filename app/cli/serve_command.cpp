@@ -61,7 +61,8 @@ int run(const Arguments& arguments) {
     if (!built.program)
         return wrongUse({built.failure.isEmpty() ? errors::NothingToRun() : built.failure, project->name});
     if (auto optimised = driver::optimise(built); !optimised) return wrongUse(optimised.error());
-    if (auto good = serve::prepareState(*settings); !good) return wrongUse(good.error());
+    const auto state = serve::StateFolder::open(settings->stateFolder);
+    if (!state) return wrongUse(state.error());
     session::Settings forSession;
     forSession.retainFile = serve::retainFileOf(*settings);
     forSession.retainInterval = std::chrono::seconds(1);

@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iostream>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -87,13 +88,19 @@ void stopOf(session::Session& session) {
 
 } // namespace
 
-Result<void> prepareState(const ServeSettings& settings) {
+Result<std::unique_ptr<StateFolder>> StateFolder::open(const std::string& folder) {
     std::error_code problem;
-    fs::create_directories(fs::path(settings.stateFolder) / "recording", problem);
-    if (problem || ::access(settings.stateFolder.c_str(), W_OK) != 0)
-        return Error{errors::StateNotWritable(settings.stateFolder), {}};
-    return {};
+    fs::create_directories(fs::path(folder) / "recording", problem);
+    const int lock = problem ? -1 : ::open((fs::path(folder) / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (lock < 0) return Error{errors::StateNotWritable(folder), {}};
+    if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+        ::close(lock);
+        return Error{errors::StateInUse(folder), {}};
+    }
+    return std::unique_ptr<StateFolder>(new StateFolder(lock));
 }
+
+StateFolder::~StateFolder() { ::close(m_lock); }
 
 std::string retainFileOf(const ServeSettings& settings) {
     return (fs::path(settings.stateFolder) / "retained").string();

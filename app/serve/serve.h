@@ -13,8 +13,18 @@ struct ServeSettings {
     uint64_t recordingLimit = uint64_t(256) << 20; // 0: nothing is recorded on disk
 };
 
-/// Creates the state folder.
-[[nodiscard]] Result<void> prepareState(const ServeSettings& settings);
+/// The state folder, created when missing, for this process alone as long as this lives.
+class StateFolder {
+public:
+    [[nodiscard]] static Result<std::unique_ptr<StateFolder>> open(const std::string& folder);
+    ~StateFolder();
+    StateFolder(const StateFolder&) = delete;
+    StateFolder& operator=(const StateFolder&) = delete;
+
+private:
+    explicit StateFolder(int lock) : m_lock(lock) {}
+    int m_lock;
+};
 [[nodiscard]] std::string retainFileOf(const ServeSettings& settings);
 /// Serves until `isStopping`; says on stdout where, once it can be reached.
 [[nodiscard]] Result<void> serve(const hmi::PanelProject& project, session::Session& session,
