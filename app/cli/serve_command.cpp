@@ -2,6 +2,7 @@
 #include "app/cli/errors.h"
 #include "app/cli/panel_findings.h"
 #include "app/cli/run_output.h"
+#include "app/serve/errors.h"
 #include "app/serve/serve.h"
 
 #include <filesystem>

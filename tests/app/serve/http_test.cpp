@@ -13,17 +13,20 @@ using hmi::web::ClientWord;
 using hmi::web::parseClientMessage;
 
 TEST(Http, HeadsAreCompleteIncompleteOrBad) {
-    for (const auto& [text, state] : {std::pair("GET / HTTP/1.1\r\nHost: a\r\n\r\n", HeadState::Complete),
-                                      {"GET / HTTP/1.1\r\nHost", HeadState::Incomplete},
-                                      {"", HeadState::Incomplete},
-                                      {"\r\n\r\n", HeadState::Bad},
-                                      {"GET  HTTP/1.1\r\n\r\n", HeadState::Bad},
-                                      {"GET x HTTP/1.1\r\n\r\n", HeadState::Bad},
-                                      {"GET / HTTP/2.0\r\n\r\n", HeadState::Bad},
-                                      {"GET / HTTP/1.1\r\nno colon\r\n\r\n", HeadState::Bad},
-                                      {"GET /%00 HTTP/1.1\r\n\r\n", HeadState::Bad},
-                                      {"G\x01T / HTTP/1.1\r\n\r\n", HeadState::Bad}})
-        EXPECT_EQ(parseHead(QByteArray(text)).state, state) << text;
+    const struct {
+        const char* text;
+        HeadState state;
+    } rows[] = {{"GET / HTTP/1.1\r\nHost: a\r\n\r\n", HeadState::Complete},
+                {"GET / HTTP/1.1\r\nHost", HeadState::Incomplete},
+                {"", HeadState::Incomplete},
+                {"\r\n\r\n", HeadState::Bad},
+                {"GET  HTTP/1.1\r\n\r\n", HeadState::Bad},
+                {"GET x HTTP/1.1\r\n\r\n", HeadState::Bad},
+                {"GET / HTTP/2.0\r\n\r\n", HeadState::Bad},
+                {"GET / HTTP/1.1\r\nno colon\r\n\r\n", HeadState::Bad},
+                {"GET /%00 HTTP/1.1\r\n\r\n", HeadState::Bad},
+                {"G\x01T / HTTP/1.1\r\n\r\n", HeadState::Bad}};
+    for (const auto& [text, state] : rows) EXPECT_EQ(parseHead(QByteArray(text)).state, state) << text;
     EXPECT_EQ(parseHead(QByteArray(kLargestHead, 'a')).state, HeadState::Bad);
     const HttpHead head = parseHead("GET /panel/a%20b?language=de HTTP/1.1\r\nHOST: x:1\r\n\r\n");
     EXPECT_EQ(head.request.path, "/panel/a b");
