@@ -35,6 +35,7 @@ int runCommandLine(const std::vector<std::string>& words);
 [[nodiscard]] Command ladderCommand();
 [[nodiscard]] Command whyCommand();
 [[nodiscard]] Command tuneCommand();
+[[nodiscard]] Command serveCommand();
 
 // --- shared by the commands
 /// Whether several programs without a CONFIGURATION are an error: nothing runs them, but each can be checked.

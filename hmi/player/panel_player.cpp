@@ -42,6 +42,7 @@ void PanelPlayer::connectScene() {
     const auto look = [this] { return OverlayLook{&scene().theme(), &m_project.texts, language()}; };
     connect(&scene(), &PanelScene::writeRequested, this, [this](const WriteRequest& write) { post(write); });
     connect(&scene(), &PanelScene::confirmRequested, this, [this, look](const ConfirmRequest& confirm) {
+        if (refusesLocked()) return;
         auto* question = new Question(confirm, look(), this);
         connect(question, &Question::confirmed, this, [this](const WriteRequest& write) {
             post(write);
@@ -50,12 +51,14 @@ void PanelPlayer::connectScene() {
         });
     });
     connect(&scene(), &PanelScene::entryRequested, this, [this, look](const EntryRequest& entry) {
+        if (refusesLocked()) return;
         auto* keypad = new Keypad(entry, look(), this);
         connect(keypad, &Keypad::accepted, this, [this](const EntryRequest& request, const Value& value) {
             post(WriteRequest{request.element, request.target, WriteKind::Write, value, {}});
         });
     });
     connect(&scene(), &PanelScene::choiceRequested, this, [this, look](const ChoiceRequest& choice) {
+        if (!choice.isLanguage && refusesLocked()) return;
         auto* list = new ChoiceList(choice, look(), this);
         connect(list, &ChoiceList::chosen, this, [this](const ChoiceRequest& request, int index) {
             const Value& value = request.values[static_cast<size_t>(index)];
@@ -67,11 +70,12 @@ void PanelPlayer::connectScene() {
     });
     connect(&scene(), &PanelScene::acknowledgeRequested, this, [this](const AcknowledgeRequest& acknowledge) {
         if (m_recording) return refuse(systemText(m_project.texts, SystemText::InThePast, language()));
-        if (!m_watch) return;
+        AlarmWatch* const watch = alarmWatch();
+        if (!watch || refusesLocked()) return;
         if (acknowledge.all)
-            m_watch->acknowledgeAll(acknowledge.classes);
+            watch->acknowledgeAll(acknowledge.classes);
         else
-            m_watch->acknowledge(acknowledge.alarm);
+            watch->acknowledge(acknowledge.alarm);
     });
     connect(&scene(), &PanelScene::panelRequested, this,
             [this](const QString& name) { kit::post(this, [this, name] { showPanel(name); }); });
@@ -99,6 +103,12 @@ void PanelPlayer::setSession(session::Session* session) {
         scene().setValues(m_values.get());
     }
     updateStatus();
+}
+
+void PanelPlayer::shareAlarms(PanelPlayer& station) {
+    m_watch.reset();
+    m_station = &station;
+    scene().setAlarms(&alarms());
 }
 
 Result<void> PanelPlayer::keepAlarmsInProject() {
@@ -147,7 +157,7 @@ void PanelPlayer::requestLanguage(const QString& tag) {
     if (!m_project.texts.settings().languages.contains(tag)) return;
     setLanguage(tag);
     // The program reads the language; until it has it, its older value must not switch back.
-    if (!m_values || !m_languageBinding.isValid()) return;
+    if (!m_values || !m_languageBinding.isValid() || m_hasOwnLanguage) return;
     const ValueKind kind = m_values->facts(m_languageBinding).kind;
     const Value value = m_project.texts.settings().valueOf(tag, kind);
     if (value.isNone()) return;
@@ -157,7 +167,7 @@ void PanelPlayer::requestLanguage(const QString& tag) {
 }
 
 void PanelPlayer::followLanguageVariable() {
-    if (!m_values || !m_languageBinding.isValid()) return;
+    if (m_hasOwnLanguage || !m_values || !m_languageBinding.isValid()) return;
     const Value& now = m_values->value(m_languageBinding);
     const QString tag = m_project.texts.settings().tagOf(now);
     if (!m_languageAsked.isEmpty()) {
@@ -242,6 +252,7 @@ QString PanelPlayer::post(const WriteRequest& write) {
         refuse(reason);
         return reason;
     };
+    if (m_isLocked && write.kind != WriteKind::Release) return no(say(SystemText::LogInFirst));
     if (m_recording && write.kind != WriteKind::Release) return no(say(SystemText::InThePast));
     if (!m_session || !m_values) return no(say(SystemText::NoController));
     const std::string path = write.target.toStdString();
@@ -297,6 +308,11 @@ void PanelPlayer::refuse(const QString& reason) {
     emit writeRefused(reason);
 }
 
+bool PanelPlayer::refusesLocked() {
+    if (m_isLocked) refuse(systemText(m_project.texts, SystemText::LogInFirst, language()));
+    return m_isLocked;
+}
+
 void PanelPlayer::updateStatus() {
     const auto say = [&](SystemText text) { return systemText(m_project.texts, text, language()); };
     QString text;
@@ -338,7 +354,7 @@ void PanelPlayer::frame() {
         m_values->refresh();
         followLanguageVariable();
         evaluateRecorded();
-        if (m_session)
+        if (m_session && !m_station) // taken once, by who keeps what all share
             for (const Error& refusal : m_session->takeRefusals()) refuse(kit::messageText(refusal, language()));
     }
     updateStatus();
@@ -348,6 +364,8 @@ void PanelPlayer::frame() {
     }
     if (m_view->isVisible()) m_view->frame();
 }
+
+QString PanelPlayer::stateText() const { return m_status->stateText(); }
 
 Overlay* PanelPlayer::overlay() const { return findChild<Overlay*>(); }
 

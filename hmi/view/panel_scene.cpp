@@ -4,6 +4,11 @@
 
 namespace plc::hmi {
 
+namespace {
+constexpr QPainter::RenderHints kHints =
+    QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform;
+}
+
 PanelScene::PanelScene(QObject* parent)
     : QObject(parent), m_theme(&PanelTheme::of(PanelThemeKind::Light)), m_texts(&m_noTexts),
       m_language(QStringLiteral("en")) {}
@@ -184,7 +189,7 @@ void PanelScene::markDirty(const ElementView& view) {
 }
 
 void PanelScene::paint(QPainter& painter, const QRectF& clip, const QRegion* region, const QTransform& toDevice) {
-    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
+    painter.setRenderHints(kHints);
     const QColor ground = m_theme->color(m_panel.text("background"));
     painter.fillRect(clip & QRectF(QPointF(), size()), ground.isValid() ? ground : m_theme->color("background"));
     if (m_underlay) m_underlay(painter);
@@ -192,11 +197,17 @@ void PanelScene::paint(QPainter& painter, const QRectF& clip, const QRegion* reg
         const QRectF shown = shownRect(*view);
         if (!shown.intersects(clip) || !isShown(*view)) continue;
         if (region && !region->intersects(toDevice.mapRect(shown).toAlignedRect())) continue;
-        painter.save();
-        painter.setTransform(transformOf(*view), true);
-        view->paint(painter);
-        painter.restore();
+        paintElement(painter, *view);
     }
+}
+
+void PanelScene::paintElement(QPainter& painter, ElementView& view) const {
+    if (!isShown(view)) return;
+    painter.setRenderHints(kHints);
+    painter.save();
+    painter.setTransform(transformOf(view), true);
+    view.paint(painter);
+    painter.restore();
 }
 
 QImage PanelScene::picture(double scale) {

@@ -54,6 +54,8 @@ public:
     void setUnderlay(std::function<void(QPainter&)> underlay) { m_underlay = std::move(underlay); }
     /// Paints what lies in `clip`; with a region (in device coordinates of `toDevice`) only the elements that touch it.
     void paint(QPainter& painter, const QRectF& clip, const QRegion* region = nullptr, const QTransform& toDevice = {});
+    /// One element alone, in panel coordinates; nothing when it is not shown.
+    void paintElement(QPainter& painter, ElementView& view) const;
     QImage picture(double scale = 1);
 
     void press(QPointF at);
