@@ -110,6 +110,7 @@ EditorTabs::EditorTabs(editor::Workspace& workspace, editor::RunControl& control
             return;
         if (StPage* page = currentPage()) {
             for (StEditor* editor : page->editors()) editor->refreshOnlineValues();
+            if (page->beside()) page->beside()->refreshOnlineValues();
             page->table().refreshOnlineValues();
             showInstance(*page);
             for (editor::GraphView* graph : page->graphs()) {
@@ -157,6 +158,14 @@ StPage* EditorTabs::openFile(const QString& file) {
     return page;
 }
 
+void EditorTabs::openBeside(const QString& file) {
+    StPage* here = currentPage();
+    StPage* other = openFile(file);
+    if (!here || !other || here == other) return;
+    setCurrentWidget(here);
+    here->showBeside(other);
+}
+
 void EditorTabs::connectPage(StPage* page) {
     connect(page, &StPage::editorMade, this, &EditorTabs::connectEditor);
     connect(page, &StPage::chartMade, this, [this, page](editor::ChartView* chart) { connectChart(page, chart); });
@@ -192,8 +201,10 @@ StEditor* EditorTabs::openSource(const QString& file) {
 std::vector<StEditor*> EditorTabs::allEditors() const {
     std::vector<StEditor*> out;
     for (int i = 0; i < count(); ++i) {
-        if (auto* page = qobject_cast<StPage*>(widget(i)))
+        if (auto* page = qobject_cast<StPage*>(widget(i))) {
             for (StEditor* each : page->editors()) out.push_back(each);
+            if (page->beside()) out.push_back(page->beside());
+        }
     }
     return out;
 }

@@ -24,6 +24,8 @@ public:
                QWidget* parent = nullptr);
 
     StPage* openFile(const QString& file);
+    /// A second file at the right of the one in front.
+    void openBeside(const QString& file);
     void goTo(const QString& file, uint32_t offset, uint32_t length = 0);
     void goToLine(const QString& file, int line);
     void showChart(const QString& file, const QString& unit);

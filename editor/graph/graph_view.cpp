@@ -145,10 +145,12 @@ void GraphView::showWhole() {
 }
 
 void GraphView::updateMap() {
-    const QRectF scene = m_canvas->sceneRect();
-    const double zoom = m_canvas->zoom();
-    const bool isBig = hasDrawing() && (scene.width() * zoom > m_canvas->viewport()->width() * 1.3 ||
-                                        scene.height() * zoom > m_canvas->viewport()->height() * 1.3);
+    // What is drawn, not the sheet around it; and a map must not cover most of what it helps to find.
+    const QSizeF drawn = m_canvas->scene()->itemsBoundingRect().size() * m_canvas->zoom(),
+                 view = m_canvas->maximumViewportSize();
+    const bool hasRoom = view.width() >= 480 && view.height() >= 320;
+    const bool isBig =
+        hasDrawing() && hasRoom && (drawn.width() > view.width() * 1.3 || drawn.height() > view.height() * 1.3);
     if (isBig != m_canvas->isMapVisible()) m_canvas->setMapVisible(isBig);
 }
 

@@ -228,13 +228,18 @@ void insertCopies(Panel& scratch, const Json& elements, QPointF offset, EditList
 
 } // namespace
 
-Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at, ElementIds* added) {
-    EditList list;
-    if (!elements.is_array()) return {list};
+QRectF boundsOf(const Json& elements) {
     QRectF bounds;
     for (const Json& fields : elements)
         if (fields.is_object())
             bounds = bounds.isNull() ? Element(fields).rect() : bounds.united(Element(fields).rect());
+    return bounds;
+}
+
+Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at, ElementIds* added) {
+    EditList list;
+    if (!elements.is_array()) return {list};
+    const QRectF bounds = boundsOf(elements);
     QPointF offset = at ? *at - bounds.topLeft() : QPointF(16, 16);
     // Several pastes at one place would hide each other.
     const auto isTaken = [&](QPointF by) {

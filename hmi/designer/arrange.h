@@ -27,6 +27,8 @@ Edit setLocked(const Panel& panel, const ElementIds& ids, bool locked);
 
 /// The elements with all that lies in them, as the clipboard holds them.
 Json copied(const Panel& panel, const ElementIds& ids);
+/// Around copied elements, where they were.
+QRectF boundsOf(const Json& elements);
 /// New ids; the upper left corner at `at`, or a little beside the original place. `added` receives the outermost ones.
 Edit pasted(const Panel& panel, const Json& elements, std::optional<QPointF> at, ElementIds* added = nullptr);
 

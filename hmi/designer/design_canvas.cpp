@@ -29,6 +29,7 @@ DesignCanvas::DesignCanvas(PanelDocument& document, Selection& selection, Design
         painter.restore();
     });
     m_scene.setFolder(context.project().folder);
+    m_scene.setPicturesOutside(context.project().picturesOutside);
     m_scene.setTexts(&context.project().texts);
     m_alarms.setFile(context.project().alarms);
     m_scene.setAlarms(&m_alarms);
@@ -441,8 +442,12 @@ void DesignCanvas::mouseMoveEvent(QMouseEvent* event) {
     }
 }
 
-void DesignCanvas::mouseReleaseEvent(QMouseEvent*) {
+void DesignCanvas::mouseReleaseEvent(QMouseEvent* event) {
     // A press without a move on one of several narrows the selection to it.
+    const bool isClick = m_drag.mode == Mode::Press && event->button() == Qt::LeftButton;
+    if (isClick && !(event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) && m_selection.ids().size() > 1 &&
+        m_selection.contains(m_drag.pressed))
+        m_selection.set({m_drag.pressed});
     m_drag.mode = Mode::Idle;
     m_guides.clear();
     viewport()->setCursor(m_space ? Qt::OpenHandCursor : Qt::ArrowCursor);

@@ -70,6 +70,8 @@ private:
     static constexpr double kHandle = 4.5; // half the side of a handle
 
     QStringList droppedVariables(const QMimeData* mime) const;
+    /// The element under the place and the property of it that takes the variable; none: a new element is made.
+    std::pair<ElementId, std::string> bindingUnder(QPointF at, const QStringList& variables) const;
     enum class Mode { Idle, Press, Move, Resize, Band, Point, Pan };
     struct Drag {
         Mode mode = Mode::Idle;

@@ -40,8 +40,9 @@ Panel panelNamed(DesignContext& context, const QString& name) {
 PanelDesigner::PanelDesigner(DesignContext& context, const QString& panelName, QWidget* parent)
     : QWidget(parent), m_context(context), m_name(panelName), m_document(panelNamed(context, panelName)),
       m_palette(new Palette), m_canvas(new DesignCanvas(m_document, m_selection, context)),
-      m_sheet(new PropertySheet(m_document, m_selection, context)), m_outline(new Outline(m_document, m_selection)),
-      m_findingList(new QTreeWidget), m_pages(new QStackedWidget), m_where(new QLabel) {
+      m_sheet(new PropertySheet(m_document, m_selection, context)),
+      m_outline(new Outline(m_document, m_selection, context)), m_findingList(new QTreeWidget),
+      m_pages(new QStackedWidget), m_where(new QLabel) {
     m_sheet->setPanelName(panelName);
     m_context.openDocument(panelName, &m_document);
     makeActions();
@@ -189,6 +190,8 @@ void PanelDesigner::makeActions() {
     add(QStringLiteral("cut"), tr("Cut"), Icon::Cut, QKeySequence::Cut, [this] { cut(); });
     add(QStringLiteral("copy"), tr("Copy"), Icon::Copy, QKeySequence::Copy, [this] { copy(); });
     add(QStringLiteral("paste"), tr("Paste"), Icon::Paste, QKeySequence::Paste, [this] { paste(); });
+    add(QStringLiteral("paste-in-place"), tr("Paste in place"), Icon::Paste,
+        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), [this] { paste(true); });
     add(QStringLiteral("duplicate"), tr("Duplicate"), Icon::Copy, QKeySequence(Qt::CTRL | Qt::Key_D),
         [this] { duplicate(); });
     add(QStringLiteral("duplicate-array"), tr("Duplicate as array…"), Icon::Table,
@@ -325,9 +328,10 @@ void PanelDesigner::updateActions() {
 
 void PanelDesigner::showMenu(QPoint at) {
     QMenu menu;
-    for (const char* name :
-         {"cut", "copy", "paste", "duplicate", "duplicate-array", "delete", "", "group", "ungroup", "lock", "", "front",
-          "forward", "backward", "back", "", "same-width", "same-height", "same-size"}) {
+    for (const char* name : {"cut",         "copy",     "paste",    "paste-in-place", "duplicate", "duplicate-array",
+                             "delete",      "",         "group",    "ungroup",        "lock",      "",
+                             "front",       "forward",  "backward", "back",           "",          "same-width",
+                             "same-height", "same-size"}) {
         if (*name)
             menu.addAction(m_actions.value(QString::fromLatin1(name)));
         else
@@ -352,12 +356,13 @@ void PanelDesigner::cut() {
     m_document.perform(tr("Cut"), removeElements(m_document.panel(), m_selection.ids()));
 }
 
-void PanelDesigner::paste() {
+void PanelDesigner::paste(bool inPlace) {
     const QMimeData* mime = QApplication::clipboard()->mimeData();
     if (!mime || !mime->hasFormat(kElementMime)) return;
     const Json elements = readJson<Json>(mime->data(kElementMime).toStdString()).value;
     ElementIds added;
-    m_document.perform(tr("Paste"), pasted(m_document.panel(), elements, std::nullopt, &added));
+    const std::optional<QPointF> at = inPlace ? std::optional(boundsOf(elements).topLeft()) : std::nullopt;
+    m_document.perform(tr("Paste"), pasted(m_document.panel(), elements, at, &added));
     m_selection.set(added);
 }
 

@@ -51,7 +51,7 @@ public:
 public slots:
     void cut();
     void copy();
-    void paste();
+    void paste(bool inPlace = false);
     void duplicate();
     void duplicateAsArray();
     void group();

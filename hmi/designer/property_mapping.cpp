@@ -35,7 +35,8 @@ kit::PropertyDescriptor numberRow(const PropertyDescriptor& property, const std:
 std::vector<kit::PropertyChoice> colorChoices() {
     std::vector<kit::PropertyChoice> out{{QStringLiteral(""), Hmi::tr("as it is"), {}},
                                          {QStringLiteral("none"), Hmi::tr("none"), {}}};
-    for (const QString& role : PanelTheme::roles()) out.push_back({role, role, {}});
+    for (const QString& role : PanelTheme::roles())
+        out.push_back({role, role, {}, PanelTheme::of(PanelThemeKind::Light).color(role)});
     out.push_back({QStringLiteral("?"), Hmi::tr("Other…"), {}});
     return out;
 }

@@ -1,6 +1,8 @@
 #include "hmi/designer/property_sheet.h"
 
 #include "editor/kit/edit_history.h"
+#include "editor/kit/texts.h"
+#include "hmi/designer/applicable.h"
 #include "hmi/designer/records_dialog.h"
 
 #include <QColorDialog>
@@ -80,18 +82,27 @@ std::vector<const PropertyDescriptor*> PropertySheet::shared() const {
         for (const ElementId& id : targets()) {
             if (id.isEmpty()) continue;
             const PropertyDescriptor* other = m_document.panel().find(id)->descriptor().property(property.key);
-            isShared &= other && other->type == property.type && other->hint == property.hint;
+            isShared &= other && other->type == property.type && other->hint == property.hint &&
+                        isApplicable(*m_document.panel().find(id), property.key);
         }
         if (isShared) out.push_back(&property);
     }
     return out;
 }
 
+/// What the rows depend on.
+QString PropertySheet::shapeNow() const {
+    QString out;
+    for (const ElementId& id : targets())
+        out += id.isEmpty() ? QStringLiteral("panel") : m_document.panel().find(id)->text("kind") + u' ';
+    for (const PropertyDescriptor* property : shared()) // the action of a button hides some
+        out += u' ' + kit::fromView(property->key);
+    return out;
+}
+
 void PropertySheet::rebuild() {
     const ElementIds ids = targets();
-    QString shape;
-    for (const ElementId& id : ids)
-        shape += id.isEmpty() ? QStringLiteral("panel") : m_document.panel().find(id)->text("kind") + u' ';
+    const QString shape = shapeNow();
     const QString name = QCoreApplication::translate("Hmi", descriptor().title);
     if (ids.size() > 1)
         m_title->setText(tr("%n elements", nullptr, static_cast<int>(ids.size())));
@@ -99,8 +110,8 @@ void PropertySheet::rebuild() {
         m_title->setText(name);
     else
         m_title->setText(QStringLiteral("%1  –  %2").arg(name, m_document.panel().find(ids.front())->caption()));
-    m_gestureId.clear();
     if (shape != m_shape) {
+        m_gestureId.clear();
         m_shape = shape;
         std::vector<kit::PropertyDescriptor> rows;
         // What the element is about comes first; the place is mostly set with the mouse.
@@ -146,6 +157,7 @@ const Json& PropertySheet::valueOf(const ElementId& id, const PropertyDescriptor
 void PropertySheet::refresh() {
     const ElementIds ids = targets();
     if (ids.empty() || m_shape.isEmpty()) return;
+    if (shapeNow() != m_shape) return rebuild();
     for (const PropertyDescriptor* property : shared())
         for (const kit::PropertyDescriptor& row : gridRows(*property, m_context)) {
             const QVariant first = gridValue(*property, valueOf(ids.front(), *property), row.id, m_context);

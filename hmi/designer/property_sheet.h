@@ -24,6 +24,8 @@ public:
 
 private:
     void rebuild();
+    /// Changes with the rows: kinds of what is selected, and which properties say something.
+    QString shapeNow() const;
     ElementIds targets() const;
     const ElementDescriptor& descriptor() const;
     std::vector<const PropertyDescriptor*> shared() const;

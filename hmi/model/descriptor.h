@@ -49,6 +49,8 @@ struct PropertyDescriptor {
     PropertyGroup group;
     const char* title; // for translation in the context "Hmi"
     std::string_view hint;
+    /// range(), worked out once: numbers are read for every repaint.
+    std::optional<std::pair<double, double>> limits = {};
 
     std::vector<std::string_view> choices() const;
     /// Smallest and largest value of a number "a..b"; none where the hint says nothing.

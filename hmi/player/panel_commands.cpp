@@ -24,7 +24,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     alarms.setFile(project.alarms);
     if (session) {
         values = std::make_unique<PlcValues>(*session);
-        alarms.setClockAtZero(values->clock() - values->status().time.count());
+        if (const auto clock = values->clockAtZero()) alarms.setClockAtZero(*clock);
         AlarmEvaluator evaluator(*session, alarms.definitions());
         std::vector<AlarmFindings> findings;
         while (evaluator.process(findings)) {
@@ -37,6 +37,7 @@ QImage renderPanel(const PanelProject& project, session::Session* session, const
     PanelScene scene;
     scene.setDesigning(!session);
     scene.setFolder(project.folder);
+    scene.setPicturesOutside(project.picturesOutside);
     scene.setTexts(&project.texts);
     scene.setAlarms(&alarms);
     scene.setLanguage(language);

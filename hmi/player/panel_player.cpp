@@ -21,6 +21,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
     if (project.hasAlarms) (void)m_alarms.openStore(QStringLiteral(":memory:"));
     connectScene();
     scene().setFolder(project.folder);
+    scene().setPicturesOutside(project.picturesOutside);
     scene().setTexts(&project.texts);
     scene().setAlarms(&m_alarms);
     scene().setLanguage(project.texts.settings().languages.value(0, QStringLiteral("en")));
@@ -98,7 +99,7 @@ void PanelPlayer::setSession(session::Session* session) {
         m_values = std::make_unique<PlcValues>(*session);
         if (!m_project.texts.settings().variable.isEmpty())
             m_languageBinding = m_values->bind(m_project.texts.settings().variable);
-        m_alarms.setClockAtZero(m_values->clock() - m_values->status().time.count());
+        if (const auto clock = m_values->clockAtZero()) m_alarms.setClockAtZero(*clock);
         if (!m_alarms.definitions().empty()) m_watch = std::make_unique<AlarmWatch>(*session, m_alarms);
         scene().setValues(m_values.get());
     }
@@ -111,10 +112,13 @@ void PanelPlayer::shareAlarms(PanelPlayer& station) {
     scene().setAlarms(&alarms());
 }
 
+QString PanelPlayer::alarmStoreOf(const PanelProject& project) {
+    return project.folder + QStringLiteral("/.stepwise/alarms.sqlite");
+}
+
 Result<void> PanelPlayer::keepAlarmsInProject() {
-    const QString folder = m_project.folder + QStringLiteral("/.stepwise");
-    QDir().mkpath(folder);
-    return m_alarms.openStore(folder + QStringLiteral("/alarms.sqlite"));
+    QDir().mkpath(m_project.folder + QStringLiteral("/.stepwise"));
+    return m_alarms.openStore(alarmStoreOf(m_project));
 }
 
 bool PanelPlayer::showPanel(const QString& name) {
@@ -210,9 +214,7 @@ void PanelPlayer::setRecording(std::optional<PanelRecording> recording) {
     if (m_recording) {
         m_recordedAlarms.clear();
         m_recordedAlarms.setFile(m_project.alarms);
-        const history::Statistics there = m_recording->history->statistics();
-        if (const auto newest = there.end > there.first ? m_recording->history->stamp(there.end - 1) : std::nullopt)
-            m_recordedAlarms.setClockAtZero(m_values->clock() - newest->time.count());
+        if (const auto clock = m_values->clockAtZero()) m_recordedAlarms.setClockAtZero(*clock);
         if (m_recording->program && !m_recordedAlarms.definitions().empty()) {
             const AlarmSource source{
                 m_recording->history, [program = m_recording->program] { return program; },
@@ -352,6 +354,8 @@ void PanelPlayer::updateStatus() {
 void PanelPlayer::frame() {
     if (m_values) {
         m_values->refresh();
+        // A controller that has not run yet has no calendar: it is known with the first scan.
+        if (const auto clock = m_values->clockAtZero(); clock && !m_values->isPast()) m_alarms.setClockAtZero(*clock);
         followLanguageVariable();
         evaluateRecorded();
         if (m_session && !m_station) // taken once, by who keeps what all share

@@ -48,6 +48,7 @@ public:
     Result<void> keepAlarmsIn(const QString& path) { return m_alarms.openStore(path); }
     /// The same in `.stepwise` of the project's folder, where the studio and `stepwise panel --play` both look.
     Result<void> keepAlarmsInProject();
+    static QString alarmStoreOf(const PanelProject& project);
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }

@@ -29,6 +29,7 @@ CheckInput PanelProject::checkInput() const {
     input.alarms = alarms;
     input.hasAlarms = hasAlarms;
     input.folder = folder;
+    input.picturesOutside = picturesOutside;
     return input;
 }
 
@@ -109,8 +110,10 @@ PanelProject loadPanelProject(const projects::Project& project) {
     PanelProject out;
     out.folder = QString::fromStdString(project.folder);
     LanguageSettings settings;
-    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end())
+    if (const auto hmi = project.json.find("hmi"); hmi != project.json.end()) {
         settings = LanguageSettings::fromJson(*hmi);
+        out.picturesOutside = hmi->is_object() && hmi->contains("picturesOutside") && (*hmi)["picturesOutside"] == true;
+    }
     out.startPanel = QString::fromStdString(project.startPanel);
     TextTable empty;
     for (const QString& tag : settings.languages) empty.addLanguage(tag);

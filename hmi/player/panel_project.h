@@ -14,6 +14,7 @@ namespace plc::hmi {
 struct PanelProject {
     QString folder;
     QString startPanel;
+    bool picturesOutside = false;   // project.json: "hmi": {"picturesOutside": true}
     std::vector<NamedPanel> panels; // by name
     TextCatalog texts;
     AlarmFile alarms;

@@ -28,6 +28,7 @@ enum class SystemText {
     Acknowledged,
     Returned,
     Gone, // states of alarms
+    UntilRestart, // neither gone nor acknowledged when the controller was started again
     Stopped,
     Paused,
     Fault,

@@ -3,9 +3,8 @@
 #include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
 #include "hmi/view/arrays.h"
+#include "hmi/view/property_check.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QFontDatabase>
 #include <QFontMetrics>
 #include <QSet>
@@ -99,7 +98,8 @@ struct Checker {
                 const int first = properties.integer("first");
                 expression = withIndex(expression, first, first, first);
             }
-            Message complaint = input.checkBinding(expression, binding.hint, binding.type == PropertyType::Target);
+            Message complaint =
+                input.checkBinding(expression, wantedType(properties, binding), binding.type == PropertyType::Target);
             if (!complaint.isEmpty())
                 add(FindingKind::WrongBinding, true, file, id, binding.place(), std::move(complaint));
         });
@@ -126,9 +126,6 @@ struct Checker {
         for (const PropertyDescriptor& property : element.descriptor().properties) {
             const QString value = element.text(property.key);
             const QString name = QString::fromStdString(std::string(property.key));
-            if (property.type == PropertyType::File && !value.isEmpty() && !input.folder.isEmpty() &&
-                !QFileInfo::exists(QDir(input.folder).filePath(value)))
-                add(FindingKind::MissingImage, true, file, id, name, errors::FileMissing(toUtf8(value)));
             if (property.type == PropertyType::Panel && !value.isEmpty()) {
                 const bool isKnown = std::any_of(input.panels.begin(), input.panels.end(),
                                                  [&](const NamedPanel& one) { return one.name == value; });
@@ -147,6 +144,8 @@ struct Checker {
         const QString file = panelFile(named.name);
         forEachText(named.panel, [&](const Found& text) { checkText(file, {}, text, {}, false); });
         for (const Element& element : named.panel.elements()) checkElement(file, named.panel, element);
+        for (PropertyFinding& one : checkProperties(input, named.panel))
+            add(one.kind, one.isError, file, one.element, one.property, std::move(one.message));
     }
 
     void checkAlarms() {
@@ -172,6 +171,11 @@ struct Checker {
     }
 
     void checkTable() {
+        if (!table().rows().empty())
+            for (const QString& tag : table().tags())
+                if (!settings().languages.contains(tag, Qt::CaseInsensitive))
+                    add(FindingKind::UnlistedColumn, false, kTextFile, {}, {}, errors::ColumnNotInProject(toUtf8(tag)),
+                        tag, 1);
         for (const QString& key : input.keysUsedElsewhere) usedKeys += key;
         for (const TextTable::Row& row : table().rows()) {
             if (!usedKeys.contains(row.key) && !row.key.startsWith(QStringLiteral("hmi.")))
@@ -240,6 +244,7 @@ struct Checker {
         scene.setTexts(&input.texts);
         scene.setAlarms(&book);
         scene.setFolder(input.folder);
+        scene.setPicturesOutside(input.picturesOutside);
         scene.setPanel(named.panel);
         QSet<QString> said;
         for (const QString& tag : languages()) {

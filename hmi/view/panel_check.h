@@ -26,6 +26,16 @@ enum class FindingKind {
     UnknownLanguage,
     Outside,
     BadFormat,
+    BadPicture = 30, // H1031
+    OutOfRange,
+    UnknownProperty,
+    WrongPropertyType,
+    BadColor,
+    WrongLimits,
+    BadGroup,
+    UnlistedColumn,
+    UnnamedControl,
+    LeavesRange,
 };
 
 struct Finding {
@@ -59,7 +69,8 @@ struct CheckInput {
     QString folder;        // of the project, for image files
     QStringList languages; // to measure in; empty: all of the project
     QStringList keysUsedElsewhere;
-    BindingCheck checkBinding; // may be empty
+    bool picturesOutside = false; // the project allows pictures outside its folder
+    BindingCheck checkBinding;    // may be empty
 };
 
 std::vector<Finding> checkPanels(const CheckInput& input);

@@ -4,6 +4,7 @@
 #include "hmi/alarms/alarm_book.h"
 #include "hmi/model/edit.h"
 #include "hmi/view/element_view.h"
+#include "hmi/view/picture_file.h"
 
 #include <QImage>
 #include <QObject>
@@ -28,6 +29,8 @@ public:
     void setLanguage(const QString& tag);
     /// Folder to which image files are relative (the project's).
     void setFolder(const QString& folder) { m_folder = folder; }
+    /// The project allows pictures outside its folder.
+    void setPicturesOutside(bool allowed) { m_picturesOutside = allowed; }
     /// Unbound elements show sample values, and nothing reacts to being pressed.
     void setDesigning(bool designing);
     /// Position of the recording that alarm lists show; none: the present.
@@ -42,6 +45,7 @@ public:
     std::optional<quint64> alarmPosition() const { return m_alarmPosition; }
     const QString& language() const { return m_language; }
     const QString& folder() const { return m_folder; }
+    PictureFolder pictures() const { return {m_folder, m_picturesOutside}; }
     bool isDesigning() const { return m_designing; }
     /// Placeholders without a value are filled with wide figures, for the check of sizes.
     void setMeasuring(bool measuring) { m_measuring = measuring; }
@@ -103,6 +107,7 @@ private:
     const TextCatalog* m_texts;
     AlarmBook* m_alarms = nullptr;
     QString m_language, m_folder;
+    bool m_picturesOutside = false;
     bool m_designing = false, m_measuring = false, m_lit = true, m_allDirty = true;
     std::optional<quint64> m_alarmPosition;
     std::vector<std::unique_ptr<ElementView>> m_views;
