@@ -1,8 +1,10 @@
 // What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
 #include "hmi/designer/design_canvas.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/variable_picker.h"
 #include "hmi/designer/palette.h"
+#include "hmi/model/errors.h"
 #include "runtime/base/read_json.h"
 
 #include <QDragEnterEvent>
@@ -67,6 +69,16 @@ void DesignCanvas::dropEvent(QDropEvent* event) {
 }
 
 void DesignCanvas::insertElements(const Json& elements, QPointF at) {
+    const PanelLookup panels = m_context.project().panelLookup();
+    for (const Json& fields : elements) {
+        if (!fields.is_object() || Element(fields).kind() != ElementKind::Faceplate) continue;
+        const QString placed = Element(fields).text("panel");
+        const hmi::Panel* panel = panels(placed);
+        if (panel && (placed == m_panelName || placesPanel(*panel, m_panelName, panels))) {
+            emit refused(kit::messageText(errors::FaceplateContainsItself(toUtf8(placed))));
+            return;
+        }
+    }
     QRectF bounds;
     for (const Json& fields : elements)
         if (fields.is_object())

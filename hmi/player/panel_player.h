@@ -25,6 +25,8 @@ public:
     /// The panel that is edited, while the designer shows it live.
     void showPanel(const QString& name, const Panel& panel);
     void follow(const Panel& panel, const Touched& touched);
+    /// What parameters of the panels shown from now on stand for; the rest have their defaults.
+    void setArguments(Arguments arguments) { m_arguments = std::move(arguments); }
     /// Texts, languages or alarms of the project changed.
     void projectChanged();
     void setLanguage(const QString& tag);
@@ -44,6 +46,7 @@ public:
 
     PanelView& view() { return *m_view; }
     PanelScene& scene() { return m_view->scene(); }
+    const PanelScene& scene() const { return m_view->scene(); }
     AlarmBook& alarms() { return m_recording ? m_recordedAlarms : m_alarms; } // as the lists show them
     AlarmWatch* alarmWatch() { return m_watch.get(); }
     PlcValues* values() { return m_values.get(); }
@@ -76,9 +79,13 @@ private:
     void evaluateRecorded();
     QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
+    Arguments argumentsFor(const Panel& panel) const;
+    std::string shownState() const;
     struct Look;
     const PanelProject& m_project;
     session::Session* m_session;
+    Arguments m_arguments;
+    std::string m_shown;
     std::string m_alarmFile; // what the watch was made of
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;
