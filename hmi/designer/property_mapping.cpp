@@ -274,8 +274,9 @@ Json fromGrid(const PropertyDescriptor& property, const Json& present, const QSt
         return edited.toInt();
     case PropertyType::Arguments: {
         Json arguments = Json::object();
-        for (const auto& [name, argument] : (present.is_object() ? present : Json::object()).items())
-            if (QString::fromStdString(name).compare(part, Qt::CaseInsensitive) != 0) arguments[name] = argument;
+        if (present.is_object())
+            for (const auto& [name, argument] : present.items())
+                if (QString::fromStdString(name).compare(part, Qt::CaseInsensitive) != 0) arguments[name] = argument;
         if (!edited.toString().isEmpty()) arguments[part.toStdString()] = toUtf8(edited.toString());
         return arguments;
     }

@@ -62,6 +62,7 @@ struct Writer {
 
     void text(const QString& element, const QString& words, int& number, const std::function<void()>& attributes = {}) {
         xml.writeStartElement(element);
+        xml.setAutoFormatting(false); // blanks within count
         if (attributes) attributes();
         for (const Piece& piece : piecesOf(words)) {
             if (!piece.isPlaceholder) {
@@ -79,6 +80,7 @@ struct Writer {
             xml.writeEndElement();
         }
         xml.writeEndElement();
+        xml.setAutoFormatting(true);
     }
 
     void begin() {

@@ -67,7 +67,7 @@ TEST(Xliff, TakesTranslationsAndAddsTheLanguage) {
                              "</source><target><ph id=\"1\" equiv=\"{n:%d}\"/> i <pc id=\"2\">niveau</pc></target>");
             bytes = replaced(bytes, "\"initial\"", "\"reviewed\"");
         } else {
-            bytes = replaced(bytes, "state=\"needs-translation\"/>",
+            bytes = replaced(bytes, "state=\"needs-translation\"></target>",
                              "state=\"final\"><ph id=\"1\">{n:%d}</ph> i <g id=\"2\">niveau</g></target>");
         }
         const Result<XliffFile> file = readXliff(bytes, QStringLiteral("f.xlf"));
