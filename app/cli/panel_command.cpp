@@ -33,8 +33,9 @@ Result<std::vector<hmi::Finding>> rangesInARun(const Arguments& arguments, const
 
 int check(const Arguments& arguments, const projects::Project& project) {
     needApplication();
-    const driver::Checked checked = driver::check(project.buildInput());
     const hmi::PanelProject panels = hmi::loadPanelProject(project);
+    const driver::BuildInput input = project.buildInput();
+    const driver::Checked checked = hmi::checkedForPanels(input, driver::check(input), panels.panels);
     QStringList languages;
     for (const std::string& language : arguments.values("--language"))
         if (language != "all") languages += QString::fromStdString(language);

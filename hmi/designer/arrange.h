@@ -41,6 +41,17 @@ struct ArrayLayout {
 /// Copies in rows; the first index in each binding (`Motor[1]`) and the last number of each text count up.
 Edit duplicatedAsArray(const Panel& panel, const ElementIds& ids, const ArrayLayout& layout,
                        ElementIds* added = nullptr);
+/// A faceplate for every element of an array: the one that is there is that of the first index.
+struct ArrayArrangement {
+    QString array;     // "Plant.Valves"
+    QString parameter; // gets "Plant.Valves[3]"
+    int first = 1, last = 1;
+    int columns = 1;
+    QPointF gap{8, 8};
+};
+/// `#` in the other arguments (the text "V#", the key "@valve.#") is the index.
+Edit arrangedOverArray(const Panel& panel, const ElementId& faceplate, const ArrayArrangement& arrangement,
+                       ElementIds* added = nullptr);
 /// `Motor[1].on` → `Motor[3].on` for a shift of 2.
 QString withShiftedIndex(const QString& expression, int shift);
 

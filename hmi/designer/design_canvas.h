@@ -27,6 +27,8 @@ public:
     void setGridShown(bool on);
     bool isGridShown() const { return m_gridShown; }
     /// Elements that have findings: a mark shows it.
+    /// Which panel this is: it cannot be placed in itself.
+    void setPanelName(const QString& name) { m_panelName = name; }
     void setFindings(const std::vector<Finding>& findings);
 
     QPointF toPanel(QPointF viewportPoint) const;
@@ -43,6 +45,7 @@ public:
     QPointF handle(int index) const;
 
 signals:
+    void refused(const QString& reason);
     void zoomChanged(double zoom);
     void pointerMoved(QPointF at);
     void contextMenuRequested(QPoint globalPoint);
@@ -113,6 +116,7 @@ private:
     DesignContext& m_context;
     AlarmBook m_alarms; // lists show the texts of the project
     PanelScene m_scene;
+    QString m_panelName;
     double m_zoom = 1;
     bool m_keepsFit = true; // until a zoom is chosen
     bool m_snaps = true, m_gridShown = true, m_space = false;

@@ -1,10 +1,12 @@
 // What is dropped on the canvas of the panel designer: elements of the palette, variables of the project.
 #include "hmi/designer/design_canvas.h"
 
+#include "editor/kit/message_text.h"
 #include "editor/kit/variable_picker.h"
 #include "hmi/designer/applicable.h"
 #include "hmi/designer/arrange.h"
 #include "hmi/designer/palette.h"
+#include "hmi/model/errors.h"
 #include "hmi/view/property_check.h"
 #include "runtime/base/read_json.h"
 
@@ -99,6 +101,16 @@ void DesignCanvas::dropEvent(QDropEvent* event) {
 }
 
 void DesignCanvas::insertElements(const Json& elements, QPointF at) {
+    const PanelLookup panels = m_context.project().panelLookup();
+    for (const Json& fields : elements) {
+        if (!fields.is_object() || Element(fields).kind() != ElementKind::Faceplate) continue;
+        const QString placed = Element(fields).text("panel");
+        const hmi::Panel* panel = panels(placed);
+        if (panel && (placed == m_panelName || placesPanel(*panel, m_panelName, panels))) {
+            emit refused(kit::messageText(errors::FaceplateContainsItself(toUtf8(placed))));
+            return;
+        }
+    }
     const QRectF bounds = boundsOf(elements);
     QPointF corner = at - QPointF(bounds.width() / 2, bounds.height() / 2);
     corner = QPointF(std::round(corner.x()), std::round(corner.y()));

@@ -37,6 +37,7 @@ enum class PropertyType {
     Expression, // ST, read
     Target,     // ST, a variable that is written
     Bindings,   // {"name": "expression"}
+    Arguments,  // the same, by the parameters of the panel that the element places; texts as they are
     Records,    // list of objects, each as HMI_RECORD says
 };
 

@@ -65,6 +65,8 @@ public:
     ElementId parent() const { return text("parent"); }
     QRectF rect() const { return Properties::rect("rect"); }
     bool isContainer() const { return kind() == ElementKind::Group || kind() == ElementKind::Tab; }
+    /// What is drawn in it moves and hides with it.
+    bool hasContents() const { return isContainer() || kind() == ElementKind::Faceplate; }
 };
 
 class Panel : public Properties {

@@ -22,6 +22,7 @@ PanelPlayer::PanelPlayer(const PanelProject& project, session::Session* session,
     connectScene();
     scene().setFolder(project.folder);
     scene().setPicturesOutside(project.picturesOutside);
+    scene().setFaceplates(project.panelLookup());
     scene().setTexts(&project.texts);
     scene().setAlarms(&m_alarms);
     scene().setLanguage(project.texts.settings().languages.value(0, QStringLiteral("en")));
@@ -129,16 +130,46 @@ bool PanelPlayer::showPanel(const QString& name) {
 }
 
 void PanelPlayer::showPanel(const QString& name, const Panel& panel) {
-    scene().setPanel(panel);
+    scene().setPanel(withArguments(panel, argumentsFor(panel)));
+    m_shown = shownState();
     const bool isNew = std::exchange(m_panelName, name) != name;
     updateStatus();
     if (isNew) emit panelChanged(name);
 }
 
-void PanelPlayer::follow(const Panel& panel, const Touched& touched) { scene().follow(panel, touched); }
+void PanelPlayer::follow(const Panel& panel, const Touched& touched) {
+    scene().follow(withArguments(panel, argumentsFor(panel)), touched);
+    m_shown = shownState();
+}
+
+/// What a panel with parameters is shown with: what it was opened with, else its defaults.
+Arguments PanelPlayer::argumentsFor(const Panel& panel) const { return completed(parametersOf(panel), m_arguments); }
+
+/// All that decides on what is drawn: the panel and what it places, as their files have it.
+std::string PanelPlayer::shownState() const {
+    std::string out = scene().panel().write();
+    QStringList names;
+    const std::function<void(const Panel&)> add = [&](const Panel& panel) {
+        for (const Element& element : panel.elements()) {
+            const QString name = element.kind() == ElementKind::Faceplate ? element.text("panel") : QString();
+            const Panel* placed = name.isEmpty() || names.contains(name) ? nullptr : scene().panelNamed(name);
+            if (!placed) continue;
+            names += name;
+            out += placed->write();
+            add(*placed);
+        }
+    };
+    add(scene().panel());
+    return out;
+}
 
 void PanelPlayer::projectChanged() {
     scene().setTexts(&m_project.texts);
+    // What is edited in a designer is seen here, too, as is a faceplate that this panel places.
+    if (const NamedPanel* now = m_project.find(m_panelName)) {
+        const Panel panel = withArguments(now->panel, argumentsFor(now->panel));
+        if (panel.write() != scene().panel().write() || shownState() != m_shown) showPanel(m_panelName, now->panel);
+    }
     if (m_project.alarms.write() != m_alarmFile) {
         m_watch.reset();
         m_alarmFile = m_project.alarms.write();

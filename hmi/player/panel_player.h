@@ -25,6 +25,8 @@ public:
     /// The panel that is edited, while the designer shows it live.
     void showPanel(const QString& name, const Panel& panel);
     void follow(const Panel& panel, const Touched& touched);
+    /// What parameters of the panels shown from now on stand for; the rest have their defaults.
+    void setArguments(Arguments arguments) { m_arguments = std::move(arguments); }
     /// Texts, languages or alarms of the project changed.
     void projectChanged();
     void setLanguage(const QString& tag);
@@ -56,6 +58,7 @@ public:
     AlarmWatch* alarmWatch() { return m_station ? m_station->alarmWatch() : m_watch.get(); }
     /// Shows and acknowledges the alarms that another player of the same controller keeps; it must outlive this one.
     void shareAlarms(PanelPlayer& station);
+    const PanelScene& scene() const { return m_view->scene(); }
     PlcValues* values() { return m_values.get(); }
     /// Frames come from the owner alone, not from a timer.
     void setStepped() { m_timer.stop(); }
@@ -89,9 +92,13 @@ private:
     QString whyNot(const ValueFacts& facts, const Value& value, const QString& reason) const;
     void refuse(const QString& reason);
     bool refusesLocked();
+    Arguments argumentsFor(const Panel& panel) const;
+    std::string shownState() const;
     struct Look;
     const PanelProject& m_project;
     session::Session* m_session;
+    Arguments m_arguments;
+    std::string m_shown;
     std::string m_alarmFile; // what the watch was made of
     std::unique_ptr<PlcValues> m_values;
     AlarmBook m_alarms;

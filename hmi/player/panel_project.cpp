@@ -122,7 +122,11 @@ PanelProject loadPanelProject(const projects::Project& project) {
     if (QFileInfo::exists(out.alarmsPath())) out.readAlarms();
     for (const QString& name : panelsOnDisk(out.folder)) out.readPanel(name);
     if (out.startPanel.endsWith(QStringLiteral(".panel.json"))) out.startPanel.chop(11);
-    if (!out.find(out.startPanel) && !out.panels.empty()) out.startPanel = out.panels.front().name;
+    if (out.find(out.startPanel)) return out;
+    out.startPanel.clear();
+    for (const NamedPanel& panel : out.panels) // a faceplate shows nothing by itself
+        if (out.startPanel.isEmpty() && parametersOf(panel.panel).empty()) out.startPanel = panel.name;
+    if (out.startPanel.isEmpty() && !out.panels.empty()) out.startPanel = out.panels.front().name;
     return out;
 }
 

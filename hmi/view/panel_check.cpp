@@ -3,6 +3,7 @@
 #include "hmi/model/errors.h"
 #include "hmi/model/walk.h"
 #include "hmi/view/arrays.h"
+#include "hmi/view/faceplate_check.h"
 #include "hmi/view/property_check.h"
 
 #include <QFontDatabase>
@@ -49,7 +50,8 @@ struct Checker {
     void checkText(const QString& file, const ElementId& id, const Found& text, const QStringList& names,
                    bool hasFixedLanguage) {
         if (!isTextKey(text.text)) {
-            if (hasLetters(text.text) && settings().languages.size() > 1 && !hasFixedLanguage)
+            const bool isGiven = !parameterNames(text.text).isEmpty(); // by whoever places the panel
+            if (hasLetters(text.text) && settings().languages.size() > 1 && !hasFixedLanguage && !isGiven)
                 add(FindingKind::HardCodedText, false, file, id, text.place(),
                     errors::TextWithoutKey(toUtf8(text.text)));
             checkNames(file, id, text, text.text, {}, names);
@@ -93,6 +95,7 @@ struct Checker {
     void checkBindings(const QString& file, const ElementId& id, const Properties& properties, bool hasIndex = false) {
         if (!input.checkBinding) return;
         forEachBinding(properties, [&](const Found& binding) {
+            if (binding.type == PropertyType::Arguments) return; // by the parameters' types: checkPlacements
             QString expression = binding.text;
             if (hasIndex) { // tried with the first index
                 const int first = properties.integer("first");
@@ -119,17 +122,17 @@ struct Checker {
                 errors::NoLanguage(toUtf8(fixed)));
         forEachText(element, [&](const Found& text) { checkText(file, id, text, names, !fixed.isEmpty()); });
         checkLists(file, id, element);
-        checkBindings(file, id, element,
-                      element.kind() == ElementKind::ArrayTable || element.kind() == ElementKind::CellGrid);
+        if (parametersOf(panel).empty())
+            checkBindings(file, id, element,
+                          element.kind() == ElementKind::ArrayTable || element.kind() == ElementKind::CellGrid);
         if (const QRectF rect = element.rect(); !QRectF(QPointF(), panel.size()).intersects(rect))
             add(FindingKind::Outside, false, file, id, QStringLiteral("rect"), errors::ElementOutside());
         for (const PropertyDescriptor& property : element.descriptor().properties) {
             const QString value = element.text(property.key);
             const QString name = QString::fromStdString(std::string(property.key));
             if (property.type == PropertyType::Panel && !value.isEmpty()) {
-                const bool isKnown = std::any_of(input.panels.begin(), input.panels.end(),
-                                                 [&](const NamedPanel& one) { return one.name == value; });
-                if (!isKnown) add(FindingKind::UnknownPanel, true, file, id, name, errors::NoPanel(toUtf8(value)));
+                if (!value.contains(u'$') && !input.panelLookup()(value))
+                    add(FindingKind::UnknownPanel, true, file, id, name, errors::NoPanel(toUtf8(value)));
             }
             if (property.key == "format" && !value.isEmpty() && !NumberFormat::parse(value))
                 add(FindingKind::BadFormat, true, file, id, name,
@@ -146,6 +149,12 @@ struct Checker {
         for (const Element& element : named.panel.elements()) checkElement(file, named.panel, element);
         for (PropertyFinding& one : checkProperties(input, named.panel))
             add(one.kind, one.isError, file, one.element, one.property, std::move(one.message));
+        append(checkPlacements(input, named));
+        if (!parametersOf(named.panel).empty()) append(checkParameterBindings(input, named));
+    }
+
+    void append(std::vector<Finding> more) {
+        for (Finding& one : more) found.push_back(std::move(one));
     }
 
     void checkAlarms() {
@@ -245,6 +254,7 @@ struct Checker {
         scene.setAlarms(&book);
         scene.setFolder(input.folder);
         scene.setPicturesOutside(input.picturesOutside);
+        scene.setFaceplates(input.panelLookup());
         scene.setPanel(named.panel);
         QSet<QString> said;
         for (const QString& tag : languages()) {
@@ -256,6 +266,8 @@ struct Checker {
                 view->collectTexts(fixed.isEmpty() ? tag : fixed, boxes);
                 for (const TextBox& box : boxes) {
                     if (fits(box)) continue;
+                    // Said where the faceplate is drawn, unless the text comes from here.
+                    if (scene.isInner(*view) && !dependsOnArguments(scene, *view, box.property)) continue;
                     const QString place = view->element().id() + u'.' + box.property;
                     if (said.contains(place + tag + box.text)) continue;
                     said += place + tag + box.text;
