@@ -165,9 +165,9 @@ Result<tuning::LoopSeries> seriesOf(const history::History& history, const Signa
     const history::Statistics all = history.statistics();
     tuning::LoopSeries out;
     const auto ranges = history::chainTo(history.branches(), all.end);
-    for (const auto& [text, target] :
-         {std::pair{channels.input, &tuning::LoopSeries::input}, std::pair{channels.output, &tuning::LoopSeries::output},
-          std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
+    for (const auto& [text, target] : {std::pair{channels.input, &tuning::LoopSeries::input},
+                                       std::pair{channels.output, &tuning::LoopSeries::output},
+                                       std::pair{channels.setPoint, &tuning::LoopSeries::setPoint}}) {
         if (text.empty()) continue;
         const Meaning meaning(history, text);
         const auto expression = meaning.newest();
