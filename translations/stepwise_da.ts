@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Ændret udefra</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 blev ændret af et andet program, og her også.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Sammenlign…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Indlæs fra disken</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Behold mine</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>tasken kørte længere end sin watchdogtid på {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>mere end {0} løkkegennemløb og kald i én kørsel af tasken; kontroller for en endeløs løkke</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1366,10 +1389,6 @@
         <translation>Sætninger på én linje kan ikke flyttes; skil dem først ad i teksten.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>Den første indgang og den første udgang af {0} skal være BOOL, for at den kan være i et netværk.</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>Netværket læser det, det skriver; tilføj denne spole i sit eget netværk.</translation>
     </message>
@@ -1846,14 +1865,258 @@
         <translation>{0} er ikke et antal scan</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} er ikke en tid</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Filen kan ikke importeres: PLCopen XML (.xml), TwinCAT (.TcPOU og så videre), tekst fra CODESYS (.EXP, .export) og struktureret tekst (.st) kan læses</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} er ikke et gyldigt navn; brug bogstaver, cifre og understreg.</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} er ikke en tid</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Filen er skrevet i {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Filen blev ikke læst: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>Elementet {0} blev ikke læst</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Leverandørens data {0} er gemt i exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Kroppen i {0} blev til struktureret tekst; diagrammet er gemt i exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Kroppen i {0} er gemt i en form, som kun dens egen editor læser; eksporter den der som PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Et spring fører til trinnet {0}, som ikke findes</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>Elementet {0} er ikke forbundet og blev udeladt</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>Biblioteket {0} hører ikke til Stepwise; kontrollen melder, hvor det bruges</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Kode i C er bevaret som kommentar og udføres ikke</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Der er to programenheder med navnet {0}; den anden er i {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>Enhedernes konfiguration blev ikke læst; tildel ind- og udgange igen</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} tæller %MW1 i ord, her tælles i byte; kontrollér, at adresserne ikke overlapper</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML har ingen plads til paneler; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML har ingen plads til traces; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML har ingen plads til tests; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML har ingen plads til USING; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML har ingen plads til navnet på transitionen {0}; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML har én indikator pr. aktion; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>Version 0201 har ingen metoder; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>Version 0201 har ingen egenskaber; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>Version 0201 har ingen interfaces; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>Version 0201 har ingen unions; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>Version 0201 har ingen nedarvning; EXTENDS eller IMPLEMENTS i {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>Version 0201 har ikke typen {0}; andre værktøjer kender den ikke</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>Version 0201 har ingen plads til pragmaet {0} på et trin; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>Version 0201 har ingen plads til {0} for en task; det blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>Version 0201 har ingen plads til forbindelserne for programmet {0}; de blev udeladt</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Filen er ingen programkilde og blev udeladt</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Erstat med {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Indsæt {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Mente du {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Konverter med {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Flyt {0} til {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Tilføj egenskaben {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Tilføj metoden {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Tilføj de manglende grene</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Tilføj ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Tilføj () for at kalde den</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Sammenlign med 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Fjern den ubrugte erklæring</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Erstat med IF og ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Skift til en WSTRING-literal</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Erstat med lige anførselstegn</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Gør {0} til starttrin</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Dereferer pointeren med ^</translation>
     </message>
 </context>
 <context>
@@ -2728,6 +2991,477 @@
     </message>
 </context>
 <context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Prik</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Startsymbol</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Stopsymbol</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Pausesymbol</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Plustegn</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Minustegn</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Hus</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Cirkelpil</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Klokkeslæt</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Efter tid</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Fuldt optrukket</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Stiplet</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Prikket</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>I starten</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Centreret</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>I slutningen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørkt</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Høj kontrast</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pil</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Buelinje</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Cirkeludsnit</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Cirkelafsnit</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Vis hele billedet</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Udfyld rammen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Stræk</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Højre</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Venstre</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Op</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ned</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Momentan</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Sæt til TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Sæt til FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Skriv en værdi</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Gå til et panel</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Skift sprog</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Kvitter alarmer</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Vandret</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Lodret</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Dato og klokkeslæt</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Dato</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Kalenderuge</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Kvadratisk</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Afrundet</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Hvælvede bunde</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Flade bunde</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Tragt</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Åben foroven</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Vælg</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Aktuelle alarmer</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Alarmhistorik</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Efter prioritet</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Knapper</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>På deres eget sprog</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Sprogkoder</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Pumpe</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Ventil</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Tank</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Transportbånd</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Omrører</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Varmelegeme</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilator</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Føler</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirene</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Lastbil</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Køretøj</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Baggrund</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Flade</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Hævet flade</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Forsænket flade</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Linjefarve</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Svag linje</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Tekstfarve</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Dæmpet tekst</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Knapfarve</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Fremhævning</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Slukket</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>I drift</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Væske</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Rørfarve</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Måleværdi</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Lysende segment</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Displayglas</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Alarmfarve</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Høj prioritet</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advarsel</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Lav prioritet</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rød</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gul</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grøn</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blå</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Hvid</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Sort</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grå</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>God tilstand</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Kurve 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Kurve 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Kurve 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Kurve 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Kurve 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Kurve 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Kurve 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Kurve 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tal</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>en BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>et array</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>enhver type</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2798,6 +3532,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>Fortsat fra dette scan</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>først erklæret her</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>erklæret her</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>variablen</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>det første program</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>tilsidesat her</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>den første</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>ved denne transition, mens det er aktivt</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>et navn</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>en etiket</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>en operand</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>et udtryk</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>en værdi</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>en type</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>et indeks</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>et argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>en adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>en aktion</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>en CASE-etiket</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>navnet på en funktionsblok</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>navnet på en processor</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>navnet på en task</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>navnet på en programinstans</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>en ind- eller udgang</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>navnet på en variabel</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>stien til en variabel</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>navnet på et trin</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>navnet på en type</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>navnet på et medlem</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>et adgangsnavn</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>en enumerationsværdi</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>linjens slutning</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>filens slutning</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} eller {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR og en tid</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= eller instruktioner</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>et delområde</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>en enumeration</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>i parentes</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>et SFC-diagram</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>en krop</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>i en CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>i en FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>i en METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>i et PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>i en FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>her</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>i {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>i et udtryk</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>i en startværdi</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>i dette afsnit</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>en startværdi</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN med en værdi</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>i en erklæring, der kalder FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>i {0}, som ikke selv er abstrakt</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>tidsrum</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>dato</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>klokkeslæt</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>dato og klokkeslæt</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>heltal</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>tekst</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (en konstant)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (en udgang)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (en lokal variabel i {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (en indgang)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (en indgang; næste scan overskriver den)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (en egenskab uden SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (ingen instans eller flere)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (en type; erklær en instans af den)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (en variabel, som skjuler funktionen af dette navn)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>en udgang</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>en indgang</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>en IN_OUT-parameter</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>en potens af et beregnet tal</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>et kald af {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>et kald uden argumenter</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>et beregnet andet argument til {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} uden for en løkke</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>denne sætning</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR med denne slutning eller dette skridt</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>en tildeling af flere variabler</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE af en beregnet værdi</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>en tekst</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>et tal</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>et heltal</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>et antal sekunder</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>en liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>et objekt</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>en af {0}</translation>
     </message>
 </context>
 <context>
@@ -2946,14 +4046,6 @@
             <numerusform>%n filer er ændret: %1. Gem dem?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Ændret udefra</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 er ændret af et andet program, og også her. Indlæs filen fra disken og mist ændringerne herfra?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2995,6 +4087,119 @@
     <message>
         <source>Write</source>
         <translation>Skriv</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Eksporter projektet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, til CODESYS og TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, til Beremiz og OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fil…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksporter</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Til:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Bemærkning</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>Programenheder: %1
+Kroppe: %2
+Ikke bevaret: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importer et projekt</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, filer fra TwinCAT eller CODESYS, struktureret tekst</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fil…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Mappe…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Kildefiler</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Forhåndsvisning</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Fra:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Nyt projekt i:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projekter fra andre værktøjer (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Denne mappe er ikke tom; angiv en ny</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instans, hvis værdier vises</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Værdier for instansen af %1:</translation>
     </message>
 </context>
 <context>
@@ -3195,10 +4400,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Rename</source>
         <translation>Omdøb</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nyt navn til %1, i hele projektet:</translation>
     </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
@@ -3616,10 +4817,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Erklæringer som tabel</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>SFC-diagram ved siden af teksten</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>Onlineværdier i teksten</translation>
     </message>
@@ -3670,10 +4867,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – tilbage til livevisning</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3839,10 +5032,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Projektet blev eksporteret</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 er skrevet i %2 og gemmes, som den blev fundet</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>Vælg også næste forekomst</translation>
     </message>
@@ -3867,12 +5056,51 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Optagelsen af den seneste kørsel gemmes…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 er ikke UTF-8 og blev læst som Windows-1252; der gemmes som UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagram ved siden af teksten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Sammenlign %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Forrige</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Næste</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Overtag</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Overtag alle</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Her (denne tekst beholdes)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>På disken</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Brug teksten til venstre</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Ingen forskelle</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Forskel %1 af %2</translation>
     </message>
 </context>
 <context>
@@ -4046,6 +5274,21 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmer</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ProblemsView</name>
     <message>
         <source>Message</source>
@@ -4189,6 +5432,59 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Files</source>
         <translation>Filer</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Omdøb</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nyt navn til %1, i hele projektet:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Sted</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Steder, der ændres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n sted ændres:</numerusform>
+            <numerusform>%n steder ændres:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Tidligere kørsler</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, afsluttet af en fejl, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Den seneste kørsel skrives…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Ingen kørsel er slut endnu</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +5769,68 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Kør alle tests</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Kør de valgte tests</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Kør de fejlede tests</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestået, %2 fejlet</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>endnu ikke kørt</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestået</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fejlet</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Vis optagelsen af fejlen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Linje %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::Tour</name>
     <message>
         <source>Back</source>
@@ -4592,26 +5950,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Slet (Del)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Vis alt</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Eksporter diagrammet</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Udskriv…</translation>
-    </message>
-    <message>
         <source>The unit %1 is not in the text any more</source>
         <translation>Programenheden %1 er ikke længere i teksten</translation>
     </message>
@@ -4622,10 +5960,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>%1 is not a chart</source>
         <translation>%1 er ikke et SFC-diagram</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
@@ -4742,10 +6076,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Release the step</source>
         <translation>Ophæv forcering af trinnet</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksporter som SVG, PNG eller PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4981,6 +6311,275 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Release all</source>
         <translation>Ophæv alle</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Vis alt</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Eksporter som SVG, PNG eller PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Eksporter tegningen</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kan ikke skrives</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Udskriv…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Ladder- eller funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Indsæt et netværk nedenunder (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Indsæt en kontakt til venstre (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Indsæt en kontakt til højre (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Indsæt en parallel kontakt (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Indsæt en spole (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Indsæt en funktionsblok (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Rediger (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Slet (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Stoppunkt på netværket (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Vis som funktionsblokdiagram</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Vis som ladderdiagram</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 er ikke længere i teksten</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Vælg et netværk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Vælg en spole</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Vælg en kontakt, en spole eller et ben med en variabel</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Netværket har ingen kontakt endnu</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Vælg det netværk, der skal have blokken</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>blok</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt til venstre; ved en spole den sidste kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt til højre</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spole</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsblok i netværket</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Inverter en kontakt, en spole eller et ben</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spole: normal, sæt, nulstil</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Netværkets kommentar</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Rediger det valgte (eller Enter)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Slet det valgte</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Stoppunkt på netværket</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Denne liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Piletaster</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Vælg næste del; op og ned også næste netværk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Flyt netværket op; med pil ned, ned</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Skrevet foran et navn: en inverteret kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Taster i ladder- og funktionsblokdiagrammer</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Indsæt et netværk ovenover</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Indsæt et netværk nedenunder</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Indsæt en kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Indsæt en parallel kontakt</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Indsæt en spole</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Indsæt en funktionsblok…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Rediger</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Inverter</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Sæt eller nulstil</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Flyt netværket op</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Flyt netværket ned</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Slet</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forcer TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forcer FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Ophæv forcering</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Slå stoppunkt til/fra</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
     </message>
 </context>
 <context>
@@ -5367,12 +6966,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Kolonner</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Afstand vandret</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Enheden %1 er ikke længere i teksten</translation>
-    </message>
-    <message>
         <source>Gap down</source>
         <translation>Afstand lodret</translation>
     </message>
@@ -5380,18 +6973,16 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <source>Index step</source>
         <translation>Indekstrin</translation>
     </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Vandret afstand</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignCanvas</name>
     <message>
         <source>Move</source>
         <translation>Flyt</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Ændr størrelse</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Vælg det trin, grenen går ud fra</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +6999,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Insert</source>
         <translation>Indsæt</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Ændr størrelse</translation>
     </message>
 </context>
 <context>
@@ -5526,12 +7121,6 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
         <translation>Samme højde</translation>
     </message>
     <message>
-        <source>Same size</source>
-        <translation>Samme størrelse</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>%1 er en variabel: den har ingen krop</translation>
-    </message>
-    <message>
         <source>Bring to front</source>
         <translation>Forrest</translation>
     </message>
@@ -5622,6 +7211,10 @@ Nye paneler tegnes i designeren: Projekt, Paneler, Ny…</translation>
     <message>
         <source>Variables</source>
         <translation>Variabler</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Samme størrelse</translation>
     </message>
 </context>
 <context>
@@ -6489,1200 +8082,6 @@ Klik vælger, Ctrl+klik viser eller skjuler.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Gemmer optagelsen…</translation>
-    </message>
-</context>
-<context>
-    <name>Phrases</name>
-    <message>
-        <source>a name</source>
-        <translation>et navn</translation>
-    </message>
-    <message>
-        <source>a label</source>
-        <translation>en etiket</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>en operand</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>et udtryk</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>en værdi</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>en type</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>et indeks</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>et argument</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>en adresse</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>en aktion</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>en CASE-etiket</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>navnet på en funktionsblok</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>navnet på en processor</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>navnet på en task</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>navnet på en programinstans</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>en ind- eller udgang</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>navnet på en variabel</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>stien til en variabel</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>navnet på et trin</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>navnet på en type</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>navnet på et medlem</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>et adgangsnavn</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>en enumerationsværdi</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>linjens slutning</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>filens slutning</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} eller {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR og en tid</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= eller instruktioner</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>et delområde</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>en enumeration</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>i parentes</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>et SFC-diagram</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>en krop</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>i en CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>i en FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>i en METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>i et PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>i en FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>her</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>i {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>i et udtryk</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>i en startværdi</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>i dette afsnit</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>en startværdi</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN med en værdi</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>i en erklæring, der kalder FB_Init</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>i {0}, som ikke selv er abstrakt</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>adresse</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>tidsrum</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>dato</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>klokkeslæt</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>dato og klokkeslæt</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>heltal</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>tekst</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (en konstant)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (en udgang)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (en lokal variabel i {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (en indgang)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (en indgang; næste scan overskriver den)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (en egenskab uden SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (ingen instans eller flere)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (en type; erklær en instans af den)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (en variabel, som skjuler funktionen af dette navn)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>en udgang</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>en indgang</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>en IN_OUT-parameter</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>en potens af et beregnet tal</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>et kald af {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>et kald uden argumenter</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>et beregnet andet argument til {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} uden for en løkke</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>denne sætning</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR med denne slutning eller dette skridt</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>en tildeling af flere variabler</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE af en beregnet værdi</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>en tekst</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>et tal</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>et heltal</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>et antal sekunder</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>en liste</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>et objekt</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>en af {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Erstat med {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>Indsæt {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>Mente du {0}?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Konverter med {0}</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>Flyt {0} til {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Tilføj egenskaben {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Tilføj metoden {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Tilføj de manglende grene</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>Tilføj ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Tilføj () for at kalde den</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Sammenlign med 0</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Fjern den ubrugte erklæring</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Erstat med IF og ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>Skift til en WSTRING-literal</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Erstat med lige anførselstegn</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>Gør {0} til starttrin</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Dereferer pointeren med ^</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>først erklæret her</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>erklæret her</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>variablen</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>det første program</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>tilsidesat her</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>den første</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>ved denne transition, mens det er aktivt</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>Filen er skrevet i {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>Filen blev ikke læst: {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>Elementet {0} blev ikke læst</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Leverandørens data {0} er gemt i exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Kroppen i {0} blev til struktureret tekst; diagrammet er gemt i exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Kroppen i {0} er gemt i en form, som kun dens egen editor læser; eksporter den der som PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Et spring fører til trinnet {0}, som ikke findes</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Elementet {0} i SFC-diagrammet er ikke forbundet og blev udeladt</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Transitionen fra {0} har ingen betingelse; den er skrevet som FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Elementet {0} indgår i en sløjfe uden en blok, der gemmer en værdi; dets sidste værdi bevares ikke</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>Elementet {0} er ikke forbundet og blev udeladt</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>En flanke i en funktion kræver værdien fra sidste kald, som en funktion ikke gemmer</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Resultatet af {0} bruges flere steder og beregnes hvert sted</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Typen af resultatet af {0} er ikke kendt; det beregnes, selv om EN er FALSE</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>Biblioteket {0} hører ikke til Stepwise; kontrollen melder, hvor det bruges</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Kode i C er bevaret som kommentar og udføres ikke</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Der er to programenheder med navnet {0}; den anden er i {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>Enhedernes konfiguration blev ikke læst; tildel ind- og udgange igen</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>Tasken {0} startes af hændelsen {1}, som ikke findes her; giv den et INTERVAL eller et SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} tæller %MW1 i ord, her tælles i byte; kontrollér, at adresserne ikke overlapper</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>En kommentar uden for elementerne blev udeladt: {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Diagrammet i {0} blev ikke læst: et udtryk gentager sig uden ende</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>En betingelse i {0} kræver et blokkald, som en betingelse ikke kan udføre</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>Transitionen {0} er ikke et enkelt udtryk og blev ikke læst</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML har ingen plads til paneler; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML har ingen plads til traces; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML har ingen plads til tests; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML har ingen plads til tests; TEST ”{0}” blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML har ingen plads til navnerum; et NAMESPACE blev udeladt med sine programenheder</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML har ingen plads til USING; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML har ingen plads til navnet på transitionen {0}; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML har én indikator pr. aktion; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>Version 0201 har ingen metoder; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>Version 0201 har ingen egenskaber; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>Version 0201 har ingen interfaces; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>Version 0201 har ingen unions; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>Version 0201 har ingen nedarvning; EXTENDS eller IMPLEMENTS i {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>Version 0201 har ikke typen {0}; andre værktøjer kender den ikke</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>Version 0201 har ingen plads til pragmaet {0} på et trin; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>Version 0201 har ingen plads til {0} for en task; det blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>Version 0201 har ingen plads til forbindelserne for programmet {0}; de blev udeladt</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>Version 0201 har ingen plads til biblioteker; {0} blev udeladt</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Filen er ingen programkilde og blev udeladt</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Bemærkning</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Rapport</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>Programenheder: %1
-Kroppe: %2
-Ikke bevaret: %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Importer et projekt</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, filer fra TwinCAT eller CODESYS, struktureret tekst</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fil…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Mappe…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Kildefiler</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Forhåndsvisning</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importer</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Fra:</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Nyt projekt i:</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Projekter fra andre værktøjer (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Denne mappe er ikke tom; angiv en ny</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Eksporter projektet</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, til CODESYS og TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, til Beremiz og OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fil…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Eksporter</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Format:</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>Til:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Vis alt</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Eksporter som SVG, PNG eller PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Eksporter tegningen</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kan ikke skrives</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Udskriv…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Omdøb</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nyt navn til %1, i hele projektet:</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Sted</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Tekst</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Steder, der ændres</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n sted ændres:</numerusform>
-            <numerusform>%n steder ændres:</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Ændret udefra</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 blev ændret af et andet program, og her også.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Sammenlign begge side om side, indlæs filen fra disken og mist ændringerne her, eller behold det, der er her, og erstat filen ved næste gem?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Sammenlign…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Indlæs fra disken</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Behold mine</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instans, hvis værdier vises</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Værdier for instansen af %1:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>Sammenlign %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Forrige</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Næste</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Overtag</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Overtag alle</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Her (denne tekst beholdes)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>På disken</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Brug teksten til venstre</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Ingen forskelle</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Forskel %1 af %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Tekster</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmer</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Tidligere kørsler</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, afsluttet af en fejl, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Den seneste kørsel skrives…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Ingen kørsel er slut endnu</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Kør alle tests</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Kør de valgte tests</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Kør de fejlede tests</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Test</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultat</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tid</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 bestået, %2 fejlet</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>endnu ikke kørt</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>bestået</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>fejlet</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Vis optagelsen af fejlen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Linje %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>Optagelsen af den seneste kørsel blev ikke gemt: %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Ladder- eller funktionsblokdiagram</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Indsæt et netværk nedenunder (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Indsæt en kontakt til venstre (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Indsæt en kontakt til højre (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Indsæt en parallel kontakt (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Indsæt en spole (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Indsæt en funktionsblok (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Rediger (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Slet (Del)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Stoppunkt på netværket (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Vis som funktionsblokdiagram</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Vis som ladderdiagram</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 er ikke længere i teksten</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>Teksten har fejl: dette er den sidste gyldige tegning</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Ret teksten først: dette er den sidste gyldige tegning</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Vælg et netværk</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Vælg en spole</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Vælg en kontakt, en spole eller et ben med en variabel</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>Netværket har ingen kontakt endnu</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Vælg det netværk, der skal have blokken</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>blok</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Kontakt til venstre; ved en spole den sidste kontakt</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Kontakt til højre</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Parallel kontakt</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Spole</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Funktionsblok i netværket</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Netværk ovenover</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Netværk nedenunder</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Inverter en kontakt, en spole eller et ben</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Spole: normal, sæt, nulstil</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Netværkets kommentar</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Rediger det valgte (eller Enter)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Slet det valgte</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Stoppunkt på netværket</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Denne liste</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Piletaster</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Vælg næste del; op og ned også næste netværk</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Flyt netværket op; med pil ned, ned</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Skrevet foran et navn: en inverteret kontakt</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Taster i ladder- og funktionsblokdiagrammer</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Indsæt et netværk ovenover</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Indsæt et netværk nedenunder</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Indsæt en kontakt</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Indsæt en parallel kontakt</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Indsæt en spole</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Indsæt en funktionsblok…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Rediger</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Kommentar…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Inverter</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Sæt eller nulstil</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Flyt netværket op</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Flyt netværket ned</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Slet</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>Forcer TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>Forcer FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Ophæv forcering</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Slå stoppunkt til/fra</translation>
     </message>
 </context>
 </TS>

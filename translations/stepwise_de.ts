@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Außerhalb geändert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Beide nebeneinander vergleichen, die Datei von der Platte laden und die Änderungen hier verlieren, oder behalten, was hier steht, und die Datei beim nächsten Speichern ersetzen?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Von der Platte laden</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>die Task lief länger als ihre Watchdog-Zeit von {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>mehr als {0} Schleifendurchläufe und Aufrufe in einem Lauf der Task; auf eine Endlosschleife prüfen</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1338,10 +1361,6 @@
         <translation>Anweisungen in einer Zeile können nicht verschoben werden; trennen Sie sie zuerst im Text.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>Der erste Eingang und der erste Ausgang von {0} müssen BOOL sein, damit er in einem Netzwerk Platz findet.</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>Das Netzwerk liest, was es schreibt; fügen Sie diese Spule in einem eigenen Netzwerk hinzu.</translation>
     </message>
@@ -1846,14 +1865,258 @@
         <translation>{0} ist keine Anzahl von Zyklen</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} ist keine Zeit</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Diese Datei kann nicht importiert werden: gelesen werden PLCopen XML (.xml), TwinCAT (.TcPOU und so weiter), Text von CODESYS (.EXP, .export) und strukturierter Text (.st)</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} ist kein gültiger Name; verwenden Sie Buchstaben, Ziffern und Unterstriche.</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} ist keine Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Die Datei ist in {0} geschrieben</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Die Datei wurde nicht gelesen: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>Das Element {0} wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Der Rumpf von {0} ist in einer Form gespeichert, die nur der eigene Editor liest; exportieren Sie ihn dort als PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>Die Bibliothek {0} gehört nicht zu Stepwise; die Prüfung meldet ihre Verwendungen</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Es gibt zwei Bausteine namens {0}; der zweite steht in {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>Die Konfiguration der Geräte wurde nicht gelesen; weisen Sie die Ein- und Ausgänge neu zu</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} zählt %MW1 in Wörtern, hier zählt es in Bytes; prüfen Sie, dass sich die Adressen nicht überlappen</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Panels; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Traces; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML hat keinen Platz für Tests; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML hat keinen Platz für Namensräume; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML hat keinen Platz für USING; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML hat keinen Platz für den Namen der Transition {0}; er wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML hat eine Rückmeldevariable je Aktion; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>Version 0201 hat keine Methoden; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>Version 0201 hat keine Eigenschaften; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>Version 0201 hat keine Schnittstellen; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>Version 0201 hat keine Unions; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>Version 0201 hat keine Vererbung; EXTENDS oder IMPLEMENTS von {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>Version 0201 kennt den Typ {0} nicht; andere Werkzeuge werden ihn nicht kennen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>Version 0201 hat keinen Platz für das Pragma {0} eines Schritts; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>Version 0201 hat keinen Platz für {0} einer Task; es wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>Version 0201 hat keinen Platz für die Verbindungen des Programms {0}; sie wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Durch {0} ersetzen</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>{0} einfügen</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Meinten Sie {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Mit {0} konvertieren</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>{0} nach {1} verschieben</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Eigenschaft {0} hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Methode {0} hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Fehlende Zweige hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>ELSE hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Mit () aufrufen</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Mit 0 vergleichen</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Nicht verwendete Deklaration entfernen</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Durch IF und ELSIF ersetzen</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>In ein WSTRING-Literal ändern</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Durch gerade Anführungszeichen ersetzen</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>{0} zum Initialschritt machen</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Zeiger mit ^ dereferenzieren</translation>
     </message>
 </context>
 <context>
@@ -2728,6 +2991,477 @@
     </message>
 </context>
 <context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Startzeichen</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Stoppzeichen</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Pausezeichen</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Pluszeichen</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Minuszeichen</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Haus</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Kreispfeil</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Uhrzeit</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Nach Zeit</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Durchgezogen</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Gepunktet</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Zentriert</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Bogenlinie</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Kreisausschnitt</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Kreisabschnitt</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Ganz anzeigen</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Rahmen ausfüllen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Tastend</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Umschalten</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Auf TRUE setzen</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Auf FALSE setzen</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Wert schreiben</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Zu einem Panel gehen</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Sprache wechseln</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Alarme quittieren</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Waagrecht</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Kalenderwoche</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadratisch</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Abgerundet</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Gewölbte Böden</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Ebene Böden</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Trichter</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Oben offen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Anstehende Alarme</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Alarmhistorie</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Nach Priorität</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Schaltflächen</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>In der eigenen Sprache</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Sprachkürzel</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Pumpe</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Ventil</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Behälter</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Förderband</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Rührwerk</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Heizung</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilator</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirene</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Lkw</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Fahrzeug</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Erhabene Fläche</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Vertiefte Fläche</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Linienfarbe</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Schwache Linie</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Textfarbe</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Gedämpfter Text</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Farbe der Schaltfläche</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Akzent</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>In Betrieb</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Flüssigkeit</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Rohrfarbe</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Messwert</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Leuchtendes Segment</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Anzeigeglas</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Alarmfarbe</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Hohe Priorität</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Niedrige Priorität</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>Guter Zustand</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Kurve 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Kurve 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Kurve 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Kurve 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Kurve 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Kurve 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Kurve 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Kurve 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>ein BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>ein Array</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>beliebiger Typ</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2798,6 +3532,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>Ab diesem Zyklus fortgesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>zuerst hier deklariert</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>hier deklariert</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>die Variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>das erste Programm</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>hier überschrieben</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>der erste</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>durch diese Transition, während er aktiv ist</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>eine Sprungmarke</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>ein Operand</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>ein Typ</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>ein Index</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>ein Argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>eine Adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>eine Aktion</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>eine CASE-Marke</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>der Name eines Funktionsbausteins</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>der Name eines Prozessors</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>der Name einer Task</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>der Name einer Programminstanz</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>ein Ein- oder Ausgang</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>der Name einer Variablen</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>der Pfad einer Variablen</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>der Name eines Schritts</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>der Name eines Typs</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>der Name eines Elements</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>ein Zugriffsname</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>ein Enumerationswert</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>Zeilenende</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>Dateiende</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR und eine Zeit</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= oder Anweisungen</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>ein Unterbereich</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>eine Enumeration</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>in Klammern</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>eine Schrittkette</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>ein Rumpf</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>in einer CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>in einer FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>in einer METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>in einem PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>in einem FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>in {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>in einem Ausdruck</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>in einem Initialwert</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>in diesem Abschnitt</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>ein Initialwert</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN mit einem Wert</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>in einer Deklaration, die FB_Init aufruft</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>in {0}, das selbst nicht abstrakt ist</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Zeitdauer</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>Tageszeit</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>Datum und Uhrzeit</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>Ganzzahl</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>Zeichenkette</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (eine Konstante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (ein Ausgang)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (eine lokale Variable von {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (ein Eingang)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (ein Eingang; der nächste Zyklus überschreibt ihn)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (eine Eigenschaft ohne SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (keine Instanz oder mehrere)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (ein Typ; eine Instanz davon deklarieren)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (eine Variable, die die Funktion dieses Namens verdeckt)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>ein Ausgang</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>ein Eingang</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>ein IN_OUT-Parameter</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>eine Potenz einer berechneten Zahl</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>ein Aufruf von {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>ein Aufruf ohne Argumente</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>ein berechnetes zweites Argument von {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} außerhalb einer Schleife</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>diese Anweisung</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR mit diesem Ende oder dieser Schrittweite</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>eine Zuweisung mehrerer Variablen</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE eines berechneten Werts</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>eine Zahl von Sekunden</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>eines von {0}</translation>
     </message>
 </context>
 <context>
@@ -2946,14 +4046,6 @@
             <numerusform>%n Dateien wurden geändert: %1. Speichern?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 wurde von einem anderen Programm geändert, und hier auch. Die Datei neu laden und die Änderungen von hier verlieren?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2995,6 +4087,119 @@
     <message>
         <source>Write</source>
         <translation>Schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Projekt exportieren</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, für CODESYS und TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, für Beremiz und OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Nach:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>Bausteine: %1
+Rümpfe: %2
+Nicht erhalten: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Projekt importieren</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, Dateien von TwinCAT oder CODESYS, strukturierter Text</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Quelldateien</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Von:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Neues Projekt in:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projekte anderer Werkzeuge (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instanz, deren Werte angezeigt werden</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Werte der Instanz von %1:</translation>
     </message>
 </context>
 <context>
@@ -3195,10 +4400,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Rename</source>
         <translation>Umbenennen</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
     </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
@@ -3616,10 +4817,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Deklarationen als Tabelle</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>Schrittkette neben dem Text</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>Online-Werte im Text</translation>
     </message>
@@ -3670,10 +4867,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – zurück zum Livebetrieb</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3839,10 +5032,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Das Projekt wurde exportiert</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 ist in %2 geschrieben und wird so gespeichert, wie die Datei vorgefunden wurde</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>Nächstes Vorkommen auch auswählen</translation>
     </message>
@@ -3867,12 +5056,51 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Die Aufzeichnung des letzten Laufs wird aufbewahrt…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 ist nicht UTF-8 und wurde als Windows-1252 gelesen; Speichern schreibt UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagramm neben dem Text</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>%1 vergleichen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Voriger</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Alle übernehmen</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Hier (dieser Text wird behalten)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Auf der Platte</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Den linken Text verwenden</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Keine Unterschiede</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Unterschied %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -4046,6 +5274,21 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ProblemsView</name>
     <message>
         <source>Message</source>
@@ -4189,6 +5432,59 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Files</source>
         <translation>Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Stellen, die sich ändern</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n Stelle ändert sich:</numerusform>
+            <numerusform>%n Stellen ändern sich:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Frühere Läufe</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, durch einen Fehler beendet, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Der letzte Lauf wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Noch kein Lauf ist zu Ende</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +5769,68 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     </message>
 </context>
 <context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Alle Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Die ausgewählten Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Die fehlgeschlagenen Tests ausführen</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>noch nicht gelaufen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::Tour</name>
     <message>
         <source>Back</source>
@@ -4592,26 +5950,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Löschen (Entf)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Alles anzeigen</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Diagramm exportieren</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Drucken…</translation>
-    </message>
-    <message>
         <source>The unit %1 is not in the text any more</source>
         <translation>Der Baustein %1 ist im Text nicht mehr vorhanden</translation>
     </message>
@@ -4622,10 +5960,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>%1 is not a chart</source>
         <translation>%1 ist keine Schrittkette</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
@@ -4742,10 +6076,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Release the step</source>
         <translation>Forcen des Schritts aufheben</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF exportieren…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4981,6 +6311,275 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Release all</source>
         <translation>Forcen für alle aufheben</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Alles anzeigen</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Als SVG, PNG oder PDF exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Kontaktplan oder Funktionsplan</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Netzwerk darunter einfügen (Strg+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Kontakt links einfügen (Strg+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Kontakt rechts einfügen (Strg+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Parallelen Kontakt einfügen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Spule einfügen (Strg+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Funktionsbaustein einfügen (Strg+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Bearbeiten (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Haltepunkt am Netzwerk (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Als Funktionsplan anzeigen</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Als Kontaktplan anzeigen</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 steht nicht mehr im Text</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Wählen Sie ein Netzwerk</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Wählen Sie eine Spule</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Wählen Sie einen Kontakt, eine Spule oder einen Anschluss mit einer Variablen</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Das Netzwerk hat noch keinen Kontakt</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Wählen Sie das Netzwerk für den Baustein</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Baustein</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Kontakt links; an einer Spule der letzte Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Kontakt rechts</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Paralleler Kontakt</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Spule</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Funktionsbaustein im Netzwerk</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Netzwerk darüber</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Netzwerk darunter</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Kontakt, Spule oder Anschluss negieren</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Spule: normal, setzen, rücksetzen</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Kommentar des Netzwerks</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Auswahl löschen</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Haltepunkt am Netzwerk</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Diese Liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Netzwerk nach oben schieben; mit Ab nach unten</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Vor einem Namen getippt: ein negierter Kontakt</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Tasten in Kontakt- und Funktionsplänen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Netzwerk darüber einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Netzwerk darunter einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Parallelen Kontakt einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Spule einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Funktionsbaustein einfügen…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Kommentar…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negieren</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Setzen oder rücksetzen</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Netzwerk nach oben</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Netzwerk nach unten</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>TRUE forcen</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>FALSE forcen</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Forcen aufheben</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Haltepunkt umschalten</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
     </message>
 </context>
 <context>
@@ -5367,12 +6966,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Spalten</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Abstand waagrecht</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Die Einheit %1 steht nicht mehr im Text</translation>
-    </message>
-    <message>
         <source>Gap down</source>
         <translation>Abstand senkrecht</translation>
     </message>
@@ -5380,18 +6973,16 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <source>Index step</source>
         <translation>Indexschritt</translation>
     </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Abstand waagrecht</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignCanvas</name>
     <message>
         <source>Move</source>
         <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Größe ändern</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Den Schritt wählen, von dem der Zweig ausgeht</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +6999,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Insert</source>
         <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Größe ändern</translation>
     </message>
 </context>
 <context>
@@ -5526,12 +7121,6 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
         <translation>Gleiche Höhe</translation>
     </message>
     <message>
-        <source>Same size</source>
-        <translation>Gleiche Größe</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>%1 ist eine Variable: sie hat keinen Rumpf</translation>
-    </message>
-    <message>
         <source>Bring to front</source>
         <translation>In den Vordergrund</translation>
     </message>
@@ -5622,6 +7211,10 @@ Neue Panels werden im Designer gezeichnet: Projekt, Panels, Neu…</translation>
     <message>
         <source>Variables</source>
         <translation>Variablen</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Gleiche Größe</translation>
     </message>
 </context>
 <context>
@@ -6489,1200 +8082,6 @@ Klick wählt aus, Strg+Klick blendet ein oder aus.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Die Aufzeichnung wird gespeichert…</translation>
-    </message>
-</context>
-<context>
-    <name>Phrases</name>
-    <message>
-        <source>a name</source>
-        <translation>ein Name</translation>
-    </message>
-    <message>
-        <source>a label</source>
-        <translation>eine Sprungmarke</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>ein Operand</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>ein Ausdruck</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>ein Wert</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>ein Typ</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>ein Index</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>ein Argument</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>eine Adresse</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>eine Aktion</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>eine CASE-Marke</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>der Name eines Funktionsbausteins</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>der Name eines Prozessors</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>der Name einer Task</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>der Name einer Programminstanz</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>ein Ein- oder Ausgang</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>der Name einer Variablen</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>der Pfad einer Variablen</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>der Name eines Schritts</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>der Name eines Typs</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>der Name eines Elements</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>ein Zugriffsname</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>ein Enumerationswert</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>Zeilenende</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>Dateiende</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} oder {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR und eine Zeit</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= oder Anweisungen</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>ein Unterbereich</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>eine Enumeration</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>in Klammern</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>eine Schrittkette</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>ein Rumpf</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>in einer CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>in einer FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>in einer METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>in einem PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>in einem FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>hier</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>in {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>in einem Ausdruck</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>in einem Initialwert</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>in diesem Abschnitt</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>ein Initialwert</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN mit einem Wert</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>in einer Deklaration, die FB_Init aufruft</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>in {0}, das selbst nicht abstrakt ist</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>Zeitdauer</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>Tageszeit</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>Datum und Uhrzeit</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>Ganzzahl</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>Zeichenkette</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (eine Konstante)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (ein Ausgang)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (eine lokale Variable von {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (ein Eingang)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (ein Eingang; der nächste Zyklus überschreibt ihn)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (eine Eigenschaft ohne SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (keine Instanz oder mehrere)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (ein Typ; eine Instanz davon deklarieren)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (eine Variable, die die Funktion dieses Namens verdeckt)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>ein Ausgang</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>ein Eingang</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>ein IN_OUT-Parameter</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>eine Potenz einer berechneten Zahl</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>ein Aufruf von {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>ein Aufruf ohne Argumente</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>ein berechnetes zweites Argument von {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} außerhalb einer Schleife</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>diese Anweisung</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR mit diesem Ende oder dieser Schrittweite</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>eine Zuweisung mehrerer Variablen</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE eines berechneten Werts</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>ein Text</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>eine ganze Zahl</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>eine Zahl von Sekunden</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>eine Liste</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>ein Objekt</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>eines von {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Durch {0} ersetzen</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>{0} einfügen</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>Meinten Sie {0}?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Mit {0} konvertieren</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>{0} nach {1} verschieben</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Eigenschaft {0} hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Methode {0} hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Fehlende Zweige hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>ELSE hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Mit () aufrufen</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Mit 0 vergleichen</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Nicht verwendete Deklaration entfernen</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Durch IF und ELSIF ersetzen</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>In ein WSTRING-Literal ändern</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Durch gerade Anführungszeichen ersetzen</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>{0} zum Initialschritt machen</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Zeiger mit ^ dereferenzieren</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>zuerst hier deklariert</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>hier deklariert</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>die Variable</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>das erste Programm</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>hier überschrieben</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>der erste</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>durch diese Transition, während er aktiv ist</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>Die Datei ist in {0} geschrieben</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>Die Datei wurde nicht gelesen: {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>Das Element {0} wurde nicht gelesen</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Die Herstellerdaten {0} sind in exchange.json aufbewahrt</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Der Rumpf von {0} wurde zu strukturiertem Text; das Diagramm ist in exchange.json aufbewahrt</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Der Rumpf von {0} ist in einer Form gespeichert, die nur der eigene Editor liest; exportieren Sie ihn dort als PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Ein Sprung führt zum Schritt {0}, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>Das Element {0} der Schrittkette ist nicht verbunden und wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>Die Transition von {0} hat keine Bedingung; sie ist als FALSE geschrieben</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>Das Element {0} gehört zu einer Schleife ohne Baustein, der einen Wert speichert; sein letzter Wert bleibt nicht erhalten</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>Das Element {0} ist nicht verbunden und wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Eine Flanke in einer Funktion braucht den Wert des letzten Aufrufs, den eine Funktion nicht speichert</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Das Ergebnis von {0} wird an mehreren Stellen verwendet und an jeder berechnet</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Der Typ des Ergebnisses von {0} ist nicht bekannt; es wird berechnet, obwohl EN FALSE ist</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>Die Bibliothek {0} gehört nicht zu Stepwise; die Prüfung meldet ihre Verwendungen</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Code in C bleibt als Kommentar erhalten und wird nicht ausgeführt</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Es gibt zwei Bausteine namens {0}; der zweite steht in {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>Die Konfiguration der Geräte wurde nicht gelesen; weisen Sie die Ein- und Ausgänge neu zu</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>Die Task {0} startet mit dem Ereignis {1}, das es hier nicht gibt; geben Sie ihr ein INTERVAL oder ein SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} zählt %MW1 in Wörtern, hier zählt es in Bytes; prüfen Sie, dass sich die Adressen nicht überlappen</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>Ein Kommentar außerhalb der Elemente wurde ausgelassen: {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Das Diagramm in {0} wurde nicht gelesen: Ein Ausdruck wiederholt sich endlos</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Eine Bedingung in {0} braucht den Aufruf eines Bausteins, den eine Bedingung nicht ausführen kann</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>Die Transition {0} ist kein einzelner Ausdruck und wurde nicht gelesen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Panels; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Traces; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML hat keinen Platz für Tests; der TEST „{0}“ wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML hat keinen Platz für Namensräume; ein NAMESPACE wurde mit seinen Bausteinen ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML hat keinen Platz für USING; es wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML hat keinen Platz für den Namen der Transition {0}; er wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML hat eine Rückmeldevariable je Aktion; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>Version 0201 hat keine Methoden; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>Version 0201 hat keine Eigenschaften; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>Version 0201 hat keine Schnittstellen; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>Version 0201 hat keine Unions; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>Version 0201 hat keine Vererbung; EXTENDS oder IMPLEMENTS von {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>Version 0201 kennt den Typ {0} nicht; andere Werkzeuge werden ihn nicht kennen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>Version 0201 hat keinen Platz für das Pragma {0} eines Schritts; es wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>Version 0201 hat keinen Platz für {0} einer Task; es wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>Version 0201 hat keinen Platz für die Verbindungen des Programms {0}; sie wurden ausgelassen</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>Version 0201 hat keinen Platz für Bibliotheken; {0} wurde ausgelassen</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Die Datei ist kein Programmquelltext und wurde ausgelassen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Stelle</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Hinweis</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>Bausteine: %1
-Rümpfe: %2
-Nicht erhalten: %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Projekt importieren</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, Dateien von TwinCAT oder CODESYS, strukturierter Text</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Datei…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Ordner…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Quelldateien</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Von:</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Neues Projekt in:</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Projekte anderer Werkzeuge (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Dieser Ordner ist nicht leer; geben Sie einen neuen an</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Projekt exportieren</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, für CODESYS und TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, für Beremiz und OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Datei…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Format:</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>Nach:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Alles anzeigen</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Als SVG, PNG oder PDF exportieren…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Zeichnung exportieren</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Drucken…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Beheben Sie zuerst die Fehler im Text: Dies ist die letzte gültige Zeichnung</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Neuer Name von %1, im ganzen Projekt:</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Stelle</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Stellen, die sich ändern</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n Stelle ändert sich:</numerusform>
-            <numerusform>%n Stellen ändern sich:</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 wurde von einem anderen Programm geändert und hier auch.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Beide nebeneinander vergleichen, die Datei von der Platte laden und die Änderungen hier verlieren, oder behalten, was hier steht, und die Datei beim nächsten Speichern ersetzen?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Vergleichen…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Von der Platte laden</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Meine behalten</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instanz, deren Werte angezeigt werden</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Werte der Instanz von %1:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>%1 vergleichen</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Voriger</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Nächster</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Übernehmen</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Alle übernehmen</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Hier (dieser Text wird behalten)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>Auf der Platte</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Den linken Text verwenden</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Keine Unterschiede</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Unterschied %1 von %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Texte</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarme</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Frühere Läufe</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, durch einen Fehler beendet, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Der letzte Lauf wird geschrieben…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Noch kein Lauf ist zu Ende</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Alle Tests ausführen</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Die ausgewählten Tests ausführen</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Die fehlgeschlagenen Tests ausführen</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Test</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 bestanden, %2 fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>noch nicht gelaufen</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>bestanden</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>fehlgeschlagen</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Aufzeichnung des Fehlschlags anzeigen</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>Die Aufzeichnung des letzten Laufs wurde nicht aufbewahrt: %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Kontaktplan oder Funktionsplan</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Netzwerk darunter einfügen (Strg+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Kontakt links einfügen (Strg+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Kontakt rechts einfügen (Strg+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Parallelen Kontakt einfügen (Strg+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Spule einfügen (Strg+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Funktionsbaustein einfügen (Strg+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Bearbeiten (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Löschen (Entf)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Haltepunkt am Netzwerk (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Als Funktionsplan anzeigen</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Als Kontaktplan anzeigen</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 steht nicht mehr im Text</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>Der Text hat Fehler: dies ist die letzte gültige Zeichnung</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Zuerst den Text berichtigen: Dies ist die letzte gültige Zeichnung</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Wählen Sie ein Netzwerk</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Wählen Sie eine Spule</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Wählen Sie einen Kontakt, eine Spule oder einen Anschluss mit einer Variablen</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>Das Netzwerk hat noch keinen Kontakt</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Wählen Sie das Netzwerk für den Baustein</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>Baustein</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Kontakt links; an einer Spule der letzte Kontakt</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Kontakt rechts</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Paralleler Kontakt</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Spule</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Funktionsbaustein im Netzwerk</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Netzwerk darüber</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Netzwerk darunter</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Kontakt, Spule oder Anschluss negieren</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Spule: normal, setzen, rücksetzen</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Kommentar des Netzwerks</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Auswahl bearbeiten (oder Eingabe)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Auswahl löschen</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Haltepunkt am Netzwerk</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Diese Liste</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Pfeiltasten</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Nächstes Teil wählen; Auf und Ab auch das nächste Netzwerk</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Netzwerk nach oben schieben; mit Ab nach unten</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Vor einem Namen getippt: ein negierter Kontakt</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Tasten in Kontakt- und Funktionsplänen</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Netzwerk darüber einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Netzwerk darunter einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Kontakt einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Parallelen Kontakt einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Spule einfügen</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Funktionsbaustein einfügen…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Kommentar…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Negieren</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Setzen oder rücksetzen</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Netzwerk nach oben</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Netzwerk nach unten</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>TRUE forcen</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>FALSE forcen</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Forcen aufheben</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Haltepunkt umschalten</translation>
     </message>
 </context>
 </TS>

@@ -53,6 +53,16 @@
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n place changes:</numerusform>
+            <numerusform>%n places change:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message numerus="yes">
         <source>%n place(s)</source>
@@ -130,16 +140,6 @@
         <translation>
             <numerusform>(%n shot)</numerusform>
             <numerusform>(%n shots)</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n place changes:</numerusform>
-            <numerusform>%n places change:</numerusform>
         </translation>
     </message>
 </context>

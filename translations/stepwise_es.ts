@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Cambiado desde fuera</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>Otro programa cambió %1, y aquí también se cambió.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>¿Comparar los dos uno al lado del otro, cargar el archivo del disco y perder los cambios hechos aquí, o conservar lo de aquí y reemplazar el archivo la próxima vez que se guarde?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparar…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Cargar del disco</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Conservar lo mío</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>la tarea ha superado su tiempo de watchdog de {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>más de {0} pasadas de bucle y llamadas en una ejecución de la tarea; busque un bucle infinito</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1338,10 +1361,6 @@
         <translation>No se pueden mover instrucciones que están en una misma línea; sepárelas primero en el texto.</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>La primera entrada y la primera salida de {0} deben ser BOOL para que pueda estar en un segmento.</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>El segmento lee lo que escribe; añada esta bobina en un segmento propio.</translation>
     </message>
@@ -1667,11 +1686,11 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>«{0}» no cabe: necesita {1} px, el máximo es {2}</translation>
+        <translation>«{0}» no cabe: necesita {1}&#xa0;px, el máximo es {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>«{0}» no cabe: necesita una altura de {1} px, el máximo es {2}</translation>
+        <translation>«{0}» no cabe: necesita una altura de {1}&#xa0;px, el máximo es {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
@@ -1846,14 +1865,258 @@
         <translation>{0} no es un número de ciclos</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} no es un tiempo</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>{0} no es un tiempo</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} no es un nombre: use letras, cifras y guiones bajos.</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} no es un tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>El archivo está escrito en {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>El archivo no se ha leído: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>El elemento {0} no se ha leído</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Los datos {0} del fabricante se conservan en exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>El cuerpo en {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>El cuerpo en {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Un salto lleva a la etapa {0}, que no existe</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>El elemento {0} no está conectado y se ha omitido</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>La biblioteca {0} no forma parte de Stepwise; la comprobación notifica sus usos</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>El código en C se conserva como comentario y no se ejecuta</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>La configuración de los dispositivos no se ha leído; vuelva a asignar las entradas y salidas</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>La tarea {0} la inicia el evento {1}, que aquí no existe; asígnele un INTERVAL o un SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} cuenta %MW1 en palabras, aquí se cuenta en bytes; compruebe que las direcciones no se solapen</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>La transición {0} no es una única expresión y no se ha leído</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para paneles; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para trazas; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML no tiene lugar para pruebas; se han omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML no tiene lugar para pruebas; el TEST «{0}» se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML no tiene lugar para espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML no tiene lugar para USING; se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML no tiene lugar para el nombre de la transición {0}; se ha omitido</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML tiene un indicador por acción; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>La versión 0201 no tiene métodos; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>La versión 0201 no tiene propiedades; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>La versión 0201 no tiene interfaces; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>La versión 0201 no tiene uniones; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>La versión 0201 no tiene herencia; se ha omitido EXTENDS o IMPLEMENTS de {0}</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>La versión 0201 no tiene el tipo {0}; otras herramientas no lo conocerán</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>La versión 0201 no tiene lugar para el pragma {0} de una etapa; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>La versión 0201 no tiene lugar para {0} de una tarea; se ha omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>La versión 0201 no tiene lugar para las conexiones del programa {0}; se han omitido</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>La versión 0201 no tiene lugar para bibliotecas; {0} se ha omitido</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>El archivo no es código fuente y se ha omitido</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Reemplazar por {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Insertar {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>¿Quería decir {0}?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Convertir con {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Mover {0} a {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Añadir la propiedad {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Añadir el método {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Añadir las ramas que faltan</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Añadir ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Añadir () para llamarlo</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Comparar con 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Quitar la declaración sin usar</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Reemplazar por IF y ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Cambiar a un literal WSTRING</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Reemplazar por comillas rectas</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Convertir {0} en la etapa inicial</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Desreferenciar el puntero con ^</translation>
     </message>
 </context>
 <context>
@@ -2728,6 +2991,477 @@
     </message>
 </context>
 <context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Punto</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Signo de marcha</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Signo de paro</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Signo de pausa</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Signo más</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Signo menos</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Casa</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Flecha circular</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Hora</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Por hora</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continua</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Discontinua</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>De puntos</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Al principio</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Centrado</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Al final</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Claro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Oscuro</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste alto</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flecha</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Línea de arco</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Sector</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Segmento circular</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Mostrar entera</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Rellenar el marco</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estirar</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Arriba</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Momentáneo</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Conmutar</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Poner a TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Poner a FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Escribir un valor</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Ir a un panel</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Cambiar el idioma</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Acusar las alarmas</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontal</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Vertical</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Fecha y hora</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Semana del calendario</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Redondo</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Cuadrado</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Redondeado</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Fondos abombados</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Fondos planos</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Tolva</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Abierto por arriba</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Alarmas presentes</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Historial de alarmas</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Por prioridad</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Botones</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menú</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>En su propio idioma</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Etiquetas de idioma</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Bomba</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Válvula</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Depósito</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Cinta transportadora</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Agitador</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Calefactor</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilador</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Piloto</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirena</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Camión</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Vehículo</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Superficie en relieve</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Superficie hundida</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Color de línea</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Línea tenue</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Color del texto</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Texto atenuado</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Color de botón</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Acento</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>Apagado</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Líquido</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Color de tubería</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Valor medido</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Segmento encendido</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Cristal del indicador</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Color de alarma</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Prioridad alta</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Advertencia</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Prioridad baja</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Amarillo</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanco</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Negro</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>Estado correcto</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Curva 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Curva 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Curva 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Curva 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Curva 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Curva 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Curva 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Curva 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>un BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>un array</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>cualquier tipo</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2798,6 +3532,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>Reanudado desde este ciclo</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>declarado aquí por primera vez</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>declarado aquí</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>la variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>el primer programa</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>sobrescrito aquí</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>el primero</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>por esta transición, mientras está activa</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>una etiqueta</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>un operando</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>una expresión</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>un valor</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>un tipo</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>un índice</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>un argumento</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>una dirección</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>una acción</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>una etiqueta CASE</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>el nombre de un bloque</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>el nombre de un procesador</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>el nombre de una tarea</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>el nombre de una instancia de programa</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>una entrada o salida</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>el nombre de una variable</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>la ruta de una variable</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>el nombre de una etapa</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>el nombre de un tipo</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>el nombre de un miembro</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>un nombre de acceso</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>un valor de enumeración</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>el final de la línea</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>el final del archivo</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} o {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR y un tiempo</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= o instrucciones</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>un subrango</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>una enumeración</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>entre paréntesis</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>una secuencia (SFC)</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>un cuerpo</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>en una CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>en una FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>en un METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>en un PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>en un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>aquí</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>en {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>en una expresión</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>en un valor inicial</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>en esta sección</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>un valor inicial</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN con un valor</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>en una declaración que llama a FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>en {0}, que no es abstracto</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>dirección</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>duración</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>fecha</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>hora del día</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>fecha y hora</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>entero</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>cadena</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (una constante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (una salida)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (una variable local de {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (una entrada)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (una entrada; el próximo ciclo la sobrescribe)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (una propiedad sin SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (ninguna instancia, o varias)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (un tipo; declare una instancia)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (una variable que oculta la función del mismo nombre)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>una salida</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>una entrada</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>un parámetro IN_OUT</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>una potencia de un número calculado</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>una llamada a {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>una llamada sin argumentos</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>un segundo argumento calculado de {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} fuera de un bucle</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>esta instrucción</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR con este final o paso</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>una asignación de varias variables</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE de un valor calculado</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un entero</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>un número de segundos</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objeto</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>uno de {0}</translation>
     </message>
 </context>
 <context>
@@ -2946,14 +4046,6 @@
             <numerusform>%n archivos han cambiado: %1. ¿Guardarlos?</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Cambiado desde fuera</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>Otro programa cambió %1, y aquí también se cambió. ¿Cargar el archivo del disco y perder los cambios hechos aquí?</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2995,6 +4087,119 @@
     <message>
         <source>Write</source>
         <translation>Escribir</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Exportar el proyecto</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, para CODESYS y TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, para Beremiz y OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Formato:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>A:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Informe</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU: %1
+Cuerpos: %2
+No conservados: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importar un proyecto</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, archivos de TwinCAT o CODESYS, texto estructurado</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Archivo…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Carpeta…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Archivos fuente</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Desde:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Proyecto nuevo en:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Proyectos de otras herramientas (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Esta carpeta no está vacía; indique una nueva</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instancia cuyos valores se muestran</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Valores de la instancia de %1:</translation>
     </message>
 </context>
 <context>
@@ -3142,15 +4347,15 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · carga del %2 %</translation>
+        <translation>%1&#xa0;µs · carga del %2&#xa0;%</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 MB grabados</translation>
+        <translation>%1&#xa0;MB grabados</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 ciclos, %2 MB como máximo</translation>
+        <translation>%1 ciclos, %2&#xa0;MB como máximo</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -3195,10 +4400,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Rename</source>
         <translation>Renombrar</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
     </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
@@ -3616,10 +4817,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Declaraciones como tabla</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>SFC junto al texto</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>Valores online en el texto</translation>
     </message>
@@ -3670,10 +4867,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – volver al directo</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3839,10 +5032,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>El proyecto se ha exportado</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 está escrito en %2 y se guarda tal como estaba</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>Seleccionar también la siguiente aparición</translation>
     </message>
@@ -3867,12 +5056,51 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Conservando la grabación de la última ejecución…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 no es UTF-8 y se ha leído como Windows-1252; al guardarlo se escribe UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Diagrama junto al texto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Comparar %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Aceptar</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Aceptar todo</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Aquí (este texto se conserva)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>En el disco</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Usar el texto de la izquierda</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Sin diferencias</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Diferencia %1 de %2</translation>
     </message>
 </context>
 <context>
@@ -3883,7 +5111,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Un programa en una tarea de 10 ms</translation>
+        <translation>Un programa en una tarea de 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -4046,6 +5274,21 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textos</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmas</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Panel %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ProblemsView</name>
     <message>
         <source>Message</source>
@@ -4189,6 +5432,59 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Files</source>
         <translation>Archivos</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lugar</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Lugares que cambian</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n lugar cambia:</numerusform>
+            <numerusform>%n lugares cambian:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Ejecuciones anteriores</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, terminada por un error, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Escribiendo la última ejecución…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Aún no ha terminado ninguna ejecución</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +5769,68 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Ejecutar todas las pruebas</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Ejecutar las pruebas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Ejecutar las pruebas fallidas</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Pruebas</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 superadas, %2 fallidas</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>aún sin ejecutar</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>superada</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fallida</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Mostrar la grabación del fallo</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Línea %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::Tour</name>
     <message>
         <source>Back</source>
@@ -4592,26 +5950,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Eliminar (Supr)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Exportar la secuencia</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>No se puede escribir %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimir…</translation>
-    </message>
-    <message>
         <source>The unit %1 is not in the text any more</source>
         <translation>El POU %1 ya no está en el texto</translation>
     </message>
@@ -4622,10 +5960,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>%1 is not a chart</source>
         <translation>%1 no es una secuencia (SFC)</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
@@ -4742,10 +6076,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Release the step</source>
         <translation>Anular el forzado de la etapa</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exportar como SVG, PNG o PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4984,10 +6314,279 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
 </context>
 <context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Mostrar todo</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exportar como SVG, PNG o PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Exportar el dibujo</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>No se puede escribir %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimir…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Esquema de contactos o diagrama de bloques</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Insertar una bobina (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Insertar un bloque de función (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Editar (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Eliminar (Supr)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Punto de interrupción en el segmento (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Mostrar como diagrama de bloques</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Mostrar como esquema de contactos</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 ya no está en el texto</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>El texto tiene errores: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Seleccione un segmento</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Seleccione una bobina</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Seleccione un contacto, una bobina o una conexión con una variable</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>El segmento aún no tiene ningún contacto</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Seleccione el segmento que recibe el bloque</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloque</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Contacto a la izquierda; en una bobina, el último contacto</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Contacto a la derecha</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Contacto en paralelo</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobina</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Bloque de función en el segmento</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Segmento encima</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Segmento debajo</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Negar un contacto, una bobina o una conexión</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Bobina: normal, set, reset</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Comentario del segmento</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Editar lo seleccionado (o Intro)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Eliminar lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Punto de interrupción en el segmento</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Esta lista</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Seleccionar la parte siguiente; Arriba y Abajo también el segmento siguiente</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Mover el segmento hacia arriba; con Abajo, hacia abajo</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Escrito delante de un nombre: un contacto negado</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Teclas en esquemas de contactos y diagramas de bloques</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Insertar un segmento encima</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Insertar un segmento debajo</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Insertar un contacto</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Insertar un contacto en paralelo</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Insertar una bobina</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Insertar un bloque de función…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edición</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Comentario…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Negar</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Set o reset</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Subir el segmento</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Bajar el segmento</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forzar TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forzar FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Anular el forzado</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Alternar punto de interrupción</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>La grabación de la última ejecución no se ha conservado: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Compilado en %1 ms</translation>
+        <translation>Compilado en %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
@@ -5367,12 +6966,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Columnas</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Separación horizontal</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Separación horizontal</translation>
-    </message>
-    <message>
         <source>Gap down</source>
         <translation>Separación vertical</translation>
     </message>
@@ -5380,18 +6973,16 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <source>Index step</source>
         <translation>Paso del índice</translation>
     </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Separación horizontal</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignCanvas</name>
     <message>
         <source>Move</source>
         <translation>Mover</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Cambiar el tamaño</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Cambiar el tamaño</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +6999,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Insert</source>
         <translation>Insertar</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Cambiar el tamaño</translation>
     </message>
 </context>
 <context>
@@ -5526,12 +7121,6 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
         <translation>Misma altura</translation>
     </message>
     <message>
-        <source>Same size</source>
-        <translation>Mismo tamaño</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>Mismo tamaño</translation>
-    </message>
-    <message>
         <source>Bring to front</source>
         <translation>Traer al frente</translation>
     </message>
@@ -5581,7 +7170,7 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -5622,6 +7211,10 @@ Los paneles nuevos se dibujan en el diseñador: Proyecto, Paneles, Nuevo…</tra
     <message>
         <source>Variables</source>
         <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Mismo tamaño</translation>
     </message>
 </context>
 <context>
@@ -6460,7 +8053,7 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 ciclos conservados  ·  historial %2 de %3 MB  ·  canales %4 de %5 MB</translation>
+        <translation>%L1 ciclos conservados  ·  historial %2 de %3&#xa0;MB  ·  canales %4 de %5&#xa0;MB</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -6489,1200 +8082,6 @@ Un clic selecciona, Ctrl+clic muestra u oculta.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Guardando la grabación…</translation>
-    </message>
-</context>
-<context>
-    <name>Phrases</name>
-    <message>
-        <source>a name</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
-        <source>a label</source>
-        <translation>una etiqueta</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>un operando</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>una expresión</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>un valor</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>un tipo</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>un índice</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>un argumento</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>una dirección</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>una acción</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>una etiqueta CASE</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>el nombre de un bloque</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>el nombre de un procesador</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>el nombre de una tarea</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>el nombre de una instancia de programa</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>una entrada o salida</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>el nombre de una variable</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>la ruta de una variable</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>el nombre de una etapa</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>el nombre de un tipo</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>el nombre de un miembro</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>un nombre de acceso</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>un valor de enumeración</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>el final de la línea</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>el final del archivo</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} o {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR y un tiempo</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= o instrucciones</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>un subrango</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>una enumeración</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>entre paréntesis</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>una secuencia (SFC)</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>un cuerpo</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>en una CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>en una FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>en un METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>en un PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>en un FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>aquí</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>en {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>en una expresión</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>en un valor inicial</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>en esta sección</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>un valor inicial</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN con un valor</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>en una declaración que llama a FB_Init</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>en {0}, que no es abstracto</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>dirección</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>duración</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>fecha</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>hora del día</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>fecha y hora</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>entero</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>cadena</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (una constante)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (una salida)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (una variable local de {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (una entrada)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (una entrada; el próximo ciclo la sobrescribe)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (una propiedad sin SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (ninguna instancia, o varias)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (un tipo; declare una instancia)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (una variable que oculta la función del mismo nombre)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>una salida</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>una entrada</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>un parámetro IN_OUT</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>una potencia de un número calculado</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>una llamada a {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>una llamada sin argumentos</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>un segundo argumento calculado de {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} fuera de un bucle</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>esta instrucción</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR con este final o paso</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>una asignación de varias variables</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE de un valor calculado</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>un texto</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un número</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>un entero</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>un número de segundos</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>una lista</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>un objeto</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>uno de {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Reemplazar por {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>Insertar {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>¿Quería decir {0}?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Convertir con {0}</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>Mover {0} a {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Añadir la propiedad {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Añadir el método {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Añadir las ramas que faltan</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>Añadir ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Añadir () para llamarlo</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Comparar con 0</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Quitar la declaración sin usar</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Reemplazar por IF y ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>Cambiar a un literal WSTRING</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Reemplazar por comillas rectas</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>Convertir {0} en la etapa inicial</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Desreferenciar el puntero con ^</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>declarado aquí por primera vez</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>declarado aquí</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>la variable</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>el primer programa</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>sobrescrito aquí</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>el primero</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>por esta transición, mientras está activa</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>El archivo está escrito en {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>El archivo no se ha leído: {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>El elemento {0} no se ha leído</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Los datos {0} del fabricante se conservan en exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>El cuerpo en {0} se ha convertido en texto estructurado; el diagrama se conserva en exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>El cuerpo en {0} está guardado en un formato que solo lee su propio editor; expórtelo allí como PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Un salto lleva a la etapa {0}, que no existe</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>El elemento {0} de la secuencia (SFC) no está conectado y se ha omitido</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transición desde {0} no tiene condición; se escribe como FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>El elemento {0} forma parte de un bucle sin bloque que almacene un valor; su último valor no se conserva</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>El elemento {0} no está conectado y se ha omitido</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Un flanco en una función necesita el valor de la última llamada, que una función no almacena</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>El resultado de {0} se usa en varios lugares y se calcula en cada uno</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>El tipo del resultado de {0} no se conoce; se calcula aunque EN sea FALSE</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>La biblioteca {0} no forma parte de Stepwise; la comprobación notifica sus usos</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>El código en C se conserva como comentario y no se ejecuta</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Hay dos POU llamados {0}; el segundo está en {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>La configuración de los dispositivos no se ha leído; vuelva a asignar las entradas y salidas</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>La tarea {0} la inicia el evento {1}, que aquí no existe; asígnele un INTERVAL o un SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} cuenta %MW1 en palabras, aquí se cuenta en bytes; compruebe que las direcciones no se solapen</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>Se ha omitido un comentario fuera de los elementos: {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>El diagrama en {0} no se ha leído: una expresión se repite sin fin</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Una condición en {0} necesita llamar a un bloque, lo que una condición no puede hacer</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>La transición {0} no es una única expresión y no se ha leído</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para paneles; se han omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para trazas; se han omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML no tiene lugar para pruebas; se han omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML no tiene lugar para pruebas; el TEST «{0}» se ha omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML no tiene lugar para espacios de nombres; se ha omitido un NAMESPACE con sus POU</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML no tiene lugar para USING; se ha omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML no tiene lugar para el nombre de la transición {0}; se ha omitido</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML tiene un indicador por acción; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>La versión 0201 no tiene métodos; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>La versión 0201 no tiene propiedades; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>La versión 0201 no tiene interfaces; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>La versión 0201 no tiene uniones; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>La versión 0201 no tiene herencia; se ha omitido EXTENDS o IMPLEMENTS de {0}</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>La versión 0201 no tiene el tipo {0}; otras herramientas no lo conocerán</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>La versión 0201 no tiene lugar para el pragma {0} de una etapa; se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>La versión 0201 no tiene lugar para {0} de una tarea; se ha omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>La versión 0201 no tiene lugar para las conexiones del programa {0}; se han omitido</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>La versión 0201 no tiene lugar para bibliotecas; {0} se ha omitido</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>El archivo no es código fuente y se ha omitido</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Lugar</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Nota</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Informe</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>POU: %1
-Cuerpos: %2
-No conservados: %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Importar un proyecto</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, archivos de TwinCAT o CODESYS, texto estructurado</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Archivo…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Carpeta…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Archivos fuente</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Vista previa</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importar</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Desde:</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Proyecto nuevo en:</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Proyectos de otras herramientas (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Esta carpeta no está vacía; indique una nueva</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Exportar el proyecto</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, para CODESYS y TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, para Beremiz y OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Archivo…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exportar</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Formato:</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>A:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Mostrar todo</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exportar como SVG, PNG o PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Exportar el dibujo</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>No se puede escribir %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimir…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Renombrar</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nombre nuevo de %1, en todo el proyecto:</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Lugar</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Texto</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Lugares que cambian</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n lugar cambia:</numerusform>
-            <numerusform>%n lugares cambian:</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Cambiado desde fuera</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>Otro programa cambió %1, y aquí también se cambió.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>¿Comparar los dos uno al lado del otro, cargar el archivo del disco y perder los cambios hechos aquí, o conservar lo de aquí y reemplazar el archivo la próxima vez que se guarde?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Comparar…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Cargar del disco</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Conservar lo mío</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instancia cuyos valores se muestran</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Valores de la instancia de %1:</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>Comparar %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Anterior</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Siguiente</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Aceptar</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Aceptar todo</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Aquí (este texto se conserva)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>En el disco</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Usar el texto de la izquierda</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Sin diferencias</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Diferencia %1 de %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Textos</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmas</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Panel %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Ejecuciones anteriores</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, terminada por un error, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Escribiendo la última ejecución…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Aún no ha terminado ninguna ejecución</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Ejecutar todas las pruebas</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Ejecutar las pruebas seleccionadas</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Ejecutar las pruebas fallidas</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Prueba</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Pruebas</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 superadas, %2 fallidas</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>aún sin ejecutar</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>superada</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>fallida</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Mostrar la grabación del fallo</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Línea %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>La grabación de la última ejecución no se ha conservado: %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Esquema de contactos o diagrama de bloques</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Insertar un segmento debajo (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Insertar un contacto a la izquierda (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Insertar un contacto a la derecha (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Insertar un contacto en paralelo (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Insertar una bobina (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Insertar un bloque de función (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Editar (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Eliminar (Supr)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Punto de interrupción en el segmento (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Mostrar como diagrama de bloques</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Mostrar como esquema de contactos</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 ya no está en el texto</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>El texto tiene errores: este es el último dibujo correcto</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrija primero el texto: este es el último dibujo correcto</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Seleccione un segmento</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Seleccione una bobina</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Seleccione un contacto, una bobina o una conexión con una variable</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>El segmento aún no tiene ningún contacto</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Seleccione el segmento que recibe el bloque</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>bloque</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Contacto a la izquierda; en una bobina, el último contacto</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Contacto a la derecha</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Contacto en paralelo</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobina</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Bloque de función en el segmento</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Segmento encima</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Segmento debajo</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Negar un contacto, una bobina o una conexión</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Bobina: normal, set, reset</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Comentario del segmento</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Editar lo seleccionado (o Intro)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Eliminar lo seleccionado</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Punto de interrupción en el segmento</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Esta lista</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Flechas</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Seleccionar la parte siguiente; Arriba y Abajo también el segmento siguiente</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Mover el segmento hacia arriba; con Abajo, hacia abajo</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Escrito delante de un nombre: un contacto negado</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Teclas en esquemas de contactos y diagramas de bloques</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Insertar un segmento encima</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Insertar un segmento debajo</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Insertar un contacto</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Insertar un contacto en paralelo</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Insertar una bobina</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Insertar un bloque de función…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Edición</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Comentario…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Negar</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Set o reset</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Subir el segmento</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Bajar el segmento</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Eliminar</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>Forzar TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>Forzar FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Anular el forzado</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Alternar punto de interrupción</translation>
     </message>
 </context>
 </TS>

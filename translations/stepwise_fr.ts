@@ -9,15 +9,15 @@
     </message>
     <message>
         <source>Unterminated comment; close it with *)</source>
-        <translation>Commentaire non terminé ; le fermer par *)</translation>
+        <translation>Commentaire non terminé&#x202f;; le fermer par *)</translation>
     </message>
     <message>
         <source>Unterminated string; add the closing quote</source>
-        <translation>Chaîne non terminée ; ajouter le guillemet fermant</translation>
+        <translation>Chaîne non terminée&#x202f;; ajouter le guillemet fermant</translation>
     </message>
     <message>
         <source>This is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Ce n’est pas de l’UTF-8 valide ; enregistrer le fichier en UTF-8</translation>
+        <translation>Ce n’est pas de l’UTF-8 valide&#x202f;; enregistrer le fichier en UTF-8</translation>
     </message>
     <message>
         <source>{0} is not a valid {1} literal</source>
@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>Expected {0} before {1}</source>
-        <translation>Attendu avant {1} : {0}</translation>
+        <translation>Attendu avant {1}&#xa0;: {0}</translation>
     </message>
     <message>
         <source>A semicolon is missing here</source>
@@ -41,11 +41,11 @@
     </message>
     <message>
         <source>This comparison has no effect; use := to assign</source>
-        <translation>Cette comparaison est sans effet ; utiliser := pour affecter</translation>
+        <translation>Cette comparaison est sans effet&#x202f;; utiliser := pour affecter</translation>
     </message>
     <message>
         <source>An assignment is not a condition; use = to compare</source>
-        <translation>Une affectation n’est pas une condition ; utiliser = pour comparer</translation>
+        <translation>Une affectation n’est pas une condition&#x202f;; utiliser = pour comparer</translation>
     </message>
     <message>
         <source>A colon is missing between the name and its type</source>
@@ -53,7 +53,7 @@
     </message>
     <message>
         <source>Decimal numbers use a point: {0}</source>
-        <translation>Les nombres décimaux utilisent le point : {0}</translation>
+        <translation>Les nombres décimaux utilisent le point&#xa0;: {0}</translation>
     </message>
     <message>
         <source>An open bound is written ARRAY[*] and is only allowed for VAR_IN_OUT</source>
@@ -69,11 +69,11 @@
     </message>
     <message>
         <source>{0} is missing; the program unit ends here</source>
-        <translation>Il manque {0} ; le POU se termine ici</translation>
+        <translation>Il manque {0}&#x202f;; le POU se termine ici</translation>
     </message>
     <message>
         <source>A semicolon is missing here; the statement ends here</source>
-        <translation>Il manque un point-virgule ici ; l’instruction se termine ici</translation>
+        <translation>Il manque un point-virgule ici&#x202f;; l’instruction se termine ici</translation>
     </message>
     <message>
         <source>{0} is not declared</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>Implicit conversion from {0} to {1} may lose data; convert it explicitly</source>
-        <translation>La conversion implicite de {0} en {1} peut perdre des données ; convertir explicitement</translation>
+        <translation>La conversion implicite de {0} en {1} peut perdre des données&#x202f;; convertir explicitement</translation>
     </message>
     <message>
         <source>{0} cannot be assigned to</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>{0} is ambiguous: {1}; write the namespace before it</source>
-        <translation>{0} est ambigu : {1} ; le faire précéder de l’espace de noms</translation>
+        <translation>{0} est ambigu&#xa0;: {1}&#x202f;; le faire précéder de l’espace de noms</translation>
     </message>
     <message>
         <source>{0} is abstract and cannot be instantiated</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>The character {0} is not in STRING (Latin-1); use WSTRING</source>
-        <translation>Le caractère {0} n’existe pas en STRING (Latin-1) ; utiliser WSTRING</translation>
+        <translation>Le caractère {0} n’existe pas en STRING (Latin-1)&#x202f;; utiliser WSTRING</translation>
     </message>
     <message>
         <source>The text has {0} characters and will be truncated to {1}</source>
@@ -197,11 +197,11 @@
     </message>
     <message>
         <source>{0} and {1} are compared as {2}; convert one of them</source>
-        <translation>{0} et {1} sont comparés en {2} ; convertir l’un des deux</translation>
+        <translation>{0} et {1} sont comparés en {2}&#x202f;; convertir l’un des deux</translation>
     </message>
     <message>
         <source>{0} is not checked against the enumeration {1}; use one of its names</source>
-        <translation>{0} n’est pas vérifié par rapport à l’énumération {1} ; utiliser l’un de ses noms</translation>
+        <translation>{0} n’est pas vérifié par rapport à l’énumération {1}&#x202f;; utiliser l’un de ses noms</translation>
     </message>
     <message>
         <source>The result of {0} is not used</source>
@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>{0} is {1}; write {2}</source>
-        <translation>{0} est {1} ; écrire {2}</translation>
+        <translation>{0} est {1}&#x202f;; écrire {2}</translation>
     </message>
     <message>
         <source>A reference needs a variable that has an address</source>
@@ -233,11 +233,11 @@
     </message>
     <message>
         <source>{0} contains itself; use a REFERENCE TO</source>
-        <translation>{0} se contient lui-même ; utiliser un REFERENCE TO</translation>
+        <translation>{0} se contient lui-même&#x202f;; utiliser un REFERENCE TO</translation>
     </message>
     <message>
         <source>{0} calls itself, which is not allowed: {1}</source>
-        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé : {1}</translation>
+        <translation>{0} s’appelle lui-même, ce qui n’est pas autorisé&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} is never used</source>
@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>The variables need {0} bytes; the maximum is {1}</source>
-        <translation>Les variables demandent {0} octets ; le maximum est {1}</translation>
+        <translation>Les variables demandent {0} octets&#x202f;; le maximum est {1}</translation>
     </message>
     <message>
         <source>There is no PROGRAM to run</source>
@@ -317,7 +317,7 @@
     </message>
     <message>
         <source>There are several programs and no CONFIGURATION; name one of them Main or write a CONFIGURATION</source>
-        <translation>Il y a plusieurs programmes et pas de CONFIGURATION ; en nommer un Main ou écrire une CONFIGURATION</translation>
+        <translation>Il y a plusieurs programmes et pas de CONFIGURATION&#x202f;; en nommer un Main ou écrire une CONFIGURATION</translation>
     </message>
     <message>
         <source>There is no namespace {0}</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>The range {0}..{1} is not valid: the lower bound is above the upper bound or there are too many elements</source>
-        <translation>La plage {0}..{1} n’est pas valide : la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
+        <translation>La plage {0}..{1} n’est pas valide&#xa0;: la borne inférieure dépasse la borne supérieure ou il y a trop d’éléments</translation>
     </message>
     <message>
         <source>{0} is not a variable of this configuration</source>
@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>{0} has an incomplete address; complete it in a VAR_CONFIG</source>
-        <translation>{0} a une adresse incomplète ; la compléter dans un VAR_CONFIG</translation>
+        <translation>{0} a une adresse incomplète&#x202f;; la compléter dans un VAR_CONFIG</translation>
     </message>
     <message>
         <source>{0} restarts on every call because functions keep no state</source>
@@ -341,11 +341,11 @@
     </message>
     <message>
         <source>Too many initial values: {0} for {1} {1:element|elements}</source>
-        <translation>Trop de valeurs initiales : {0} pour {1} {1:élément|éléments}</translation>
+        <translation>Trop de valeurs initiales&#xa0;: {0} pour {1} {1:élément|éléments}</translation>
     </message>
     <message>
         <source>{0} may call itself; the depth of recursion is limited at run time</source>
-        <translation>{0} peut s’appeler lui-même ; la profondeur de récursion est limitée à l’exécution</translation>
+        <translation>{0} peut s’appeler lui-même&#x202f;; la profondeur de récursion est limitée à l’exécution</translation>
     </message>
     <message>
         <source>The chart has no INITIAL_STEP</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>The chart has two initial steps: {0} and {1}</source>
-        <translation>Le grafcet a deux étapes initiales : {0} et {1}</translation>
+        <translation>Le grafcet a deux étapes initiales&#xa0;: {0} et {1}</translation>
     </message>
     <message>
         <source>There is no step {0}</source>
@@ -361,19 +361,19 @@
     </message>
     <message>
         <source>No transition leads to step {0}; it can never become active</source>
-        <translation>Aucune transition ne mène à l’étape {0} ; elle ne peut jamais devenir active</translation>
+        <translation>Aucune transition ne mène à l’étape {0}&#x202f;; elle ne peut jamais devenir active</translation>
     </message>
     <message>
         <source>Step {0} can become active twice at the same time: the branches from here do not join</source>
-        <translation>L’étape {0} peut devenir active deux fois en même temps : les branches qui partent d’ici ne convergent pas</translation>
+        <translation>L’étape {0} peut devenir active deux fois en même temps&#xa0;: les branches qui partent d’ici ne convergent pas</translation>
     </message>
     <message>
         <source>The steps before this transition cannot be active together; start them from one simultaneous branch</source>
-        <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble ; les démarrer par une même divergence simultanée</translation>
+        <translation>Les étapes avant cette transition ne peuvent pas être actives ensemble&#x202f;; les démarrer par une même divergence simultanée</translation>
     </message>
     <message>
         <source>This transition is always true; the step before it lasts one scan</source>
-        <translation>Cette transition est toujours vraie ; l’étape qui la précède dure un cycle</translation>
+        <translation>Cette transition est toujours vraie&#x202f;; l’étape qui la précède dure un cycle</translation>
     </message>
     <message>
         <source>The qualifier {0} needs a time, for example T#2s</source>
@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>{0} needs a current result; load one with LD</source>
-        <translation>{0} demande un résultat courant ; en charger un avec LD</translation>
+        <translation>{0} demande un résultat courant&#x202f;; en charger un avec LD</translation>
     </message>
     <message>
         <source>The parenthesis of this instruction is not closed</source>
@@ -413,23 +413,23 @@
     </message>
     <message>
         <source>{0} is not a value of the strict enumeration {1}; use one of its names</source>
-        <translation>{0} n’est pas une valeur de l’énumération stricte {1} ; utiliser l’un de ses noms</translation>
+        <translation>{0} n’est pas une valeur de l’énumération stricte {1}&#x202f;; utiliser l’un de ses noms</translation>
     </message>
     <message>
         <source>{0} is a strict enumeration and cannot be used in arithmetic; convert the value with {1}</source>
-        <translation>{0} est une énumération stricte et ne peut pas être utilisée dans un calcul ; convertir la valeur avec {1}</translation>
+        <translation>{0} est une énumération stricte et ne peut pas être utilisée dans un calcul&#x202f;; convertir la valeur avec {1}</translation>
     </message>
     <message>
         <source>{0} cannot compare {1} as a whole; compare the members one by one</source>
-        <translation>{0} ne peut pas comparer {1} en entier ; comparer les membres un par un</translation>
+        <translation>{0} ne peut pas comparer {1} en entier&#x202f;; comparer les membres un par un</translation>
     </message>
     <message>
         <source>A CASE selector must be an integer, enumeration or character, not {0}; use IF and ELSIF</source>
-        <translation>Le sélecteur d’un CASE doit être un entier, une énumération ou un caractère, et non {0} ; utiliser IF et ELSIF</translation>
+        <translation>Le sélecteur d’un CASE doit être un entier, une énumération ou un caractère, et non {0}&#x202f;; utiliser IF et ELSIF</translation>
     </message>
     <message>
         <source>{0} and {1} share storage at {2}; move one of them or write STRUCT OVERLAP</source>
-        <translation>{0} et {1} partagent la mémoire en {2} ; déplacer l’un des deux ou écrire STRUCT OVERLAP</translation>
+        <translation>{0} et {1} partagent la mémoire en {2}&#x202f;; déplacer l’un des deux ou écrire STRUCT OVERLAP</translation>
     </message>
     <message>
         <source>A member&apos;s address is relative to the start of its structure (%B4, %X4.1), not {0}</source>
@@ -437,7 +437,7 @@
     </message>
     <message>
         <source>{0} and {1} share the address {2}; {3} is free</source>
-        <translation>{0} et {1} partagent l’adresse {2} ; {3} est libre</translation>
+        <translation>{0} et {1} partagent l’adresse {2}&#x202f;; {3} est libre</translation>
     </message>
     <message>
         <source>{0} belongs to the chart and must be {1}</source>
@@ -445,15 +445,15 @@
     </message>
     <message>
         <source>{0} has no effect without {1}; declare both</source>
-        <translation>{0} est sans effet sans {1} ; déclarer les deux</translation>
+        <translation>{0} est sans effet sans {1}&#x202f;; déclarer les deux</translation>
     </message>
     <message>
         <source>A step lists its actions here; write statements in an ACTION</source>
-        <translation>Une étape énumère ici ses actions ; écrire les instructions dans une ACTION</translation>
+        <translation>Une étape énumère ici ses actions&#x202f;; écrire les instructions dans une ACTION</translation>
     </message>
     <message>
         <source>No transition leads away from step {0}; the chart ends here</source>
-        <translation>Aucune transition ne part de l’étape {0} ; le grafcet se termine ici</translation>
+        <translation>Aucune transition ne part de l’étape {0}&#x202f;; le grafcet se termine ici</translation>
     </message>
     <message>
         <source>{0} appears twice in this step with qualifier {1}</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>{0} is also a variable; steps and calls mean the ACTION</source>
-        <translation>{0} est aussi une variable ; les étapes et les appels désignent l’ACTION</translation>
+        <translation>{0} est aussi une variable&#x202f;; les étapes et les appels désignent l’ACTION</translation>
     </message>
     <message>
         <source>{0} is a keyword and cannot be used as a name</source>
@@ -481,15 +481,15 @@
     </message>
     <message>
         <source>The task {0} has no INTERVAL above zero and no SINGLE; it runs in every scan</source>
-        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE ; elle s’exécute à chaque cycle</translation>
+        <translation>La tâche {0} n’a ni INTERVAL supérieur à zéro ni SINGLE&#x202f;; elle s’exécute à chaque cycle</translation>
     </message>
     <message>
         <source>{0} is read as {1}; write a time with its unit</source>
-        <translation>{0} est lu comme {1} ; écrire un temps avec son unité</translation>
+        <translation>{0} est lu comme {1}&#x202f;; écrire un temps avec son unité</translation>
     </message>
     <message>
         <source>The address {0} has {1} {1:bit|bits}, {2} has {3}; write {4}</source>
-        <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3} ; écrire {4}</translation>
+        <translation>L’adresse {0} a {1} {1:bit|bits}, {2} en a {3}&#x202f;; écrire {4}</translation>
     </message>
     <message>
         <source>An index must be an integer, not {0}</source>
@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>A block with a task of its own is not supported; call {0} in a program of the task {1}</source>
-        <translation>Un bloc doté de sa propre tâche n’est pas pris en charge ; appeler {0} dans un programme de la tâche {1}</translation>
+        <translation>Un bloc doté de sa propre tâche n’est pas pris en charge&#x202f;; appeler {0} dans un programme de la tâche {1}</translation>
     </message>
     <message>
         <source>{0}</source>
@@ -514,6 +514,33 @@
     <message>
         <source>Code in C is not executed</source>
         <translation>Le code en C n’est pas exécuté</translation>
+    </message>
+</context>
+<context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>Modifié à l’extérieur</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 a été modifié par un autre programme, et ici aussi.</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>Comparer les deux côte à côte, charger le fichier du disque et perdre les modifications faites ici, ou garder ce qui est ici et remplacer le fichier au prochain enregistrement&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Comparer…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>Charger du disque</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Garder ma version</translation>
     </message>
 </context>
 <context>
@@ -570,12 +597,8 @@
         <translation>la tâche a dépassé son temps de chien de garde de {0}</translation>
     </message>
     <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>plus de {0} passages de boucle et appels en une exécution de la tâche ; recherchez une boucle sans fin</translation>
-    </message>
-    <message>
         <source>calls are nested too deeply; check for endless recursion</source>
-        <translation>les appels sont imbriqués trop profondément ; recherchez une récursion sans fin</translation>
+        <translation>les appels sont imbriqués trop profondément&#x202f;; recherchez une récursion sans fin</translation>
     </message>
     <message>
         <source>the called method has no body</source>
@@ -599,11 +622,11 @@
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation>{0} : {1}</translation>
+        <translation>{0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>simulation: {0}</source>
-        <translation>simulation : {0}</translation>
+        <translation>simulation&#xa0;: {0}</translation>
     </message>
     <message>
         <source>warm</source>
@@ -679,11 +702,11 @@
     </message>
     <message>
         <source>{0}; free some space and save again</source>
-        <translation>{0} ; libérez de l’espace et enregistrez de nouveau</translation>
+        <translation>{0}&#x202f;; libérez de l’espace et enregistrez de nouveau</translation>
     </message>
     <message>
         <source>{0}; check the permissions of the folder</source>
-        <translation>{0} ; vérifiez les droits du dossier</translation>
+        <translation>{0}&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -691,15 +714,15 @@
     </message>
     <message>
         <source>This is not a regular file and cannot be replaced; choose another name</source>
-        <translation>Ce n’est pas un fichier ordinaire et il ne peut pas être remplacé ; choisissez un autre nom</translation>
+        <translation>Ce n’est pas un fichier ordinaire et il ne peut pas être remplacé&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>The recording cannot be written: {0}</source>
-        <translation>L’enregistrement ne peut pas être écrit : {0}</translation>
+        <translation>L’enregistrement ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The recording cannot be read: {0}</source>
-        <translation>L’enregistrement ne peut pas être lu : {0}</translation>
+        <translation>L’enregistrement ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file is damaged or is not a recording</source>
@@ -711,11 +734,11 @@
     </message>
     <message>
         <source>This version of Stepwise lays out the program&apos;s variables differently; open the recording with the version that made it</source>
-        <translation>Cette version de Stepwise dispose autrement les variables du programme ; ouvrez l’enregistrement avec la version qui l’a créé</translation>
+        <translation>Cette version de Stepwise dispose autrement les variables du programme&#x202f;; ouvrez l’enregistrement avec la version qui l’a créé</translation>
     </message>
     <message>
         <source>The recording cannot be opened: {0}</source>
-        <translation>L’enregistrement ne peut pas être ouvert : {0}</translation>
+        <translation>L’enregistrement ne peut pas être ouvert&#xa0;: {0}</translation>
     </message>
     <message>
         <source>its program has errors</source>
@@ -739,35 +762,35 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is ambiguous; write one of {1}</source>
-        <translation>« {0} » est ambigu ; écrivez l’un de {1}</translation>
+        <translation>«&#xa0;{0}&#xa0;» est ambigu&#x202f;; écrivez l’un de {1}</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;; did you mean &apos;{2}&apos;?</source>
-        <translation>« {0} » n’a pas de variable « {1} » ; vouliez-vous dire « {2} » ?</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»&#x202f;; vouliez-vous dire «&#xa0;{2}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; has no variable &apos;{1}&apos;</source>
-        <translation>« {0} » n’a pas de variable « {1} »</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’a pas de variable «&#xa0;{1}&#xa0;»</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;; did you mean &apos;{1}&apos;?</source>
-        <translation>la variable « {0} » n’existe pas ; vouliez-vous dire « {1} » ?</translation>
+        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; vouliez-vous dire «&#xa0;{1}&#xa0;»&#x202f;?</translation>
     </message>
     <message>
         <source>there is no variable &apos;{0}&apos;</source>
-        <translation>la variable « {0} » n’existe pas</translation>
+        <translation>la variable «&#xa0;{0}&#xa0;» n’existe pas</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is reached through a reference, which a path cannot follow</source>
-        <translation>« {0} » est atteint par une référence, qu’un chemin ne peut pas suivre</translation>
+        <translation>«&#xa0;{0}&#xa0;» est atteint par une référence, qu’un chemin ne peut pas suivre</translation>
     </message>
     <message>
         <source>a variable of type {1} has no member &apos;{0}&apos;</source>
-        <translation>une variable de type {1} n’a pas de membre « {0} »</translation>
+        <translation>une variable de type {1} n’a pas de membre «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>&apos;{0}&apos; is a VAR_IN_OUT; write the variable that is connected to it</source>
-        <translation>« {0} » est un VAR_IN_OUT ; écrivez la variable qui lui est reliée</translation>
+        <translation>«&#xa0;{0}&#xa0;» est un VAR_IN_OUT&#x202f;; écrivez la variable qui lui est reliée</translation>
     </message>
     <message>
         <source>a string has one index</source>
@@ -795,11 +818,11 @@
     </message>
     <message>
         <source>&apos;{0}&apos; is not an address; write for example %IX0.0, %QB4 or %MW2</source>
-        <translation>« {0} » n’est pas une adresse ; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’est pas une adresse&#x202f;; écrivez par exemple %IX0.0, %QB4 ou %MW2</translation>
     </message>
     <message>
         <source>the program does not use the address &apos;{0}&apos;</source>
-        <translation>le programme n’utilise pas l’adresse « {0} »</translation>
+        <translation>le programme n’utilise pas l’adresse «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>the path is empty</source>
@@ -811,11 +834,11 @@
     </message>
     <message>
         <source>the path cannot be read from &apos;{0}&apos; on</source>
-        <translation>le chemin n’est plus lisible à partir de « {0} »</translation>
+        <translation>le chemin n’est plus lisible à partir de «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>{0} is forced; release the force before writing</source>
-        <translation>{0} est forcé ; levez le forçage avant d’écrire</translation>
+        <translation>{0} est forcé&#x202f;; levez le forçage avant d’écrire</translation>
     </message>
     <message>
         <source>a constant cannot be written</source>
@@ -831,15 +854,15 @@
     </message>
     <message>
         <source>the initial values of the new program cause a fault: {0}</source>
-        <translation>les valeurs initiales du nouveau programme provoquent une erreur : {0}</translation>
+        <translation>les valeurs initiales du nouveau programme provoquent une erreur&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retain file cannot be written: {0}</source>
-        <translation>Le fichier des valeurs rémanentes ne peut pas être écrit : {0}</translation>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retain file cannot be read: {0}</source>
-        <translation>Le fichier des valeurs rémanentes ne peut pas être lu : {0}</translation>
+        <translation>Le fichier des valeurs rémanentes ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The retain file is not a regular file</source>
@@ -847,15 +870,15 @@
     </message>
     <message>
         <source>The retain file is damaged; the program starts with its initial values</source>
-        <translation>Le fichier des valeurs rémanentes est endommagé ; le programme démarre avec ses valeurs initiales</translation>
+        <translation>Le fichier des valeurs rémanentes est endommagé&#x202f;; le programme démarre avec ses valeurs initiales</translation>
     </message>
     <message>
         <source>{0}; it is kept as {1}</source>
-        <translation>{0} ; il est conservé sous {1}</translation>
+        <translation>{0}&#x202f;; il est conservé sous {1}</translation>
     </message>
     <message>
         <source>{0} retained {0:value does|values do} not fit the program: {1}</source>
-        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme : {1}</translation>
+        <translation>{0} {0:valeur rémanente ne correspond|valeurs rémanentes ne correspondent} pas au programme&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} does not fit into a variable of type {1}</source>
@@ -871,7 +894,7 @@
     </message>
     <message>
         <source>a character of the text does not fit into a STRING; use a WSTRING</source>
-        <translation>un caractère du texte n’existe pas en STRING ; utilisez une WSTRING</translation>
+        <translation>un caractère du texte n’existe pas en STRING&#x202f;; utilisez une WSTRING</translation>
     </message>
     <message>
         <source>the text has {0} characters, the maximum is {1}</source>
@@ -899,11 +922,11 @@
     </message>
     <message>
         <source>{0}; {1}</source>
-        <translation>{0} ; {1}</translation>
+        <translation>{0}&#x202f;; {1}</translation>
     </message>
     <message>
         <source>did you mean {0}?</source>
-        <translation>vouliez-vous dire {0} ?</translation>
+        <translation>vouliez-vous dire {0}&#x202f;?</translation>
     </message>
     <message>
         <source>its values are {0}</source>
@@ -1007,11 +1030,11 @@
     </message>
     <message>
         <source>The code generator failed: {0}</source>
-        <translation>Le générateur de code a échoué : {0}</translation>
+        <translation>Le générateur de code a échoué&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The code generator produced an invalid module: {0}</source>
-        <translation>Le générateur de code a produit un module incorrect : {0}</translation>
+        <translation>Le générateur de code a produit un module incorrect&#xa0;: {0}</translation>
     </message>
     <message>
         <source>not compiled</source>
@@ -1023,7 +1046,7 @@
     </message>
     <message>
         <source>the program could not be optimised: {0}</source>
-        <translation>le programme n’a pas pu être optimisé : {0}</translation>
+        <translation>le programme n’a pas pu être optimisé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the program has errors</source>
@@ -1063,35 +1086,35 @@
     </message>
     <message>
         <source>Fix the text first: {0}</source>
-        <translation>Corrigez d’abord le texte : {0}</translation>
+        <translation>Corrigez d’abord le texte&#xa0;: {0}</translation>
     </message>
     <message>
         <source>There is no equivalent in the other language: {0}</source>
-        <translation>Il n’y a pas d’équivalent dans l’autre langage : {0}</translation>
+        <translation>Il n’y a pas d’équivalent dans l’autre langage&#xa0;: {0}</translation>
     </message>
     <message>
         <source>This is a folder; a file is needed</source>
-        <translation>C’est un dossier ; il faut un fichier</translation>
+        <translation>C’est un dossier&#x202f;; il faut un fichier</translation>
     </message>
     <message>
         <source>This is a device; a file is needed</source>
-        <translation>C’est un périphérique ; il faut un fichier</translation>
+        <translation>C’est un périphérique&#x202f;; il faut un fichier</translation>
     </message>
     <message>
         <source>The file cannot be read: {0}</source>
-        <translation>Le fichier ne peut pas être lu : {0}</translation>
+        <translation>Le fichier ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file cannot be replaced: {0}</source>
-        <translation>Le fichier ne peut pas être remplacé : {0}</translation>
+        <translation>Le fichier ne peut pas être remplacé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file cannot be written: {0}</source>
-        <translation>Le fichier ne peut pas être écrit : {0}</translation>
+        <translation>Le fichier ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>project.json is not valid JSON; look for a missing comma, quote or bracket</source>
-        <translation>project.json n’est pas du JSON valide ; recherchez une virgule, un guillemet ou un crochet manquant</translation>
+        <translation>project.json n’est pas du JSON valide&#x202f;; recherchez une virgule, un guillemet ou un crochet manquant</translation>
     </message>
     <message>
         <source>project.json must contain one JSON object</source>
@@ -1103,11 +1126,11 @@
     </message>
     <message>
         <source>There is no library &quot;{0}&quot;; available are {1}</source>
-        <translation>La bibliothèque « {0} » n’existe pas ; sont disponibles {1}</translation>
+        <translation>La bibliothèque «&#xa0;{0}&#xa0;» n’existe pas&#x202f;; sont disponibles {1}</translation>
     </message>
     <message>
         <source>There is no library {0}; did you mean {1}?</source>
-        <translation>La bibliothèque {0} n’existe pas ; vouliez-vous dire {1} ?</translation>
+        <translation>La bibliothèque {0} n’existe pas&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
         <source>There is no library {0}</source>
@@ -1135,7 +1158,7 @@
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and _, start with a letter and avoid keywords</source>
-        <translation>{0} n’est pas un nom valide ; utilisez des lettres, des chiffres et _, commencez par une lettre et évitez les mots-clés</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et _, commencez par une lettre et évitez les mots-clés</translation>
     </message>
     <message>
         <source>{0} already exists in the project</source>
@@ -1147,19 +1170,19 @@
     </message>
     <message>
         <source>The folder cannot be created: {0}</source>
-        <translation>Le dossier ne peut pas être créé : {0}</translation>
+        <translation>Le dossier ne peut pas être créé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The folder cannot be read: {0}</source>
-        <translation>Le dossier ne peut pas être lu : {0}</translation>
+        <translation>Le dossier ne peut pas être lu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file cannot be copied: {0}</source>
-        <translation>Le fichier ne peut pas être copié : {0}</translation>
+        <translation>Le fichier ne peut pas être copié&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The folder already exists and is not empty; choose another name</source>
-        <translation>Le dossier existe déjà et n’est pas vide ; choisissez un autre nom</translation>
+        <translation>Le dossier existe déjà et n’est pas vide&#x202f;; choisissez un autre nom</translation>
     </message>
     <message>
         <source>The page cannot be written</source>
@@ -1183,11 +1206,11 @@
     </message>
     <message>
         <source>The file cannot be removed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être supprimé ; vérifiez les droits du dossier</translation>
+        <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>The file cannot be renamed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être renommé ; vérifiez les droits du dossier</translation>
+        <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>Open a project first</source>
@@ -1219,7 +1242,7 @@
     </message>
     <message>
         <source>Fault in the test: {0}</source>
-        <translation>Erreur dans le test : {0}</translation>
+        <translation>Erreur dans le test&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} is not a value for {1}</source>
@@ -1235,11 +1258,11 @@
     </message>
     <message>
         <source>The simulation stopped: {0}</source>
-        <translation>La simulation s’est arrêtée : {0}</translation>
+        <translation>La simulation s’est arrêtée&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The controller stopped: {0}</source>
-        <translation>L’automate s’est arrêté : {0}</translation>
+        <translation>L’automate s’est arrêté&#xa0;: {0}</translation>
     </message>
     <message>
         <source>at {0}:{1}</source>
@@ -1247,7 +1270,7 @@
     </message>
     <message>
         <source>{0} has no value: {1}</source>
-        <translation>{0} n’a pas de valeur : {1}</translation>
+        <translation>{0} n’a pas de valeur&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} did not become true within {1}</source>
@@ -1255,11 +1278,11 @@
     </message>
     <message>
         <source>ASSERT failed: {0}</source>
-        <translation>Échec d’ASSERT : {0}</translation>
+        <translation>Échec d’ASSERT&#xa0;: {0}</translation>
     </message>
     <message>
         <source>ASSERT failed: {0} ({1})</source>
-        <translation>Échec d’ASSERT : {0} ({1})</translation>
+        <translation>Échec d’ASSERT&#xa0;: {0} ({1})</translation>
     </message>
     <message>
         <source>A coil writes a variable.</source>
@@ -1267,7 +1290,7 @@
     </message>
     <message>
         <source>A pin has no contacts; type an expression.</source>
-        <translation>Une broche n’a pas de contacts ; saisissez une expression.</translation>
+        <translation>Une broche n’a pas de contacts&#x202f;; saisissez une expression.</translation>
     </message>
     <message>
         <source>A rung cannot move into itself.</source>
@@ -1275,11 +1298,11 @@
     </message>
     <message>
         <source>A rung moves within its block of statements; use cut and paste in the text for more.</source>
-        <translation>Un réseau se déplace au sein de son bloc d’instructions ; au-delà, utilisez couper et coller dans le texte.</translation>
+        <translation>Un réseau se déplace au sein de son bloc d’instructions&#x202f;; au-delà, utilisez couper et coller dans le texte.</translation>
     </message>
     <message>
         <source>Delete the call in the text: other statements may use its outputs.</source>
-        <translation>Supprimez l’appel dans le texte : d’autres instructions peuvent utiliser ses sorties.</translation>
+        <translation>Supprimez l’appel dans le texte&#xa0;: d’autres instructions peuvent utiliser ses sorties.</translation>
     </message>
     <message>
         <source>Delete this output in the text.</source>
@@ -1287,7 +1310,7 @@
     </message>
     <message>
         <source>Other outputs depend on the same IF; give this coil a rung of its own first.</source>
-        <translation>D’autres sorties dépendent du même IF ; donnez d’abord à cette bobine son propre réseau.</translation>
+        <translation>D’autres sorties dépendent du même IF&#x202f;; donnez d’abord à cette bobine son propre réseau.</translation>
     </message>
     <message>
         <source>Select a box with text.</source>
@@ -1331,19 +1354,15 @@
     </message>
     <message>
         <source>Several variables are assigned in one statement; separate them in the text first.</source>
-        <translation>Plusieurs variables sont affectées dans une même instruction ; séparez-les d’abord dans le texte.</translation>
+        <translation>Plusieurs variables sont affectées dans une même instruction&#x202f;; séparez-les d’abord dans le texte.</translation>
     </message>
     <message>
         <source>Statements on one line cannot be moved; separate them in the text first.</source>
-        <translation>Des instructions sur la même ligne ne peuvent pas être déplacées ; séparez-les d’abord dans le texte.</translation>
-    </message>
-    <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>La première entrée et la première sortie de {0} doivent être de type BOOL pour qu’il puisse figurer dans un réseau.</translation>
+        <translation>Des instructions sur la même ligne ne peuvent pas être déplacées&#x202f;; séparez-les d’abord dans le texte.</translation>
     </message>
     <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
-        <translation>Le réseau lit ce qu’il écrit ; ajoutez cette bobine dans un réseau à part.</translation>
+        <translation>Le réseau lit ce qu’il écrit&#x202f;; ajoutez cette bobine dans un réseau à part.</translation>
     </message>
     <message>
         <source>There is no function block {0}.</source>
@@ -1351,7 +1370,7 @@
     </message>
     <message>
         <source>This edit cannot be made in the picture; edit the text.</source>
-        <translation>Cette modification n’est pas possible dans le schéma ; modifiez le texte.</translation>
+        <translation>Cette modification n’est pas possible dans le schéma&#x202f;; modifiez le texte.</translation>
     </message>
     <message>
         <source>This has no operand.</source>
@@ -1359,15 +1378,15 @@
     </message>
     <message>
         <source>This is not a statement: {0}</source>
-        <translation>Ce n’est pas une instruction : {0}</translation>
+        <translation>Ce n’est pas une instruction&#xa0;: {0}</translation>
     </message>
     <message>
         <source>This is not an expression: {0}</source>
-        <translation>Ce n’est pas une expression : {0}</translation>
+        <translation>Ce n’est pas une expression&#xa0;: {0}</translation>
     </message>
     <message>
         <source>This rung has no condition; put it under IF in the text.</source>
-        <translation>Ce réseau n’a pas de condition ; placez-le sous un IF dans le texte.</translation>
+        <translation>Ce réseau n’a pas de condition&#x202f;; placez-le sous un IF dans le texte.</translation>
     </message>
     <message>
         <source>{0} is {1}</source>
@@ -1399,7 +1418,7 @@
     </message>
     <message>
         <source>{0} is not a valid name; use letters, digits and underscores</source>
-        <translation>{0} n’est pas un nom valide ; utilisez des lettres, des chiffres et le trait de soulignement</translation>
+        <translation>{0} n’est pas un nom valide&#x202f;; utilisez des lettres, des chiffres et le trait de soulignement</translation>
     </message>
     <message>
         <source>A step {0} already exists</source>
@@ -1451,7 +1470,7 @@
     </message>
     <message>
         <source>Nothing follows this step yet; insert a step after it first</source>
-        <translation>Rien ne suit encore cette étape ; insérez d’abord une étape après elle</translation>
+        <translation>Rien ne suit encore cette étape&#x202f;; insérez d’abord une étape après elle</translation>
     </message>
     <message>
         <source>The last branch does not lead to a step</source>
@@ -1467,19 +1486,19 @@
     </message>
     <message>
         <source>The initial step cannot be deleted; make another step the initial step first</source>
-        <translation>L’étape initiale ne peut pas être supprimée ; définissez d’abord une autre étape comme étape initiale</translation>
+        <translation>L’étape initiale ne peut pas être supprimée&#x202f;; définissez d’abord une autre étape comme étape initiale</translation>
     </message>
     <message>
         <source>Several transitions leave this step; delete its branches first</source>
-        <translation>Plusieurs transitions quittent cette étape ; supprimez d’abord ses branches</translation>
+        <translation>Plusieurs transitions quittent cette étape&#x202f;; supprimez d’abord ses branches</translation>
     </message>
     <message>
         <source>The condition of this transition cannot be read; edit it in the text</source>
-        <translation>La condition de cette transition n’est pas lisible ; modifiez-la dans le texte</translation>
+        <translation>La condition de cette transition n’est pas lisible&#x202f;; modifiez-la dans le texte</translation>
     </message>
     <message>
         <source>The branches after this transition do not join; connect them in the text first</source>
-        <translation>Les branches après cette transition ne convergent pas ; reliez-les d’abord dans le texte</translation>
+        <translation>Les branches après cette transition ne convergent pas&#x202f;; reliez-les d’abord dans le texte</translation>
     </message>
     <message>
         <source>The panel is not valid JSON</source>
@@ -1495,7 +1514,7 @@
     </message>
     <message>
         <source>&quot;{0}&quot; must be a list</source>
-        <translation>« {0} » doit être une liste</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être une liste</translation>
     </message>
     <message>
         <source>Element {0} is not an object</source>
@@ -1507,7 +1526,7 @@
     </message>
     <message>
         <source>Two elements have the id &quot;{0}&quot;; change one of them</source>
-        <translation>Deux éléments ont l’identifiant « {0} » ; modifiez l’un des deux</translation>
+        <translation>Deux éléments ont l’identifiant «&#xa0;{0}&#xa0;»&#x202f;; modifiez l’un des deux</translation>
     </message>
     <message>
         <source>The alarms are not valid JSON</source>
@@ -1523,15 +1542,15 @@
     </message>
     <message>
         <source>Two alarms have the id &quot;{0}&quot;</source>
-        <translation>Deux alarmes ont l’identifiant « {0} »</translation>
+        <translation>Deux alarmes ont l’identifiant «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>This line is not valid UTF-8; save the file as UTF-8</source>
-        <translation>Cette ligne n’est pas de l’UTF-8 valide ; enregistrez le fichier en UTF-8</translation>
+        <translation>Cette ligne n’est pas de l’UTF-8 valide&#x202f;; enregistrez le fichier en UTF-8</translation>
     </message>
     <message>
         <source>There is text after a closing quote; double a quote that belongs to the text</source>
-        <translation>Du texte suit un guillemet fermant ; doublez un guillemet qui appartient au texte</translation>
+        <translation>Du texte suit un guillemet fermant&#x202f;; doublez un guillemet qui appartient au texte</translation>
     </message>
     <message>
         <source>The quote that opens here is never closed</source>
@@ -1563,15 +1582,15 @@
     </message>
     <message>
         <source>The alarm history cannot be opened: {0}</source>
-        <translation>L’historique des alarmes ne peut pas être ouvert : {0}</translation>
+        <translation>L’historique des alarmes ne peut pas être ouvert&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The alarm history cannot be used: {0}</source>
-        <translation>L’historique des alarmes ne peut pas être utilisé : {0}</translation>
+        <translation>L’historique des alarmes ne peut pas être utilisé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The alarm history cannot be written: {0}</source>
-        <translation>L’historique des alarmes ne peut pas être écrit : {0}</translation>
+        <translation>L’historique des alarmes ne peut pas être écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} does not fit into {1}</source>
@@ -1579,7 +1598,7 @@
     </message>
     <message>
         <source>STRING holds Latin-1 only; declare the variable as WSTRING</source>
-        <translation>STRING ne contient que du Latin-1 ; déclarez la variable en WSTRING</translation>
+        <translation>STRING ne contient que du Latin-1&#x202f;; déclarez la variable en WSTRING</translation>
     </message>
     <message>
         <source>A {0} cannot be written from a panel</source>
@@ -1599,7 +1618,7 @@
     </message>
     <message>
         <source>The text &quot;{0}&quot; has no key, so it cannot be translated</source>
-        <translation>Le texte « {0} » n’a pas de clé et ne peut donc pas être traduit</translation>
+        <translation>Le texte «&#xa0;{0}&#xa0;» n’a pas de clé et ne peut donc pas être traduit</translation>
     </message>
     <message>
         <source>The key {0} is not in the text table</source>
@@ -1607,15 +1626,15 @@
     </message>
     <message>
         <source>The text needs a value for {0}; specify it in &quot;Values in texts&quot;</source>
-        <translation>Le texte demande une valeur pour {0} ; indiquez-la dans « Valeurs des textes »</translation>
+        <translation>Le texte demande une valeur pour {0}&#x202f;; indiquez-la dans «&#xa0;Valeurs des textes&#xa0;»</translation>
     </message>
     <message>
         <source>The text list {0} is empty: there is no key {1}</source>
-        <translation>La liste de textes {0} est vide : la clé {1} n’existe pas</translation>
+        <translation>La liste de textes {0} est vide&#xa0;: la clé {1} n’existe pas</translation>
     </message>
     <message>
         <source>This version does not know the element kind &quot;{0}&quot;; it is kept as it is</source>
-        <translation>Cette version ne connaît pas le genre d’élément « {0} » ; il est conservé tel quel</translation>
+        <translation>Cette version ne connaît pas le genre d’élément «&#xa0;{0}&#xa0;»&#x202f;; il est conservé tel quel</translation>
     </message>
     <message>
         <source>The project has no language {0}</source>
@@ -1635,7 +1654,7 @@
     </message>
     <message>
         <source>The format {0} is not known; use for example {1} or {2}</source>
-        <translation>Le format {0} est inconnu ; utilisez par exemple {1} ou {2}</translation>
+        <translation>Le format {0} est inconnu&#x202f;; utilisez par exemple {1} ou {2}</translation>
     </message>
     <message>
         <source>The alarm has no condition</source>
@@ -1651,7 +1670,7 @@
     </message>
     <message>
         <source>The placeholders differ: {0} has {1}, {2} has {3}</source>
-        <translation>Les espaces réservés diffèrent : {0} a {1}, {2} a {3}</translation>
+        <translation>Les espaces réservés diffèrent&#xa0;: {0} a {1}, {2} a {3}</translation>
     </message>
     <message>
         <source>The key {0} has no text in {1}</source>
@@ -1667,15 +1686,15 @@
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs {1} px, the maximum is {2}</source>
-        <translation>« {0} » ne tient pas : il faut {1} px, le maximum est {2}</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut {1}&#xa0;px, le maximum est {2}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; does not fit: it needs a height of {1} px, the maximum is {2}</source>
-        <translation>« {0} » ne tient pas : il faut une hauteur de {1} px, le maximum est {2}</translation>
+        <translation>«&#xa0;{0}&#xa0;» ne tient pas&#xa0;: il faut une hauteur de {1}&#xa0;px, le maximum est {2}</translation>
     </message>
     <message>
         <source>{0}; did you mean {1}?</source>
-        <translation>{0} ; vouliez-vous dire {1} ?</translation>
+        <translation>{0}&#x202f;; vouliez-vous dire {1}&#x202f;?</translation>
     </message>
     <message>
         <source>{0} is not a variable, so it cannot be written</source>
@@ -1683,23 +1702,23 @@
     </message>
     <message>
         <source>{0} is {1}; a BOOL is needed here</source>
-        <translation>{0} est {1} ; il faut ici un BOOL</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici un BOOL</translation>
     </message>
     <message>
         <source>{0} is {1}; a number is needed here</source>
-        <translation>{0} est {1} ; il faut ici un nombre</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici un nombre</translation>
     </message>
     <message>
         <source>{0} is {1}; a STRING is needed here</source>
-        <translation>{0} est {1} ; il faut ici une STRING</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici une STRING</translation>
     </message>
     <message>
         <source>{0} is {1}; an array is needed here</source>
-        <translation>{0} est {1} ; il faut ici un tableau</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici un tableau</translation>
     </message>
     <message>
         <source>{0} is {1}; a single value is needed here</source>
-        <translation>{0} est {1} ; il faut ici une valeur simple</translation>
+        <translation>{0} est {1}&#x202f;; il faut ici une valeur simple</translation>
     </message>
     <message>
         <source>A placeholder is not closed with {0}</source>
@@ -1723,15 +1742,15 @@
     </message>
     <message>
         <source>The trace configuration is invalid: {0}</source>
-        <translation>La configuration de trace n’est pas valide : {0}</translation>
+        <translation>La configuration de trace n’est pas valide&#xa0;: {0}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; must be {1}</source>
-        <translation>« {0} » doit être {1}</translation>
+        <translation>«&#xa0;{0}&#xa0;» doit être {1}</translation>
     </message>
     <message>
         <source>&quot;{0}&quot; is missing</source>
-        <translation>« {0} » manque</translation>
+        <translation>«&#xa0;{0}&#xa0;» manque</translation>
     </message>
     <message>
         <source>A picture&apos;s name must end in one of {0}</source>
@@ -1743,15 +1762,15 @@
     </message>
     <message>
         <source>A recording from a file cannot be written; go back to the running controller first</source>
-        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être écrit ; revenez d’abord à l’automate en marche</translation>
+        <translation>Un enregistrement ouvert depuis un fichier ne peut pas être écrit&#x202f;; revenez d’abord à l’automate en marche</translation>
     </message>
     <message>
         <source>Recorded values cannot be written; resume from here first</source>
-        <translation>Des valeurs enregistrées ne peuvent pas être écrites ; reprenez d’abord ici</translation>
+        <translation>Des valeurs enregistrées ne peuvent pas être écrites&#x202f;; reprenez d’abord ici</translation>
     </message>
     <message>
         <source>Recorded values cannot be forced; resume from here or go back to live first</source>
-        <translation>Des valeurs enregistrées ne peuvent pas être forcées ; reprenez ici ou revenez d’abord au direct</translation>
+        <translation>Des valeurs enregistrées ne peuvent pas être forcées&#x202f;; reprenez ici ou revenez d’abord au direct</translation>
     </message>
     <message>
         <source>A recording from a file cannot be resumed, only what the controller itself recorded</source>
@@ -1759,7 +1778,7 @@
     </message>
     <message>
         <source>A priority is a number; 0 removes it</source>
-        <translation>Une priorité est un nombre ; 0 la supprime</translation>
+        <translation>Une priorité est un nombre&#x202f;; 0 la supprime</translation>
     </message>
     <message>
         <source>The file was changed by another program and was not overwritten</source>
@@ -1767,11 +1786,11 @@
     </message>
     <message>
         <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>Ce fichier ne peut pas être importé : PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texte de CODESYS (.EXP, .export) et texte structuré (.st) peuvent être lus</translation>
+        <translation>Ce fichier ne peut pas être importé&#xa0;: PLCopen XML (.xml), TwinCAT (.TcPOU, etc.), texte de CODESYS (.EXP, .export) et texte structuré (.st) peuvent être lus</translation>
     </message>
     <message>
         <source>This XML is neither PLCopen XML nor of TwinCAT or CODESYS; export the project as PLCopen XML and import that file</source>
-        <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS ; exportez le projet en PLCopen XML et importez ce fichier</translation>
+        <translation>Ce XML n’est ni du PLCopen XML ni de TwinCAT ou CODESYS&#x202f;; exportez le projet en PLCopen XML et importez ce fichier</translation>
     </message>
     <message>
         <source>There is nothing in it that can be imported</source>
@@ -1779,11 +1798,11 @@
     </message>
     <message>
         <source>The folder exists and is not empty; name a new one</source>
-        <translation>Le dossier existe et n’est pas vide ; indiquez-en un nouveau</translation>
+        <translation>Le dossier existe et n’est pas vide&#x202f;; indiquez-en un nouveau</translation>
     </message>
     <message>
         <source>The sources have errors of syntax; stepwise check lists them</source>
-        <translation>Les sources ont des erreurs de syntaxe ; stepwise check les énumère</translation>
+        <translation>Les sources ont des erreurs de syntaxe&#x202f;; stepwise check les énumère</translation>
     </message>
     <message>
         <source>The file is too large to be read</source>
@@ -1791,11 +1810,11 @@
     </message>
     <message>
         <source>The file is in the encoding {0}, which is not read; save it as UTF-8</source>
-        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge ; enregistrez-le en UTF-8</translation>
+        <translation>Le fichier a le codage {0}, qui n’est pas pris en charge&#x202f;; enregistrez-le en UTF-8</translation>
     </message>
     <message>
         <source>The file declares a document type or entities of its own, which is not read; export it again without them</source>
-        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus ; exportez-le de nouveau sans eux</translation>
+        <translation>Le fichier déclare un type de document ou des entités propres, qui ne sont pas lus&#x202f;; exportez-le de nouveau sans eux</translation>
     </message>
     <message>
         <source>The elements of the file are nested too deeply</source>
@@ -1803,7 +1822,7 @@
     </message>
     <message>
         <source>This is not well-formed XML: {0}</source>
-        <translation>Ce XML n’est pas bien formé : {0}</translation>
+        <translation>Ce XML n’est pas bien formé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file has no elements</source>
@@ -1811,11 +1830,11 @@
     </message>
     <message>
         <source>This is XML, not structured text; import it (stepwise import --help)</source>
-        <translation>C’est du XML, pas du texte structuré ; importez-le (stepwise import --help)</translation>
+        <translation>C’est du XML, pas du texte structuré&#x202f;; importez-le (stepwise import --help)</translation>
     </message>
     <message>
         <source>Windows-1252 does not have the character {0}; write the file as UTF-8</source>
-        <translation>Windows-1252 n’a pas le caractère {0} ; écrivez le fichier en UTF-8</translation>
+        <translation>Windows-1252 n’a pas le caractère {0}&#x202f;; écrivez le fichier en UTF-8</translation>
     </message>
     <message>
         <source>The first input and the first output of {0} must be BOOL for it to be part of a rung.</source>
@@ -1823,19 +1842,19 @@
     </message>
     <message>
         <source>Type a name and a block: T1 : TON</source>
-        <translation>Saisissez un nom et un bloc : T1 : TON</translation>
+        <translation>Saisissez un nom et un bloc&#xa0;: T1 : TON</translation>
     </message>
     <message>
         <source>the local variables of {0} and of what it calls need {1} bytes; the maximum is {2}</source>
-        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets ; le maximum est {2}</translation>
+        <translation>les variables locales de {0} et de ce qu’il appelle demandent {1} octets&#x202f;; le maximum est {2}</translation>
     </message>
     <message>
         <source>{0} is too large for the stack; divide it into several functions</source>
-        <translation>{0} est trop grand pour la pile ; répartissez-le en plusieurs fonctions</translation>
+        <translation>{0} est trop grand pour la pile&#x202f;; répartissez-le en plusieurs fonctions</translation>
     </message>
     <message>
         <source>more than {0} units of work (loop passes, calls, copies) in one run of the task; check for an endless loop</source>
-        <translation>plus de {0} unités de travail (passages de boucle, appels, copies) en une exécution de la tâche ; recherchez une boucle sans fin</translation>
+        <translation>plus de {0} unités de travail (passages de boucle, appels, copies) en une exécution de la tâche&#x202f;; recherchez une boucle sans fin</translation>
     </message>
     <message>
         <source>{0} is not a whole number</source>
@@ -1846,14 +1865,258 @@
         <translation>{0} n’est pas un nombre de cycles</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} n’est pas un temps</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>{0} n’est pas un temps</translation>
+        <source>{0} is not a name: use letters, digits and underscores.</source>
+        <translation>{0} n’est pas un nom&#xa0;: utilisez des lettres, des chiffres et le trait de soulignement.</translation>
     </message>
     <message>
-        <source>{0} is not a name: use letters, digits and underscores.</source>
-        <translation>{0} n’est pas un nom : utilisez des lettres, des chiffres et le trait de soulignement.</translation>
+        <source>{0} is not a time</source>
+        <translation>{0} n’est pas un temps</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>Le fichier est codé en {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>Le fichier n’a pas été lu&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>L’élément {0} n’a pas été lu</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>Les données {0} de l’éditeur d’origine sont conservées dans exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>Le corps dans {0} est devenu du texte structuré&#x202f;; le schéma est conservé dans exchange.json</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>Le corps dans {0} est stocké sous une forme que seul son propre éditeur lit&#x202f;; exportez-le là-bas en PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>Un saut mène à l’étape {0}, qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>L’élément {0} du grafcet n’est pas relié et a été omis</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>La transition depuis {0} n’a pas de condition&#x202f;; elle est écrite comme FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur&#x202f;; sa dernière valeur n’est pas conservée</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>L’élément {0} n’est pas relié et a été omis</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>Le type du résultat de {0} est inconnu&#x202f;; il est calculé même si EN est FALSE</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>La bibliothèque {0} ne fait pas partie de Stepwise&#x202f;; ses utilisations sont signalées par la vérification</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>Le code en C est conservé en commentaire et n’est pas exécuté</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>Deux POU s’appellent {0}&#x202f;; le second est dans {1}</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>La configuration des appareils n’a pas été lue&#x202f;; affectez de nouveau les entrées et les sorties</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>La tâche {0} est lancée par l’événement {1}, qui n’existe pas ici&#x202f;; donnez-lui un INTERVAL ou un SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} compte %MW1 en mots, ici le compte est en octets&#x202f;; vérifiez que les adresses ne se chevauchent pas</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>Un commentaire hors des éléments a été omis&#xa0;: {0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>Le schéma dans {0} n’a pas été lu&#xa0;: une expression se répète sans fin</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les vues&#x202f;; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les traces&#x202f;; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML n’a pas de place pour les tests&#x202f;; ils ont été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML n’a pas de place pour les tests&#x202f;; le TEST «&#xa0;{0}&#xa0;» a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML n’a pas de place pour les espaces de noms&#x202f;; un NAMESPACE a été omis avec ses POU</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML n’a pas de place pour USING&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML n’a pas de place pour le nom de la transition {0}&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML a un indicateur par action&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>La version 0201 n’a pas de méthodes&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>La version 0201 n’a pas de propriétés&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>La version 0201 n’a pas d’interfaces&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>La version 0201 n’a pas d’unions&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>La version 0201 n’a pas d’héritage&#x202f;; EXTENDS ou IMPLEMENTS de {0} a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>La version 0201 n’a pas le type {0}&#x202f;; les autres outils ne le connaîtront pas</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>La version 0201 n’a pas de place pour le pragma {0} d’une étape&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>La version 0201 n’a pas de place pour {0} d’une tâche&#x202f;; il a été omis</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>La version 0201 n’a pas de place pour les connexions du programme {0}&#x202f;; elles ont été omises</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>La version 0201 n’a pas de place pour les bibliothèques&#x202f;; {0} a été omis</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>Le fichier n’est pas une source de programme et a été omis</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>Remplacer par {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>Insérer {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>Vouliez-vous dire {0}&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>Convertir avec {0}</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>Déplacer {0} vers {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>Ajouter la propriété {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>Ajouter la méthode {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>Ajouter les branches manquantes</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>Ajouter ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>Ajouter () pour l’appeler</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>Comparer avec 0</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>Supprimer la déclaration inutilisée</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>Remplacer par IF et ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>Transformer en littéral WSTRING</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>Remplacer par des guillemets droits</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>Faire de {0} l’étape initiale</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>Déréférencer le pointeur avec ^</translation>
     </message>
 </context>
 <context>
@@ -1880,7 +2143,7 @@
     </message>
     <message>
         <source>Shown to the operator. A typed text gets its key by itself; @key names one.</source>
-        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé ; @clé en désigne une existante.</translation>
+        <translation>Affiché à l’opérateur. Un texte saisi reçoit automatiquement sa clé&#x202f;; @clé en désigne une existante.</translation>
     </message>
     <message>
         <source>X</source>
@@ -2424,7 +2687,7 @@
     </message>
     <message>
         <source>Value (empty: the controller&apos;s clock)</source>
-        <translation>Valeur (vide : l’horloge de l’automate)</translation>
+        <translation>Valeur (vide&#xa0;: l’horloge de l’automate)</translation>
     </message>
     <message>
         <source>Shows</source>
@@ -2728,6 +2991,477 @@
     </message>
 </context>
 <context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>Point</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>Signe de marche</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>Signe d’arrêt</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>Signe de pause</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Signe plus</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Signe moins</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>Maison</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>Flèche circulaire</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>Par heure</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Continu</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Tirets</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Pointillé</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Centré</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>À la fin</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Contraste élevé</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flèche</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>Ligne d’arc</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>Secteur</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>Segment de cercle</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>Afficher en entier</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>Remplir le cadre</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Étirer</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>Fugitif</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>Mettre à TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>Mettre à FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>Écrire une valeur</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>Aller à une vue</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>Changer la langue</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>Acquitter les alarmes</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>Horizontale</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Verticale</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>Date et heure</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>Semaine du calendrier</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rond</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Carré</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>Arrondi</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>Fonds bombés</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>Fonds plats</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>Trémie</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>Ouvert en haut</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>Alarmes présentes</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>Historique des alarmes</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>Par priorité</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>Dans leur propre langue</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>Étiquettes de langue</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>Moteur</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>Pompe</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>Vanne</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Cuve</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>Silo</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>Convoyeur</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>Agitateur</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>Résistance chauffante</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>Ventilateur</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Capteur</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Voyant</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>Sirène</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>Camion</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>Véhicule</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>Surface en relief</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>Surface en creux</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>Couleur de ligne</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>Ligne discrète</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>Couleur du texte</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>Texte atténué</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>Couleur de bouton</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>Accent</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>À l’arrêt</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>Liquide</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>Couleur de conduite</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>Valeur mesurée</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>Segment allumé</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>Verre d’afficheur</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>Couleur d’alarme</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>Priorité haute</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>Priorité basse</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rouge</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Jaune</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Vert</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Bleu</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Blanc</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Noir</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>Bon état</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>Courbe 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>Courbe 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>Courbe 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>Courbe 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>Courbe 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>Courbe 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>Courbe 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>Courbe 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>un BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>un tableau</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>type quelconque</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2791,13 +3525,379 @@
     <message numerus="yes">
         <source>%n scan(s) skipped: the machine was late</source>
         <translation>
-            <numerusform>%n cycle sauté : l’ordinateur était en retard</numerusform>
-            <numerusform>%n cycles sautés : l’ordinateur était en retard</numerusform>
+            <numerusform>%n cycle sauté&#xa0;: l’ordinateur était en retard</numerusform>
+            <numerusform>%n cycles sautés&#xa0;: l’ordinateur était en retard</numerusform>
         </translation>
     </message>
     <message>
         <source>Resumed from this scan</source>
         <translation>Repris à partir de ce cycle</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>première déclaration ici</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>déclaré ici</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>la variable</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>le premier programme</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>redéfini ici</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>le premier</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>par cette transition, tant qu’elle est active</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>un nom</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>une étiquette</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>un opérande</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>une expression</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>une valeur</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>un type</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>un indice</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>un argument</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>une adresse</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>une action</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>une étiquette CASE</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>le nom d’un bloc</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>le nom d’un processeur</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>le nom d’une tâche</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>le nom d’une instance de programme</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>une entrée ou une sortie</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>le nom d’une variable</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>le chemin d’une variable</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>le nom d’une étape</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>le nom d’un type</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>le nom d’un membre</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>un nom d’accès</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>une valeur d’énumération</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>la fin de la ligne</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} ou {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR et un temps</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= ou des instructions</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>une plage</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>une énumération</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>entre parenthèses</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>un grafcet</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>un corps</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>dans une CLASS</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>dans une FUNCTION</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>dans une METHOD</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>dans un PROGRAM</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>dans un FUNCTION_BLOCK</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>ici</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>dans {0}</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>dans une expression</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>dans une valeur initiale</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>dans cette section</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>une valeur initiale</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>RETURN avec une valeur</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>dans une déclaration qui appelle FB_Init</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>dans {0}, qui n’est pas lui-même abstrait</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>durée</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>date</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>heure du jour</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>date et heure</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>entier</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>chaîne</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0} (une constante)</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0} (une sortie)</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0} (une variable locale de {1})</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0} (une entrée)</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0} (une entrée&#x202f;; le prochain cycle l’écrase)</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0} (une propriété sans SET)</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0} (aucune instance, ou plusieurs)</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0} (un type&#x202f;; en déclarer une instance)</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0} (une variable, qui masque la fonction de ce nom)</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>une sortie</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>une entrée</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>un paramètre IN_OUT</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>une puissance d’un nombre calculé</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>un appel de {0}</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>un appel sans arguments</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>un second argument calculé de {0}</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>{0} en dehors d’une boucle</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>cette instruction</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>FOR avec cette fin ou ce pas</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>une affectation de plusieurs variables</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>CASE d’une valeur calculée</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texte</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>un entier</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>un nombre de secondes</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>une liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objet</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>un élément de {0}</translation>
     </message>
 </context>
 <context>
@@ -2906,7 +4006,7 @@
     </message>
     <message>
         <source>Both give the same results. Replacing is one step of undo; comments stay, each above its statement.</source>
-        <translation>Les deux donnent les mêmes résultats. Le remplacement peut être annulé en une seule étape ; les commentaires restent, chacun au-dessus de son instruction.</translation>
+        <translation>Les deux donnent les mêmes résultats. Le remplacement peut être annulé en une seule étape&#x202f;; les commentaires restent, chacun au-dessus de son instruction.</translation>
     </message>
     <message>
         <source>Replace the Text</source>
@@ -2937,28 +4037,20 @@
     </message>
     <message>
         <source>%1 was changed. Save it?</source>
-        <translation>%1 a été modifié. L’enregistrer ?</translation>
+        <translation>%1 a été modifié. L’enregistrer&#x202f;?</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) were changed: %1. Save them?</source>
         <translation>
-            <numerusform>%n fichier a été modifié : %1. L’enregistrer ?</numerusform>
-            <numerusform>%n fichiers ont été modifiés : %1. Les enregistrer ?</numerusform>
+            <numerusform>%n fichier a été modifié&#xa0;: %1. L’enregistrer&#x202f;?</numerusform>
+            <numerusform>%n fichiers ont été modifiés&#xa0;: %1. Les enregistrer&#x202f;?</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Modifié à l’extérieur</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 a été modifié par un autre programme, et ici aussi. Charger le fichier du disque et perdre les modifications faites ici ?</translation>
     </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
-            <numerusform>Modifié dans %n fichier ; ceux modifiés depuis restent tels quels</numerusform>
-            <numerusform>Modifié dans %n fichiers ; ceux modifiés depuis restent tels quels</numerusform>
+            <numerusform>Modifié dans %n fichier&#x202f;; ceux modifiés depuis restent tels quels</numerusform>
+            <numerusform>Modifié dans %n fichiers&#x202f;; ceux modifiés depuis restent tels quels</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2974,7 +4066,7 @@
     </message>
     <message>
         <source>%1 is read-only. Replace it all the same? It stays read-only.</source>
-        <translation>%1 est en lecture seule. Le remplacer quand même ? Il reste en lecture seule.</translation>
+        <translation>%1 est en lecture seule. Le remplacer quand même&#x202f;? Il reste en lecture seule.</translation>
     </message>
     <message>
         <source>Replace</source>
@@ -2998,6 +4090,119 @@
     </message>
 </context>
 <context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>Exporter le projet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200, pour CODESYS et TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201, pour Beremiz et OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fichier…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>Format&#xa0;:</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>Vers&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU&#xa0;: %1
+Corps&#xa0;: %2
+Non conservés&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>Importer un projet</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML, fichiers TwinCAT ou CODESYS, texte structuré</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Fichier…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Dossier…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>Fichiers sources</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>Depuis&#xa0;:</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>Nouveau projet dans&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>Projets d’autres outils (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>Ce dossier n’est pas vide&#x202f;; indiquez-en un nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>Instance dont les valeurs sont affichées</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>Valeurs de l’instance de %1&#xa0;:</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::LiveViews</name>
     <message>
         <source>Panel shown</source>
@@ -3011,11 +4216,11 @@
         <source>This project has no panel yet.
 New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>Ce projet n’a pas encore de vue.
-Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouveau…</translation>
+Les nouvelles vues se dessinent dans l’éditeur de vues&#xa0;: Projet, Vues, Nouveau…</translation>
     </message>
     <message>
         <source>The alarm history is kept in memory only: %1</source>
-        <translation>L’historique des alarmes n’est conservé qu’en mémoire : %1</translation>
+        <translation>L’historique des alarmes n’est conservé qu’en mémoire&#xa0;: %1</translation>
     </message>
     <message>
         <source>Saving the recording…</source>
@@ -3026,11 +4231,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <name>plc::app::MainWindow</name>
     <message>
         <source>A panel&apos;s name is a file name: no / and no \</source>
-        <translation>Le nom d’une vue est un nom de fichier : ni / ni \</translation>
+        <translation>Le nom d’une vue est un nom de fichier&#xa0;: ni / ni \</translation>
     </message>
     <message>
         <source>Name of the panel:</source>
-        <translation>Nom de la vue :</translation>
+        <translation>Nom de la vue&#xa0;:</translation>
     </message>
     <message>
         <source>New Panel</source>
@@ -3106,7 +4311,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>%1 : %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>OFFLINE</source>
@@ -3142,15 +4347,15 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>%1 µs · %2 % load</source>
-        <translation>%1 µs · charge %2 %</translation>
+        <translation>%1&#xa0;µs · charge %2&#xa0;%</translation>
     </message>
     <message>
         <source>%1 MB recorded</source>
-        <translation>%1 Mo enregistrés</translation>
+        <translation>%1&#xa0;Mo enregistrés</translation>
     </message>
     <message>
         <source>%1 scans of %2 MB at most</source>
-        <translation>%1 cycles, %2 Mo au maximum</translation>
+        <translation>%1 cycles, %2&#xa0;Mo au maximum</translation>
     </message>
     <message>
         <source>Go to the line</source>
@@ -3174,7 +4379,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>The studio ended without saving. Unsaved changes of %1 were kept. Restore them?</source>
-        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer ?</translation>
+        <translation>Le studio s’est terminé sans enregistrer. Les modifications non enregistrées de %1 ont été conservées. Les restaurer&#x202f;?</translation>
     </message>
     <message>
         <source>Go to Line</source>
@@ -3196,10 +4401,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <source>Rename</source>
         <translation>Renommer</translation>
     </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nouveau nom de %1, dans tout le projet :</translation>
-    </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
         <translation>
@@ -3209,7 +4410,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Delete %1?</source>
-        <translation>Supprimer %1 ?</translation>
+        <translation>Supprimer %1&#x202f;?</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -3225,11 +4426,11 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>passed: %1</source>
-        <translation>réussi : %1</translation>
+        <translation>réussi&#xa0;: %1</translation>
     </message>
     <message>
         <source>FAILED: %1</source>
-        <translation>ÉCHEC : %1</translation>
+        <translation>ÉCHEC&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 passed, %2 failed</source>
@@ -3253,7 +4454,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Memory for the recording of every scan [MB]:</source>
-        <translation>Mémoire pour l’enregistrement de chaque cycle [Mo] :</translation>
+        <translation>Mémoire pour l’enregistrement de chaque cycle [Mo]&#xa0;:</translation>
     </message>
     <message>
         <source>Save the Recording</source>
@@ -3265,7 +4466,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Saved: %1</source>
-        <translation>Enregistré : %1</translation>
+        <translation>Enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>About Stepwise</source>
@@ -3273,7 +4474,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;An open PLC studio: IEC 61131-3 programs as native code, every scan recorded, operator panels in many languages.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un studio ouvert pour automates (API) : programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues opérateur en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence : GPL-3.0&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Stepwise 0.1&lt;/h3&gt;&lt;p&gt;Un studio ouvert pour automates (API)&#xa0;: programmes CEI 61131-3 en code natif, chaque cycle enregistré, vues opérateur en plusieurs langues.&lt;/p&gt;&lt;p&gt;Licence&#xa0;: GPL-3.0&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Welcome</source>
@@ -3281,7 +4482,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>This is a PID controller working on a simulated process: the program above, its trace below, its operator panel at the right. Nothing can break: the plant is only numbers. Press Next to look around for a minute, or F5 to run it at once.</source>
-        <translation>Voici un régulateur PID sur un procédé simulé : le programme en haut, sa trace en bas, sa vue opérateur à droite. Rien ne peut être endommagé : l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
+        <translation>Voici un régulateur PID sur un procédé simulé&#xa0;: le programme en haut, sa trace en bas, sa vue opérateur à droite. Rien ne peut être endommagé&#xa0;: l’installation n’est faite que de nombres. Cliquez sur Suivant pour une courte visite, ou appuyez sur F5 pour démarrer tout de suite.</translation>
     </message>
     <message>
         <source>The project</source>
@@ -3297,7 +4498,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Structured Text with colours by meaning. Errors are underlined while you type; Alt+Enter mends what it can; Ctrl+Space completes.</source>
-        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie ; Alt+Entrée corrige ce qui peut l’être ; Ctrl+Espace complète.</translation>
+        <translation>Texte structuré coloré selon le sens. Les erreurs sont soulignées pendant la saisie&#x202f;; Alt+Entrée corrige ce qui peut l’être&#x202f;; Ctrl+Espace complète.</translation>
     </message>
     <message>
         <source>Run</source>
@@ -3317,7 +4518,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Nothing had to be chosen before it happened: every scan is recorded, and a chart can be made of any expression afterwards.</source>
-        <translation>Rien n’était à choisir à l’avance : chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
+        <translation>Rien n’était à choisir à l’avance&#xa0;: chaque cycle est enregistré, et une courbe de n’importe quelle expression peut être tracée après coup.</translation>
     </message>
     <message>
         <source>The panel</source>
@@ -3333,7 +4534,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Drag the time slider, or press Ctrl+Alt+Left: code, charts and panel show the past. “Resume From Here” goes on from there.</source>
-        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche : le code, les courbes et la vue affichent le passé. « Reprendre ici » repart de là.</translation>
+        <translation>Faites glisser le curseur temporel, ou appuyez sur Ctrl+Alt+Gauche&#xa0;: le code, les courbes et la vue affichent le passé. «&#xa0;Reprendre ici&#xa0;» repart de là.</translation>
     </message>
     <message>
         <source>That is it</source>
@@ -3616,10 +4817,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>Déclarations en tableau</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>Grafcet à côté du texte</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>Valeurs en ligne dans le texte</translation>
     </message>
@@ -3672,16 +4869,12 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>%1 – retour au direct</translation>
     </message>
     <message>
-        <source>Panel %1</source>
-        <translation>Vue %1</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Modifications non enregistrées</translation>
     </message>
     <message>
         <source>%1 was changed. Save it?</source>
-        <translation>%1 a été modifié. L’enregistrer ?</translation>
+        <translation>%1 a été modifié. L’enregistrer&#x202f;?</translation>
     </message>
     <message>
         <source>Open a Recording</source>
@@ -3728,7 +4921,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Name of the trace:</source>
-        <translation>Nom de la trace :</translation>
+        <translation>Nom de la trace&#xa0;:</translation>
     </message>
     <message>
         <source>trace</source>
@@ -3744,7 +4937,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>New name of %1:</source>
-        <translation>Nouveau nom de %1 :</translation>
+        <translation>Nouveau nom de %1&#xa0;:</translation>
     </message>
     <message>
         <source>There is a file %1 already</source>
@@ -3752,19 +4945,19 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>The file can not be renamed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être renommé ; vérifiez les droits du dossier</translation>
+        <translation>Le fichier ne peut pas être renommé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>These panels lead to it; their buttons will be problems: %1</source>
-        <translation>Ces vues y renvoient ; leurs boutons seront signalés comme problèmes : %1</translation>
+        <translation>Ces vues y renvoient&#x202f;; leurs boutons seront signalés comme problèmes&#xa0;: %1</translation>
     </message>
     <message>
         <source>The file can not be removed; check the permissions of the folder</source>
-        <translation>Le fichier ne peut pas être supprimé ; vérifiez les droits du dossier</translation>
+        <translation>Le fichier ne peut pas être supprimé&#x202f;; vérifiez les droits du dossier</translation>
     </message>
     <message>
         <source>The build was cancelled; everything is as it was</source>
-        <translation>La compilation a été annulée ; tout est comme avant</translation>
+        <translation>La compilation a été annulée&#x202f;; tout est comme avant</translation>
     </message>
     <message>
         <source>Tests</source>
@@ -3776,7 +4969,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Cancelled: nothing was saved</source>
-        <translation>Annulé : rien n’a été enregistré</translation>
+        <translation>Annulé&#xa0;: rien n’a été enregistré</translation>
     </message>
     <message>
         <source>%1 is written in %2 and is saved as it was found</source>
@@ -3784,7 +4977,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>This is a copy of the example, in %1: change what you like</source>
-        <translation>Ceci est une copie de l’exemple, dans %1 : modifiez ce que vous voulez</translation>
+        <translation>Ceci est une copie de l’exemple, dans %1&#xa0;: modifiez ce que vous voulez</translation>
     </message>
     <message>
         <source>This is your copy of the example, in %1</source>
@@ -3792,7 +4985,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>The project is still being checked; try again in a moment</source>
-        <translation>Le projet est encore en cours de vérification ; réessayez dans un instant</translation>
+        <translation>Le projet est encore en cours de vérification&#x202f;; réessayez dans un instant</translation>
     </message>
     <message>
         <source>It holds %1.</source>
@@ -3820,7 +5013,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Speed of the controller; any factor can be typed:</source>
-        <translation>Vitesse de l’automate ; tout facteur peut être saisi :</translation>
+        <translation>Vitesse de l’automate&#x202f;; tout facteur peut être saisi&#xa0;:</translation>
     </message>
     <message>
         <source>The speed is a factor from 0.001 to 10000</source>
@@ -3837,10 +5030,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <message>
         <source>The project was exported</source>
         <translation>Le projet a été exporté</translation>
-    </message>
-    <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 est écrit en %2 et sera enregistré tel quel</translation>
     </message>
     <message>
         <source>Select the Next Occurrence Too</source>
@@ -3867,12 +5056,51 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>Conservation de l’enregistrement de la dernière exécution…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 n’est pas en UTF-8 et a été lu en Windows-1252 ; il sera enregistré en UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>Schéma à côté du texte</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>Comparer %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédente</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivante</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>Tout reprendre</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>Ici (ce texte est conservé)</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>Sur le disque</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>Utiliser le texte de gauche</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>Aucune différence</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>Différence %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -3883,7 +5111,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>One program in a task of 10 ms</source>
-        <translation>Un programme dans une tâche de 10 ms</translation>
+        <translation>Un programme dans une tâche de 10&#xa0;ms</translation>
     </message>
     <message>
         <source>Motor</source>
@@ -4034,7 +5262,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>There is a file %1 already: choose it, or another name</source>
-        <translation>Le fichier %1 existe déjà : choisissez-le, ou un autre nom</translation>
+        <translation>Le fichier %1 existe déjà&#xa0;: choisissez-le, ou un autre nom</translation>
     </message>
     <message>
         <source>Program as a ladder diagram</source>
@@ -4043,6 +5271,21 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <message>
         <source>Program as a function block diagram</source>
         <translation>Programme en diagramme de blocs fonctionnels (FBD)</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>Textes</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>Vue %1</translation>
     </message>
 </context>
 <context>
@@ -4192,6 +5435,59 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
 </context>
 <context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>Nouveau nom de %1, dans tout le projet&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Emplacement</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>Endroits modifiés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>%n endroit change&#xa0;:</numerusform>
+            <numerusform>%n endroits changent&#xa0;:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>Exécutions précédentes</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1, terminée par une erreur, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>Écriture de la dernière exécution…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>Aucune exécution n’est encore terminée</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::SearchView</name>
     <message>
         <source>Find in all files</source>
@@ -4243,7 +5539,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Not a pattern: %1</source>
-        <translation>Expression régulière incorrecte : %1</translation>
+        <translation>Expression régulière incorrecte&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 in %2</source>
@@ -4288,7 +5584,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>%1: %2 read, %3 written</source>
-        <translation>%1 : %2 lectures, %3 écritures</translation>
+        <translation>%1&#xa0;: %2 lectures, %3 écritures</translation>
     </message>
     <message>
         <source>Searching all files…</source>
@@ -4296,7 +5592,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Cancelled; so far: %1 in %2</source>
-        <translation>Annulé ; jusqu’ici : %1 dans %2</translation>
+        <translation>Annulé&#x202f;; jusqu’ici&#xa0;: %1 dans %2</translation>
     </message>
     <message>
         <source>Replacing in all files…</source>
@@ -4304,7 +5600,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Cancelled; nothing was replaced</source>
-        <translation>Annulé ; rien n’a été remplacé</translation>
+        <translation>Annulé&#x202f;; rien n’a été remplacé</translation>
     </message>
 </context>
 <context>
@@ -4407,7 +5703,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>%1 now belongs to “%2”; “%3” loses it.</source>
-        <translation>%1 appartient maintenant à « %2 » ; « %3 » le perd.</translation>
+        <translation>%1 appartient maintenant à «&#xa0;%2&#xa0;»&#x202f;; «&#xa0;%3&#xa0;» le perd.</translation>
     </message>
     <message>
         <source>none is kept</source>
@@ -4433,7 +5729,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <name>plc::app::StartPage</name>
     <message>
         <source>Write, run and watch PLC programs. Every scan is recorded; time runs backwards, too.</source>
-        <translation>Écrivez, exécutez et surveillez des programmes d’automate. Chaque cycle est enregistré ; le temps s’écoule aussi à rebours.</translation>
+        <translation>Écrivez, exécutez et surveillez des programmes d’automate. Chaque cycle est enregistré&#x202f;; le temps s’écoule aussi à rebours.</translation>
     </message>
     <message>
         <source>Recent projects</source>
@@ -4461,7 +5757,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Examples: open one and press Run</source>
-        <translation>Exemples : ouvrez-en un et lancez l’exécution</translation>
+        <translation>Exemples&#xa0;: ouvrez-en un et lancez l’exécution</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4470,6 +5766,68 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <message>
         <source>Open a Fresh Copy</source>
         <translation>Ouvrir une nouvelle copie</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>Exécuter tous les tests</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>Exécuter les tests sélectionnés</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>Exécuter les tests en échec</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>Tests</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 réussis, %2 en échec</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>pas encore exécuté</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>réussi</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>Afficher l’enregistrement de l’échec</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4592,40 +5950,16 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>Supprimer (Suppr)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Exporter le grafcet</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>%1 ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimer…</translation>
-    </message>
-    <message>
         <source>The unit %1 is not in the text any more</source>
         <translation>Le POU %1 n’est plus dans le texte</translation>
     </message>
     <message>
         <source>The text has errors: this is the last good drawing</source>
-        <translation>Le texte contient des erreurs : ceci est le dernier tracé correct</translation>
+        <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
     </message>
     <message>
         <source>%1 is not a chart</source>
         <translation>%1 n’est pas un grafcet</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
@@ -4733,7 +6067,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Breakpoint: stops when the step becomes active, when the transition is taken (F9)</source>
-        <translation>Point d’arrêt : arrêt quand l’étape devient active ou quand la transition est franchie (F9)</translation>
+        <translation>Point d’arrêt&#xa0;: arrêt quand l’étape devient active ou quand la transition est franchie (F9)</translation>
     </message>
     <message>
         <source>Force the step on</source>
@@ -4744,12 +6078,8 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>Lever le forçage de l’étape</translation>
     </message>
     <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exporter en SVG, PNG ou PDF…</translation>
-    </message>
-    <message>
         <source>%1 is a variable: it has no body</source>
-        <translation>%1 est une variable : elle n’a pas de corps</translation>
+        <translation>%1 est une variable&#xa0;: elle n’a pas de corps</translation>
     </message>
     <message>
         <source>Select a step or a transition</source>
@@ -4879,7 +6209,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Step: %1</source>
-        <translation>Étape : %1</translation>
+        <translation>Étape&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -4984,21 +6314,290 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
 </context>
 <context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>Exporter en SVG, PNG ou PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Exporter le tracé</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrigez d’abord le texte&#xa0;: ceci est le dernier tracé correct</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>Schéma à contacts ou diagramme de blocs fonctionnels</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>Insérer un réseau en dessous (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>Insérer un contact à gauche (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>Insérer un contact à droite (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>Insérer un contact en parallèle (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>Insérer une bobine (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>Insérer un bloc fonctionnel (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>Modifier (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>Supprimer (Suppr)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>Point d’arrêt sur le réseau (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>Afficher en diagramme de blocs fonctionnels</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>Afficher en schéma à contacts</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 n’est plus dans le texte</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>Le texte contient des erreurs&#xa0;: ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>Corrigez d’abord le texte&#xa0;: ceci est le dernier tracé correct</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>Sélectionnez un réseau</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>Sélectionnez une bobine</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>Sélectionnez un contact, une bobine ou une broche avec une variable</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>Le réseau n’a pas encore de contact</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>Sélectionnez le réseau qui reçoit le bloc</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloc</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>Contact à gauche&#x202f;; sur une bobine, le dernier contact</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>Contact à droite</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>Contact en parallèle</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>Bobine</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>Bloc fonctionnel dans le réseau</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>Réseau au-dessus</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>Réseau en dessous</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>Inverser un contact, une bobine ou une broche</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>Bobine&#xa0;: normale, mise à 1, mise à 0</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>Commentaire du réseau</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>Modifier la sélection (ou Entrée)</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>Supprimer la sélection</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>Point d’arrêt sur le réseau</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>Cette liste</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flèches</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>Sélectionner l’élément suivant&#x202f;; Haut et Bas aussi le réseau suivant</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>Déplacer le réseau vers le haut&#x202f;; avec Bas, vers le bas</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>Tapé avant un nom&#xa0;: un contact inversé</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>Touches des schémas à contacts et diagrammes de blocs fonctionnels</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>Insérer un réseau au-dessus</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>Insérer un réseau en dessous</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>Insérer un contact</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>Insérer un contact en parallèle</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>Insérer une bobine</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>Insérer un bloc fonctionnel…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>Commentaire…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>Mettre à 1 ou à 0</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>Déplacer le réseau vers le haut</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>Déplacer le réseau vers le bas</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>Forcer à TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>Forcer à FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Lever le forçage</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>Basculer le point d’arrêt</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>L’enregistrement de la dernière exécution n’a pas été conservé&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::editor::RunControl</name>
     <message>
         <source>Built in %1 ms</source>
-        <translation>Compilé en %1 ms</translation>
+        <translation>Compilé en %1&#xa0;ms</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s): the program was not built</source>
         <translation>
-            <numerusform>%n erreur : le programme n’a pas été compilé</numerusform>
-            <numerusform>%n erreurs : le programme n’a pas été compilé</numerusform>
+            <numerusform>%n erreur&#xa0;: le programme n’a pas été compilé</numerusform>
+            <numerusform>%n erreurs&#xa0;: le programme n’a pas été compilé</numerusform>
         </translation>
     </message>
     <message>
         <source>Online change: %1 kept, %2 new, %3 lost</source>
-        <translation>Modification en ligne : %1 variables conservées, %2 nouvelles, %3 supprimées</translation>
+        <translation>Modification en ligne&#xa0;: %1 variables conservées, %2 nouvelles, %3 supprimées</translation>
     </message>
     <message>
         <source>The change waits for the end of the scan</source>
@@ -5006,7 +6605,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>The program has errors; the controller goes on with the old one</source>
-        <translation>Le programme contient des erreurs ; l’automate continue avec l’ancien</translation>
+        <translation>Le programme contient des erreurs&#x202f;; l’automate continue avec l’ancien</translation>
     </message>
     <message>
         <source>did not exist in this scan</source>
@@ -5018,7 +6617,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Not optimised: the quick code goes on</source>
-        <translation>Non optimisé : le code compilé rapidement continue</translation>
+        <translation>Non optimisé&#xa0;: le code compilé rapidement continue</translation>
     </message>
     <message>
         <source>Optimising</source>
@@ -5030,7 +6629,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>The condition of the breakpoint: %1</source>
-        <translation>La condition du point d’arrêt : %1</translation>
+        <translation>La condition du point d’arrêt&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -5184,7 +6783,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Add an expression: Main.x, a[i] * 2, fb.Q AND NOT done</source>
-        <translation>Ajouter une expression : Main.x, a[i] * 2, fb.Q AND NOT done</translation>
+        <translation>Ajouter une expression&#xa0;: Main.x, a[i] * 2, fb.Q AND NOT done</translation>
     </message>
     <message>
         <source>New watch expression</source>
@@ -5266,7 +6865,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Name of the list:</source>
-        <translation>Nom de la liste :</translation>
+        <translation>Nom de la liste&#xa0;:</translation>
     </message>
     <message>
         <source>New List…</source>
@@ -5367,12 +6966,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>Colonnes</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>Écart horizontal</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>Écart horizontal</translation>
-    </message>
-    <message>
         <source>Gap down</source>
         <translation>Écart vertical</translation>
     </message>
@@ -5380,18 +6973,16 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <source>Index step</source>
         <translation>Pas d’indice</translation>
     </message>
+    <message>
+        <source>Gap across</source>
+        <translation>Écart horizontal</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignCanvas</name>
     <message>
         <source>Move</source>
         <translation>Déplacer</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>Redimensionner</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>Redimensionner</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5408,6 +6999,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <message>
         <source>Insert</source>
         <translation>Insérer</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>Redimensionner</translation>
     </message>
 </context>
 <context>
@@ -5526,12 +7121,6 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
         <translation>Même hauteur</translation>
     </message>
     <message>
-        <source>Same size</source>
-        <translation>Même taille</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>Même taille</translation>
-    </message>
-    <message>
         <source>Bring to front</source>
         <translation>Mettre au premier plan</translation>
     </message>
@@ -5565,7 +7154,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Snap (Alt: not now)</source>
-        <translation>Aimanter (Alt : pas maintenant)</translation>
+        <translation>Aimanter (Alt&#xa0;: pas maintenant)</translation>
     </message>
     <message>
         <source>Live preview</source>
@@ -5581,7 +7170,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     </message>
     <message>
         <source>Zoom 100 %</source>
-        <translation>Zoom 100 %</translation>
+        <translation>Zoom 100&#xa0;%</translation>
     </message>
     <message>
         <source>Zoom to fit</source>
@@ -5622,6 +7211,10 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <message>
         <source>Variables</source>
         <translation>Variables</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>Même taille</translation>
     </message>
 </context>
 <context>
@@ -5797,7 +7390,7 @@ Les nouvelles vues se dessinent dans l’éditeur de vues : Projet, Vues, Nouve
     <message>
         <source>%1: %2</source>
         <comment>menu and command</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5899,11 +7492,11 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>%1 is being cancelled…</source>
-        <translation>Annulation en cours : %1…</translation>
+        <translation>Annulation en cours&#xa0;: %1…</translation>
     </message>
     <message>
         <source>Cancel: %1</source>
-        <translation>Annuler : %1</translation>
+        <translation>Annuler&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6269,7 +7862,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>Drag a box to zoom: flat for time, upright for values</source>
-        <translation>Tracez un cadre pour zoomer : plat pour le temps, haut pour les valeurs</translation>
+        <translation>Tracez un cadre pour zoomer&#xa0;: plat pour le temps, haut pour les valeurs</translation>
     </message>
     <message>
         <source>Pan</source>
@@ -6433,7 +8026,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>The trigger has no expression yet: enter one in the properties of the trace.</source>
-        <translation>Le déclencheur n’a pas encore d’expression : saisissez-en une dans les propriétés de la trace.</translation>
+        <translation>Le déclencheur n’a pas encore d’expression&#xa0;: saisissez-en une dans les propriétés de la trace.</translation>
     </message>
     <message>
         <source>Trigger armed</source>
@@ -6460,7 +8053,7 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     </message>
     <message>
         <source>%L1 scans kept  ·  history %2 of %3 MB  ·  channels %4 of %5 MB</source>
-        <translation>%L1 cycles conservés  ·  historique %2 sur %3 Mo  ·  voies %4 sur %5 Mo</translation>
+        <translation>%L1 cycles conservés  ·  historique %2 sur %3&#xa0;Mo  ·  voies %4 sur %5&#xa0;Mo</translation>
     </message>
     <message>
         <source>Properties</source>
@@ -6489,1200 +8082,6 @@ Un clic sélectionne, Ctrl+clic affiche ou masque.</translation>
     <message>
         <source>Saving the recording…</source>
         <translation>Écriture de l’enregistrement…</translation>
-    </message>
-</context>
-<context>
-    <name>Phrases</name>
-    <message>
-        <source>a name</source>
-        <translation>un nom</translation>
-    </message>
-    <message>
-        <source>a label</source>
-        <translation>une étiquette</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>un opérande</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>une expression</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>une valeur</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>un type</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>un indice</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>un argument</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>une adresse</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>une action</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>une étiquette CASE</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>le nom d’un bloc</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>le nom d’un processeur</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>le nom d’une tâche</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>le nom d’une instance de programme</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>une entrée ou une sortie</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>le nom d’une variable</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>le chemin d’une variable</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>le nom d’une étape</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>le nom d’un type</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>le nom d’un membre</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>un nom d’accès</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>une valeur d’énumération</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>la fin de la ligne</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>la fin du fichier</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} ou {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR et un temps</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= ou des instructions</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>une plage</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>une énumération</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>entre parenthèses</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>un grafcet</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>un corps</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>dans une CLASS</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>dans une FUNCTION</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>dans une METHOD</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>dans un PROGRAM</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>dans un FUNCTION_BLOCK</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>ici</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>dans {0}</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>dans une expression</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>dans une valeur initiale</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>dans cette section</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>une valeur initiale</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>RETURN avec une valeur</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>dans une déclaration qui appelle FB_Init</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>dans {0}, qui n’est pas lui-même abstrait</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>adresse</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>durée</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>date</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>heure du jour</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>date et heure</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>entier</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>chaîne</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0} (une constante)</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0} (une sortie)</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0} (une variable locale de {1})</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0} (une entrée)</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0} (une entrée ; le prochain cycle l’écrase)</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0} (une propriété sans SET)</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0} (aucune instance, ou plusieurs)</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0} (un type ; en déclarer une instance)</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0} (une variable, qui masque la fonction de ce nom)</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>une sortie</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>une entrée</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>un paramètre IN_OUT</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>une puissance d’un nombre calculé</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>un appel de {0}</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>un appel sans arguments</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>un second argument calculé de {0}</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>{0} en dehors d’une boucle</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>cette instruction</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>FOR avec cette fin ou ce pas</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>une affectation de plusieurs variables</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>CASE d’une valeur calculée</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>un texte</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>un entier</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>un nombre de secondes</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>une liste</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>un objet</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>un élément de {0}</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>Remplacer par {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>Insérer {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>Vouliez-vous dire {0} ?</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>Convertir avec {0}</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>Déplacer {0} vers {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>Ajouter la propriété {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>Ajouter la méthode {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>Ajouter les branches manquantes</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>Ajouter ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>Ajouter () pour l’appeler</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>Comparer avec 0</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>Supprimer la déclaration inutilisée</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>Remplacer par IF et ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>Transformer en littéral WSTRING</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>Remplacer par des guillemets droits</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>Faire de {0} l’étape initiale</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>Déréférencer le pointeur avec ^</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>première déclaration ici</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>déclaré ici</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>la variable</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>le premier programme</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>redéfini ici</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>le premier</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>par cette transition, tant qu’elle est active</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>Le fichier est codé en {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>Le fichier n’a pas été lu : {0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>L’élément {0} n’a pas été lu</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>Les données {0} de l’éditeur d’origine sont conservées dans exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>Le corps dans {0} est devenu du texte structuré ; le schéma est conservé dans exchange.json</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>Le corps dans {0} est stocké sous une forme que seul son propre éditeur lit ; exportez-le là-bas en PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>Un saut mène à l’étape {0}, qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>L’élément {0} du grafcet n’est pas relié et a été omis</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>La transition depuis {0} n’a pas de condition ; elle est écrite comme FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>L’élément {0} fait partie d’une boucle sans bloc qui mémorise une valeur ; sa dernière valeur n’est pas conservée</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>L’élément {0} n’est pas relié et a été omis</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>Un front dans une fonction demande la valeur du dernier appel, qu’une fonction ne mémorise pas</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>Le résultat de {0} est utilisé à plusieurs endroits et est calculé à chacun</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>Le type du résultat de {0} est inconnu ; il est calculé même si EN est FALSE</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>La bibliothèque {0} ne fait pas partie de Stepwise ; ses utilisations sont signalées par la vérification</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>Le code en C est conservé en commentaire et n’est pas exécuté</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>Deux POU s’appellent {0} ; le second est dans {1}</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>La configuration des appareils n’a pas été lue ; affectez de nouveau les entrées et les sorties</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>La tâche {0} est lancée par l’événement {1}, qui n’existe pas ici ; donnez-lui un INTERVAL ou un SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} compte %MW1 en mots, ici le compte est en octets ; vérifiez que les adresses ne se chevauchent pas</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>Un commentaire hors des éléments a été omis : {0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>Le schéma dans {0} n’a pas été lu : une expression se répète sans fin</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>Une condition dans {0} demande l’appel d’un bloc, ce qu’une condition ne peut pas faire</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>La transition {0} n’est pas une expression unique et n’a pas été lue</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les vues ; elles ont été omises</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les traces ; elles ont été omises</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML n’a pas de place pour les tests ; ils ont été omis</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML n’a pas de place pour les tests ; le TEST « {0} » a été omis</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML n’a pas de place pour les espaces de noms ; un NAMESPACE a été omis avec ses POU</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML n’a pas de place pour USING ; il a été omis</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML n’a pas de place pour le nom de la transition {0} ; il a été omis</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML a un indicateur par action ; {0} a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>La version 0201 n’a pas de méthodes ; {0} a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>La version 0201 n’a pas de propriétés ; {0} a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>La version 0201 n’a pas d’interfaces ; {0} a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>La version 0201 n’a pas d’unions ; {0} a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>La version 0201 n’a pas d’héritage ; EXTENDS ou IMPLEMENTS de {0} a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>La version 0201 n’a pas le type {0} ; les autres outils ne le connaîtront pas</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>La version 0201 n’a pas de place pour le pragma {0} d’une étape ; il a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>La version 0201 n’a pas de place pour {0} d’une tâche ; il a été omis</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>La version 0201 n’a pas de place pour les connexions du programme {0} ; elles ont été omises</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>La version 0201 n’a pas de place pour les bibliothèques ; {0} a été omis</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>Le fichier n’est pas une source de programme et a été omis</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Remarque</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>Rapport</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>POU : %1
-Corps : %2
-Non conservés : %3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>Importer un projet</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML, fichiers TwinCAT ou CODESYS, texte structuré</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fichier…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>Dossier…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>Fichiers sources</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>Aperçu</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importer</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>Depuis :</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>Nouveau projet dans :</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>Projets d’autres outils (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>Ce dossier n’est pas vide ; indiquez-en un nouveau</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>Exporter le projet</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200, pour CODESYS et TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201, pour Beremiz et OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>Fichier…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>Format :</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>Vers :</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>Exporter en SVG, PNG ou PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>Exporter le tracé</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 ne peut pas être écrit</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>Imprimer…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>Renommer</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>Nouveau nom de %1, dans tout le projet :</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Texte</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>Endroits modifiés</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>%n endroit change :</numerusform>
-            <numerusform>%n endroits changent :</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>Modifié à l’extérieur</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 a été modifié par un autre programme, et ici aussi.</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>Comparer les deux côte à côte, charger le fichier du disque et perdre les modifications faites ici, ou garder ce qui est ici et remplacer le fichier au prochain enregistrement ?</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>Comparer…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>Charger du disque</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>Garder ma version</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>Instance dont les valeurs sont affichées</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>Valeurs de l’instance de %1 :</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>Comparer %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Précédente</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Suivante</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>Reprendre</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>Tout reprendre</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>Ici (ce texte est conservé)</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>Sur le disque</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>Utiliser le texte de gauche</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>Aucune différence</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>Différence %1 sur %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>Textes</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>Alarmes</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>Vue %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>Exécutions précédentes</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1, terminée par une erreur, %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>Écriture de la dernière exécution…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>Aucune exécution n’est encore terminée</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>Exécuter tous les tests</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>Exécuter les tests sélectionnés</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>Exécuter les tests en échec</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Test</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Tests</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 réussis, %2 en échec</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>pas encore exécuté</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>réussi</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>échec</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>Afficher l’enregistrement de l’échec</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Ligne %1 : %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>L’enregistrement de la dernière exécution n’a pas été conservé : %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>Schéma à contacts ou diagramme de blocs fonctionnels</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>Insérer un réseau en dessous (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>Insérer un contact à gauche (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>Insérer un contact à droite (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>Insérer un contact en parallèle (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>Insérer une bobine (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>Insérer un bloc fonctionnel (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>Modifier (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>Supprimer (Suppr)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>Point d’arrêt sur le réseau (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>Afficher en diagramme de blocs fonctionnels</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>Afficher en schéma à contacts</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 n’est plus dans le texte</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>Le texte contient des erreurs : ceci est le dernier tracé correct</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>Corrigez d’abord le texte : ceci est le dernier tracé correct</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>Sélectionnez un réseau</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>Sélectionnez une bobine</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>Sélectionnez un contact, une bobine ou une broche avec une variable</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>Le réseau n’a pas encore de contact</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>Sélectionnez le réseau qui reçoit le bloc</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>bloc</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>Contact à gauche ; sur une bobine, le dernier contact</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>Contact à droite</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>Contact en parallèle</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>Bobine</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>Bloc fonctionnel dans le réseau</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>Réseau au-dessus</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>Réseau en dessous</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>Inverser un contact, une bobine ou une broche</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>Bobine : normale, mise à 1, mise à 0</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>Commentaire du réseau</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>Modifier la sélection (ou Entrée)</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>Supprimer la sélection</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>Point d’arrêt sur le réseau</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>Cette liste</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>Flèches</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>Sélectionner l’élément suivant ; Haut et Bas aussi le réseau suivant</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>Déplacer le réseau vers le haut ; avec Bas, vers le bas</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>Tapé avant un nom : un contact inversé</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>Touches des schémas à contacts et diagrammes de blocs fonctionnels</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>Insérer un réseau au-dessus</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>Insérer un réseau en dessous</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>Insérer un contact</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>Insérer un contact en parallèle</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>Insérer une bobine</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>Insérer un bloc fonctionnel…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>Commentaire…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>Inverser</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>Mettre à 1 ou à 0</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>Déplacer le réseau vers le haut</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>Déplacer le réseau vers le bas</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>Forcer à TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>Forcer à FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>Lever le forçage</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>Basculer le point d’arrêt</translation>
     </message>
 </context>
 </TS>

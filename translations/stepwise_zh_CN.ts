@@ -517,6 +517,33 @@
     </message>
 </context>
 <context>
+    <name>DiskChange</name>
+    <message>
+        <source>Changed outside</source>
+        <translation>在外部被更改</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here too.</source>
+        <translation>%1 已被其他程序更改，此处也有更改。</translation>
+    </message>
+    <message>
+        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
+        <translation>并排比较两者，从磁盘加载文件并放弃此处的更改，还是保留此处的内容并在下次保存时替换文件？</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比较…</translation>
+    </message>
+    <message>
+        <source>Load from Disk</source>
+        <translation>从磁盘加载</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>保留我的版本</translation>
+    </message>
+</context>
+<context>
     <name>EditHistory</name>
     <message>
         <source>&amp;Undo</source>
@@ -568,10 +595,6 @@
     <message>
         <source>the task ran longer than its watchdog time of {0}</source>
         <translation>任务运行超过其看门狗时间 {0}</translation>
-    </message>
-    <message>
-        <source>more than {0} loop passes and calls in one run of the task; check for an endless loop</source>
-        <translation>任务的一次执行中循环和调用超过 {0} 次；请检查是否有死循环</translation>
     </message>
     <message>
         <source>calls are nested too deeply; check for endless recursion</source>
@@ -1338,10 +1361,6 @@
         <translation>同一行上的语句不能移动；请先在文本中分开。</translation>
     </message>
     <message>
-        <source>The first input and the first output of {0} must be BOOL for it to stand in a rung.</source>
-        <translation>{0} 的第一个输入和第一个输出必须是 BOOL，才能放入程序段。</translation>
-    </message>
-    <message>
         <source>The rung reads what it writes; add this coil in a rung of its own.</source>
         <translation>此程序段读取自己写入的值；请将此线圈添加到单独的程序段。</translation>
     </message>
@@ -1846,14 +1865,258 @@
         <translation>{0} 不是扫描周期数</translation>
     </message>
     <message>
-        <source>{0} is not a time</source>
-        <translation>{0} 不是时间</translation>
-        <source>This is no file that can be imported: PLCopen XML (.xml), TwinCAT (.TcPOU and so on), text of CODESYS (.EXP, .export) and structured text (.st) can be read</source>
-        <translation>{0} 不是时间</translation>
-    </message>
-    <message>
         <source>{0} is not a name: use letters, digits and underscores.</source>
         <translation>{0} 不是名称：请使用字母、数字和下划线。</translation>
+    </message>
+    <message>
+        <source>{0} is not a time</source>
+        <translation>{0} 不是时间</translation>
+    </message>
+</context>
+<context>
+    <name>Exchange</name>
+    <message>
+        <source>The file is written in {0}</source>
+        <translation>文件的编码为 {0}</translation>
+    </message>
+    <message>
+        <source>The file was not read: {0}</source>
+        <translation>文件未读取：{0}</translation>
+    </message>
+    <message>
+        <source>The element {0} was not read</source>
+        <translation>元素 {0} 未读取</translation>
+    </message>
+    <message>
+        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
+        <translation>厂商数据 {0} 保存在 exchange.json 中</translation>
+    </message>
+    <message>
+        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
+        <translation>{0} 中的主体已变为结构化文本；图保存在 exchange.json 中</translation>
+    </message>
+    <message>
+        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
+        <translation>{0} 中的主体以只有其自身编辑器可读的形式存储；请在那里导出为 PLCopen XML</translation>
+    </message>
+    <message>
+        <source>A jump leads to the step {0}, which does not exist</source>
+        <translation>跳转通向步 {0}，但该步不存在</translation>
+    </message>
+    <message>
+        <source>The element {0} of the chart is not connected and was left out</source>
+        <translation>顺序功能图的元素 {0} 未连接，已略去</translation>
+    </message>
+    <message>
+        <source>The transition from {0} has no condition; it is written as FALSE</source>
+        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
+    </message>
+    <message>
+        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
+        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
+    </message>
+    <message>
+        <source>The element {0} is not connected and was left out</source>
+        <translation>元素 {0} 未连接，已略去</translation>
+    </message>
+    <message>
+        <source>An edge in a function needs the value of the last call, which a function does not store</source>
+        <translation>函数中的边沿需要上次调用的值，而函数不存储该值</translation>
+    </message>
+    <message>
+        <source>The result of {0} is used in several places and is computed in each</source>
+        <translation>{0} 的结果在多处使用，并在每处计算</translation>
+    </message>
+    <message>
+        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
+        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
+    </message>
+    <message>
+        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
+        <translation>库 {0} 不属于 Stepwise；检查会报告其使用处</translation>
+    </message>
+    <message>
+        <source>Code in C is kept as a comment and is not executed</source>
+        <translation>C 代码作为注释保留，不会执行</translation>
+    </message>
+    <message>
+        <source>There are two units named {0}; the second is in {1}</source>
+        <translation>有两个名为 {0} 的 POU；第二个在 {1} 中</translation>
+    </message>
+    <message>
+        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
+        <translation>设备配置未读取；请重新分配输入和输出</translation>
+    </message>
+    <message>
+        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
+        <translation>任务 {0} 由事件 {1} 启动，但此处没有该事件；请为其指定 INTERVAL 或 SINGLE</translation>
+    </message>
+    <message>
+        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
+        <translation>{0} 按字计算 %MW1，此处按字节计算；请检查地址是否重叠</translation>
+    </message>
+    <message>
+        <source>A comment outside of the elements was left out: {0}</source>
+        <translation>元素之外的注释已略去：{0}</translation>
+    </message>
+    <message>
+        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
+        <translation>{0} 中的图未读取：表达式无限重复</translation>
+    </message>
+    <message>
+        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
+        <translation>{0} 中的条件需要调用块，而条件不能这样做</translation>
+    </message>
+    <message>
+        <source>The transition {0} is not a single expression and was not read</source>
+        <translation>转换 {0} 不是单个表达式，未读取</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for panels; they were left out</source>
+        <translation>PLCopen XML 不支持画面；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for traces; they were left out</source>
+        <translation>PLCopen XML 不支持跟踪；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; they were left out</source>
+        <translation>PLCopen XML 不支持测试；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
+        <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
+        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for USING; it was left out</source>
+        <translation>PLCopen XML 不支持 USING；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
+        <translation>PLCopen XML 不支持转换 {0} 的名称；已略去</translation>
+    </message>
+    <message>
+        <source>PLCopen XML has one indicator per action; {0} was left out</source>
+        <translation>PLCopen XML 每个动作只有一个指示变量；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no methods; {0} was left out</source>
+        <translation>版本 0201 没有方法；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no properties; {0} was left out</source>
+        <translation>版本 0201 没有属性；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no interfaces; {0} was left out</source>
+        <translation>版本 0201 没有接口；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no unions; {0} was left out</source>
+        <translation>版本 0201 没有联合；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
+        <translation>版本 0201 没有继承；{0} 的 EXTENDS 或 IMPLEMENTS 已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
+        <translation>版本 0201 没有类型 {0}；其他工具将无法识别</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
+        <translation>版本 0201 不支持步的编译指示 {0}；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for {0} of a task; it was left out</source>
+        <translation>版本 0201 不支持任务的 {0}；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
+        <translation>版本 0201 不支持程序 {0} 的连接；已略去</translation>
+    </message>
+    <message>
+        <source>Version 0201 has no place for libraries; {0} was left out</source>
+        <translation>版本 0201 不支持库；{0} 已略去</translation>
+    </message>
+    <message>
+        <source>The file is no program source and was left out</source>
+        <translation>文件不是程序源，已略去</translation>
+    </message>
+</context>
+<context>
+    <name>Fixes</name>
+    <message>
+        <source>Replace with {0}</source>
+        <translation>替换为 {0}</translation>
+    </message>
+    <message>
+        <source>Insert {0}</source>
+        <translation>插入 {0}</translation>
+    </message>
+    <message>
+        <source>Did you mean {0}?</source>
+        <translation>是否指 {0}？</translation>
+    </message>
+    <message>
+        <source>Convert with {0}</source>
+        <translation>用 {0} 转换</translation>
+    </message>
+    <message>
+        <source>Move {0} to {1}</source>
+        <translation>将 {0} 移到 {1}</translation>
+    </message>
+    <message>
+        <source>Add the property {0}</source>
+        <translation>添加属性 {0}</translation>
+    </message>
+    <message>
+        <source>Add the method {0}</source>
+        <translation>添加方法 {0}</translation>
+    </message>
+    <message>
+        <source>Add the missing branches</source>
+        <translation>添加缺少的分支</translation>
+    </message>
+    <message>
+        <source>Add ELSE</source>
+        <translation>添加 ELSE</translation>
+    </message>
+    <message>
+        <source>Add () to call it</source>
+        <translation>添加 () 以调用</translation>
+    </message>
+    <message>
+        <source>Compare with 0</source>
+        <translation>与 0 比较</translation>
+    </message>
+    <message>
+        <source>Remove the unused declaration</source>
+        <translation>移除未使用的声明</translation>
+    </message>
+    <message>
+        <source>Replace with IF and ELSIF</source>
+        <translation>替换为 IF 和 ELSIF</translation>
+    </message>
+    <message>
+        <source>Change to a WSTRING literal</source>
+        <translation>改为 WSTRING 字面量</translation>
+    </message>
+    <message>
+        <source>Replace with straight quotes</source>
+        <translation>替换为直引号</translation>
+    </message>
+    <message>
+        <source>Make {0} the initial step</source>
+        <translation>将 {0} 设为初始步</translation>
+    </message>
+    <message>
+        <source>Dereference the pointer with ^</source>
+        <translation>用 ^ 解引用指针</translation>
     </message>
 </context>
 <context>
@@ -2728,6 +2991,477 @@
     </message>
 </context>
 <context>
+    <name>HmiChoices</name>
+    <message>
+        <source>Dot</source>
+        <translation>圆点</translation>
+    </message>
+    <message>
+        <source>Start sign</source>
+        <translation>启动符号</translation>
+    </message>
+    <message>
+        <source>Stop sign</source>
+        <translation>停止符号</translation>
+    </message>
+    <message>
+        <source>Pause sign</source>
+        <translation>暂停符号</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>加号</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>减号</translation>
+    </message>
+    <message>
+        <source>House</source>
+        <translation>主页</translation>
+    </message>
+    <message>
+        <source>Circular arrow</source>
+        <translation>环形箭头</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>By time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实线</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>虚线</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点线</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>起始端</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>末端</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>箭头</translation>
+    </message>
+    <message>
+        <source>Arc line</source>
+        <translation>弧线</translation>
+    </message>
+    <message>
+        <source>Pie</source>
+        <translation>扇形</translation>
+    </message>
+    <message>
+        <source>Chord</source>
+        <translation>弓形</translation>
+    </message>
+    <message>
+        <source>Show all of it</source>
+        <translation>完整显示</translation>
+    </message>
+    <message>
+        <source>Fill the frame</source>
+        <translation>填满边框</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>拉伸</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Momentary</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Toggle</source>
+        <translation>切换</translation>
+    </message>
+    <message>
+        <source>Set to TRUE</source>
+        <translation>设为 TRUE</translation>
+    </message>
+    <message>
+        <source>Set to FALSE</source>
+        <translation>设为 FALSE</translation>
+    </message>
+    <message>
+        <source>Write a value</source>
+        <translation>写入值</translation>
+    </message>
+    <message>
+        <source>Go to a panel</source>
+        <translation>转到画面</translation>
+    </message>
+    <message>
+        <source>Change the language</source>
+        <translation>切换语言</translation>
+    </message>
+    <message>
+        <source>Acknowledge alarms</source>
+        <translation>确认报警</translation>
+    </message>
+    <message>
+        <source>Horizontal</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>垂直</translation>
+    </message>
+    <message>
+        <source>Date and time of day</source>
+        <translation>日期和时刻</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Calendar week</source>
+        <translation>日历周</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>圆形</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>方形</translation>
+    </message>
+    <message>
+        <source>Rounded</source>
+        <translation>圆角</translation>
+    </message>
+    <message>
+        <source>Dished ends</source>
+        <translation>椭圆封头</translation>
+    </message>
+    <message>
+        <source>Flat ends</source>
+        <translation>平底</translation>
+    </message>
+    <message>
+        <source>Hopper</source>
+        <translation>料斗</translation>
+    </message>
+    <message>
+        <source>Open at the top</source>
+        <translation>顶部敞开</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>选择</translation>
+    </message>
+    <message>
+        <source>Present alarms</source>
+        <translation>当前报警</translation>
+    </message>
+    <message>
+        <source>Alarm history</source>
+        <translation>报警历史</translation>
+    </message>
+    <message>
+        <source>By priority</source>
+        <translation>按优先级</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>In their own language</source>
+        <translation>用各自的语言</translation>
+    </message>
+    <message>
+        <source>Language tags</source>
+        <translation>语言标签</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Pump</source>
+        <translation>泵</translation>
+    </message>
+    <message>
+        <source>Valve</source>
+        <translation>阀</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>罐</translation>
+    </message>
+    <message>
+        <source>Silo</source>
+        <translation>料仓</translation>
+    </message>
+    <message>
+        <source>Conveyor</source>
+        <translation>输送带</translation>
+    </message>
+    <message>
+        <source>Agitator</source>
+        <translation>搅拌器</translation>
+    </message>
+    <message>
+        <source>Heater</source>
+        <translation>加热器</translation>
+    </message>
+    <message>
+        <source>Fan</source>
+        <translation>风机</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>指示灯</translation>
+    </message>
+    <message>
+        <source>Siren</source>
+        <translation>警报器</translation>
+    </message>
+    <message>
+        <source>Lorry</source>
+        <translation>卡车</translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation>小车</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Raised surface</source>
+        <translation>凸起表面</translation>
+    </message>
+    <message>
+        <source>Sunken surface</source>
+        <translation>凹陷表面</translation>
+    </message>
+    <message>
+        <source>Line colour</source>
+        <translation>线条颜色</translation>
+    </message>
+    <message>
+        <source>Faint line</source>
+        <translation>浅色线</translation>
+    </message>
+    <message>
+        <source>Text colour</source>
+        <translation>文本颜色</translation>
+    </message>
+    <message>
+        <source>Muted text</source>
+        <translation>弱化文本</translation>
+    </message>
+    <message>
+        <source>Button colour</source>
+        <translation>按钮颜色</translation>
+    </message>
+    <message>
+        <source>Accent</source>
+        <translation>强调色</translation>
+    </message>
+    <message>
+        <source>Switched off</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Liquid</source>
+        <translation>液体</translation>
+    </message>
+    <message>
+        <source>Pipe colour</source>
+        <translation>管道颜色</translation>
+    </message>
+    <message>
+        <source>Measured value</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>Lit segment</source>
+        <translation>点亮的段</translation>
+    </message>
+    <message>
+        <source>Display glass</source>
+        <translation>显示屏玻璃</translation>
+    </message>
+    <message>
+        <source>Alarm colour</source>
+        <translation>报警颜色</translation>
+    </message>
+    <message>
+        <source>High priority</source>
+        <translation>高优先级</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Low priority</source>
+        <translation>低优先级</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红色</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄色</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白色</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黑色</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>灰色</translation>
+    </message>
+    <message>
+        <source>Good state</source>
+        <translation>正常状态</translation>
+    </message>
+    <message>
+        <source>Curve 1</source>
+        <translation>曲线 1</translation>
+    </message>
+    <message>
+        <source>Curve 2</source>
+        <translation>曲线 2</translation>
+    </message>
+    <message>
+        <source>Curve 3</source>
+        <translation>曲线 3</translation>
+    </message>
+    <message>
+        <source>Curve 4</source>
+        <translation>曲线 4</translation>
+    </message>
+    <message>
+        <source>Curve 5</source>
+        <translation>曲线 5</translation>
+    </message>
+    <message>
+        <source>Curve 6</source>
+        <translation>曲线 6</translation>
+    </message>
+    <message>
+        <source>Curve 7</source>
+        <translation>曲线 7</translation>
+    </message>
+    <message>
+        <source>Curve 8</source>
+        <translation>曲线 8</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>a BOOL</source>
+        <translation>BOOL</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>数组</translation>
+    </message>
+    <message>
+        <source>any type</source>
+        <translation>任意类型</translation>
+    </message>
+</context>
+<context>
     <name>LongTask</name>
     <message>
         <source>Cancel</source>
@@ -2797,6 +3531,372 @@
     <message>
         <source>Resumed from this scan</source>
         <translation>已从此扫描周期继续</translation>
+    </message>
+</context>
+<context>
+    <name>Notes</name>
+    <message>
+        <source>first declared here</source>
+        <translation>首次在此处声明</translation>
+    </message>
+    <message>
+        <source>declared here</source>
+        <translation>在此处声明</translation>
+    </message>
+    <message>
+        <source>the variable</source>
+        <translation>变量</translation>
+    </message>
+    <message>
+        <source>the first program</source>
+        <translation>第一个程序</translation>
+    </message>
+    <message>
+        <source>overridden here</source>
+        <translation>在此处重写</translation>
+    </message>
+    <message>
+        <source>the first one</source>
+        <translation>第一个</translation>
+    </message>
+    <message>
+        <source>by this transition, while it is active</source>
+        <translation>经由此转换，在其激活期间</translation>
+    </message>
+</context>
+<context>
+    <name>Phrases</name>
+    <message>
+        <source>a name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>a label</source>
+        <translation>标号</translation>
+    </message>
+    <message>
+        <source>an operand</source>
+        <translation>操作数</translation>
+    </message>
+    <message>
+        <source>an expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>a type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>an index</source>
+        <translation>下标</translation>
+    </message>
+    <message>
+        <source>an argument</source>
+        <translation>实参</translation>
+    </message>
+    <message>
+        <source>an address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>an action</source>
+        <translation>动作</translation>
+    </message>
+    <message>
+        <source>a CASE label</source>
+        <translation>CASE 标号</translation>
+    </message>
+    <message>
+        <source>a block&apos;s name</source>
+        <translation>块的名称</translation>
+    </message>
+    <message>
+        <source>a processor&apos;s name</source>
+        <translation>处理器的名称</translation>
+    </message>
+    <message>
+        <source>a task&apos;s name</source>
+        <translation>任务的名称</translation>
+    </message>
+    <message>
+        <source>a program instance&apos;s name</source>
+        <translation>程序实例的名称</translation>
+    </message>
+    <message>
+        <source>an input or output</source>
+        <translation>输入或输出</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s name</source>
+        <translation>变量的名称</translation>
+    </message>
+    <message>
+        <source>a variable&apos;s path</source>
+        <translation>变量的路径</translation>
+    </message>
+    <message>
+        <source>a step&apos;s name</source>
+        <translation>步的名称</translation>
+    </message>
+    <message>
+        <source>a type&apos;s name</source>
+        <translation>类型的名称</translation>
+    </message>
+    <message>
+        <source>a member&apos;s name</source>
+        <translation>成员的名称</translation>
+    </message>
+    <message>
+        <source>an access name</source>
+        <translation>访问名称</translation>
+    </message>
+    <message>
+        <source>an enumeration value</source>
+        <translation>枚举值</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>行尾</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>文件结尾</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} 或 {1}</translation>
+    </message>
+    <message>
+        <source>FOR and a time</source>
+        <translation>FOR 和时间</translation>
+    </message>
+    <message>
+        <source>:= or instructions</source>
+        <translation>:= 或语句</translation>
+    </message>
+    <message>
+        <source>a subrange</source>
+        <translation>子范围</translation>
+    </message>
+    <message>
+        <source>an enumeration</source>
+        <translation>枚举</translation>
+    </message>
+    <message>
+        <source>in parentheses</source>
+        <translation>在括号中</translation>
+    </message>
+    <message>
+        <source>a chart</source>
+        <translation>顺序功能图</translation>
+    </message>
+    <message>
+        <source>a body</source>
+        <translation>主体</translation>
+    </message>
+    <message>
+        <source>in a CLASS</source>
+        <translation>CLASS 中</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION</source>
+        <translation>FUNCTION 中</translation>
+    </message>
+    <message>
+        <source>in a METHOD</source>
+        <translation>METHOD 中</translation>
+    </message>
+    <message>
+        <source>in a PROGRAM</source>
+        <translation>PROGRAM 中</translation>
+    </message>
+    <message>
+        <source>in a FUNCTION_BLOCK</source>
+        <translation>FUNCTION_BLOCK 中</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>in {0}</source>
+        <translation>{0} 中</translation>
+    </message>
+    <message>
+        <source>in an expression</source>
+        <translation>表达式中</translation>
+    </message>
+    <message>
+        <source>in an initial value</source>
+        <translation>初始值中</translation>
+    </message>
+    <message>
+        <source>in this section</source>
+        <translation>此区段中</translation>
+    </message>
+    <message>
+        <source>an initial value</source>
+        <translation>初始值</translation>
+    </message>
+    <message>
+        <source>RETURN with a value</source>
+        <translation>带值的 RETURN</translation>
+    </message>
+    <message>
+        <source>in a declaration that calls FB_Init</source>
+        <translation>调用 FB_Init 的声明中</translation>
+    </message>
+    <message>
+        <source>{0} (VAR_IN_OUT)</source>
+        <translation>{0} (VAR_IN_OUT)</translation>
+    </message>
+    <message>
+        <source>in {0}, which is not abstract itself</source>
+        <translation>本身不是抽象的 {0} 中</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <translation>时刻</translation>
+    </message>
+    <message>
+        <source>date and time</source>
+        <translation>日期和时间</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>字符串</translation>
+    </message>
+    <message>
+        <source>{0} (a constant)</source>
+        <translation>{0}（常量）</translation>
+    </message>
+    <message>
+        <source>{0} (an output)</source>
+        <translation>{0}（输出）</translation>
+    </message>
+    <message>
+        <source>{0} (a local variable of {1})</source>
+        <translation>{0}（{1} 的局部变量）</translation>
+    </message>
+    <message>
+        <source>{0} (an input)</source>
+        <translation>{0}（输入）</translation>
+    </message>
+    <message>
+        <source>{0} (an input; the next scan overwrites it)</source>
+        <translation>{0}（输入；下一个扫描周期会覆盖它）</translation>
+    </message>
+    <message>
+        <source>{0} (a property without SET)</source>
+        <translation>{0}（没有 SET 的属性）</translation>
+    </message>
+    <message>
+        <source>{0} (no instance, or several)</source>
+        <translation>{0}（没有实例，或有多个）</translation>
+    </message>
+    <message>
+        <source>{0} (a type; declare an instance of it)</source>
+        <translation>{0}（类型；请声明其实例）</translation>
+    </message>
+    <message>
+        <source>{0} (a variable, which hides the function of this name)</source>
+        <translation>{0}（变量，隐藏了同名函数）</translation>
+    </message>
+    <message>
+        <source>an output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>an input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>an IN_OUT parameter</source>
+        <translation>IN_OUT 参数</translation>
+    </message>
+    <message>
+        <source>a power of a computed number</source>
+        <translation>计算值的幂</translation>
+    </message>
+    <message>
+        <source>a call of {0}</source>
+        <translation>对 {0} 的调用</translation>
+    </message>
+    <message>
+        <source>a call without arguments</source>
+        <translation>不带实参的调用</translation>
+    </message>
+    <message>
+        <source>a computed second argument of {0}</source>
+        <translation>{0} 的第二个实参为计算值</translation>
+    </message>
+    <message>
+        <source>{0} outside a loop</source>
+        <translation>循环外的 {0}</translation>
+    </message>
+    <message>
+        <source>this statement</source>
+        <translation>此语句</translation>
+    </message>
+    <message>
+        <source>FOR with this end or step</source>
+        <translation>带此终值或步长的 FOR</translation>
+    </message>
+    <message>
+        <source>an assignment of several variables</source>
+        <translation>对多个变量的赋值</translation>
+    </message>
+    <message>
+        <source>CASE of a computed value</source>
+        <translation>对计算值的 CASE</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>an integer</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a number of seconds</source>
+        <translation>秒数</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>one of {0}</source>
+        <translation>{0} 之一</translation>
     </message>
 </context>
 <context>
@@ -2944,14 +4044,6 @@
             <numerusform>%n 个文件已更改：%1。是否保存？</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>在外部被更改</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too. Load the file from disk and lose the changes made here?</source>
-        <translation>%1 已被其他程序更改，此处也有更改。是否从磁盘加载文件并放弃此处的更改？</translation>
-    </message>
     <message numerus="yes">
         <source>Changed in %n file(s); those edited since stay as they are</source>
         <translation>
@@ -2991,6 +4083,119 @@
     <message>
         <source>Write</source>
         <translation>写入</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ExportDialog</name>
+    <message>
+        <source>Export the Project</source>
+        <translation>导出项目</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
+        <translation>PLCopen XML 0200，用于 CODESYS 和 TwinCAT</translation>
+    </message>
+    <message>
+        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
+        <translation>PLCopen XML 0201，用于 Beremiz 和 OpenPLC</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Format:</source>
+        <translation>格式：</translation>
+    </message>
+    <message>
+        <source>To:</source>
+        <translation>目标：</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::ImportDialog</name>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Units: %1
+Bodies: %2
+Not kept: %3</source>
+        <translation>POU：%1
+主体：%2
+未保留：%3</translation>
+    </message>
+    <message>
+        <source>Import a Project</source>
+        <translation>导入项目</translation>
+    </message>
+    <message>
+        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
+        <translation>PLCopen XML、TwinCAT 或 CODESYS 文件、结构化文本</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>文件…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>文件夹…</translation>
+    </message>
+    <message>
+        <source>Source files</source>
+        <translation>源文件</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>From:</source>
+        <translation>来源：</translation>
+    </message>
+    <message>
+        <source>New project in:</source>
+        <translation>新项目位置：</translation>
+    </message>
+    <message>
+        <source>Projects of other tools (%1)</source>
+        <translation>其他工具的项目 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>This folder is not empty; name a new one</source>
+        <translation>此文件夹不为空；请指定新的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::InstanceBar</name>
+    <message>
+        <source>Instance whose values are shown</source>
+        <translation>显示其值的实例</translation>
+    </message>
+    <message>
+        <source>Values of the instance of %1:</source>
+        <translation>%1 实例的值：</translation>
     </message>
 </context>
 <context>
@@ -3191,10 +4396,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Rename</source>
         <translation>重命名</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>%1 在整个项目中的新名称：</translation>
     </message>
     <message numerus="yes">
         <source>%1 is now %2 in %n place(s)</source>
@@ -3611,10 +4812,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>以表格显示声明</translation>
     </message>
     <message>
-        <source>Chart Beside the Text</source>
-        <translation>在文本旁显示顺序功能图</translation>
-    </message>
-    <message>
         <source>Online Values in the Text</source>
         <translation>文本中的在线值</translation>
     </message>
@@ -3665,10 +4862,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>%1 – back to live</source>
         <translation>%1 – 返回实时</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>画面 %1</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -3833,10 +5026,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>项目已导出</translation>
     </message>
     <message>
-        <source>%1 is written in %2 and is saved as it was found</source>
-        <translation>%1 的编码为 %2，将按原样保存</translation>
-    </message>
-    <message>
         <source>Select the Next Occurrence Too</source>
         <translation>同时选择下一个匹配项</translation>
     </message>
@@ -3861,12 +5050,51 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>正在保留上次运行的记录…</translation>
     </message>
     <message>
-        <source>%1 is not UTF-8 and was read as Windows-1252; saving it writes UTF-8</source>
-        <translation>%1 不是 UTF-8，已按 Windows-1252 读取；保存时写为 UTF-8</translation>
-    </message>
-    <message>
         <source>Diagram Beside the Text</source>
         <translation>在文本旁显示图</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::MergeDialog</name>
+    <message>
+        <source>Compare %1</source>
+        <translation>比较 %1</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一处</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一处</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Take Over All</source>
+        <translation>全部采用</translation>
+    </message>
+    <message>
+        <source>Here (this text is kept)</source>
+        <translation>此处（保留此文本）</translation>
+    </message>
+    <message>
+        <source>On disk</source>
+        <translation>磁盘上</translation>
+    </message>
+    <message>
+        <source>Use the Text on the Left</source>
+        <translation>使用左侧文本</translation>
+    </message>
+    <message>
+        <source>No differences</source>
+        <translation>没有差异</translation>
+    </message>
+    <message>
+        <source>Difference %1 of %2</source>
+        <translation>差异 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -4040,6 +5268,21 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::app::PanelFiles</name>
+    <message>
+        <source>Texts</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Panel %1</source>
+        <translation>画面 %1</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::ProblemsView</name>
     <message>
         <source>Message</source>
@@ -4183,6 +5426,58 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Files</source>
         <translation>文件</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RenameDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>New name of %1, in the whole project:</source>
+        <translation>%1 在整个项目中的新名称：</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Places that change</source>
+        <translation>将更改之处</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n place(s) change:</source>
+        <translation>
+            <numerusform>将更改 %n 处：</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::RunsMenu</name>
+    <message>
+        <source>Earlier Runs</source>
+        <translation>以往的运行</translation>
+    </message>
+    <message>
+        <source>%1, ended by a fault, %2</source>
+        <translation>%1，因错误结束，%2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>The last run is being written…</source>
+        <translation>正在写入上次运行…</translation>
+    </message>
+    <message>
+        <source>No run has ended yet</source>
+        <translation>尚无已结束的运行</translation>
     </message>
 </context>
 <context>
@@ -4464,6 +5759,68 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     </message>
 </context>
 <context>
+    <name>plc::app::TestView</name>
+    <message>
+        <source>Run all tests</source>
+        <translation>运行所有测试</translation>
+    </message>
+    <message>
+        <source>Run the selected tests</source>
+        <translation>运行所选测试</translation>
+    </message>
+    <message>
+        <source>Run the failed tests</source>
+        <translation>运行失败的测试</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Tests</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>%1 passed, %2 failed</source>
+        <translation>%1 通过，%2 失败</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>尚未运行</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Show the Recording of the Failure</source>
+        <translation>显示失败的记录</translation>
+    </message>
+</context>
+<context>
+    <name>plc::app::TextPage</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+</context>
+<context>
     <name>plc::app::Tour</name>
     <message>
         <source>Back</source>
@@ -4583,26 +5940,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>删除 (Del)</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>全部显示</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>导出顺序功能图</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 can not be written</source>
-        <translation>无法写入 %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>打印…</translation>
-    </message>
-    <message>
         <source>The unit %1 is not in the text any more</source>
         <translation>POU %1 已不在文本中</translation>
     </message>
@@ -4613,10 +5950,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>%1 is not a chart</source>
         <translation>%1 不是顺序功能图</translation>
-    </message>
-    <message>
-        <source>Mend the text first: this is the last good drawing</source>
-        <translation>请先修正文本：这是最后一次正确的图形</translation>
     </message>
     <message>
         <source>Select the step from which the branch goes out</source>
@@ -4733,10 +6066,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Release the step</source>
         <translation>解除步的强制</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>导出为 SVG、PNG 或 PDF…</translation>
     </message>
     <message>
         <source>%1 is a variable: it has no body</source>
@@ -4970,6 +6299,275 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Release all</source>
         <translation>解除全部强制</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::GraphView</name>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Export as SVG, PNG or PDF…</source>
+        <translation>导出为 SVG、PNG 或 PDF…</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>导出图形</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>无法写入 %1</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>打印…</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::LadderView</name>
+    <message>
+        <source>Ladder or function block diagram</source>
+        <translation>梯形图或功能块图</translation>
+    </message>
+    <message>
+        <source>Insert a rung below (Ctrl+T)</source>
+        <translation>在下方插入程序段 (Ctrl+T)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the left (Ctrl+K)</source>
+        <translation>在左侧插入触点 (Ctrl+K)</translation>
+    </message>
+    <message>
+        <source>Insert a contact on the right (Ctrl+D)</source>
+        <translation>在右侧插入触点 (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>Insert a parallel contact (Ctrl+R)</source>
+        <translation>插入并联触点 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Insert a coil (Ctrl+A)</source>
+        <translation>插入线圈 (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Insert a function block (Ctrl+B)</source>
+        <translation>插入功能块 (Ctrl+B)</translation>
+    </message>
+    <message>
+        <source>Edit (F2)</source>
+        <translation>编辑 (F2)</translation>
+    </message>
+    <message>
+        <source>Delete (Del)</source>
+        <translation>删除 (Del)</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung (F9)</source>
+        <translation>程序段上的断点 (F9)</translation>
+    </message>
+    <message>
+        <source>Show as a function block diagram</source>
+        <translation>显示为功能块图</translation>
+    </message>
+    <message>
+        <source>Show as a ladder diagram</source>
+        <translation>显示为梯形图</translation>
+    </message>
+    <message>
+        <source>%1 is not in the text any more</source>
+        <translation>%1 已不在文本中</translation>
+    </message>
+    <message>
+        <source>The text has errors: this is the last good drawing</source>
+        <translation>文本有错误：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Fix the text first: this is the last good drawing</source>
+        <translation>请先修正文本：这是最后一次正确的图形</translation>
+    </message>
+    <message>
+        <source>Select a rung</source>
+        <translation>请选择程序段</translation>
+    </message>
+    <message>
+        <source>Select a coil</source>
+        <translation>请选择线圈</translation>
+    </message>
+    <message>
+        <source>Select a contact, a coil or a pin with a variable</source>
+        <translation>请选择触点、线圈或带变量的引脚</translation>
+    </message>
+    <message>
+        <source>The rung has no contact yet</source>
+        <translation>程序段尚无触点</translation>
+    </message>
+    <message>
+        <source>Select the rung that gets the block</source>
+        <translation>请选择要添加块的程序段</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>块</translation>
+    </message>
+    <message>
+        <source>Contact on the left; at a coil, the last contact</source>
+        <translation>左侧触点；在线圈处为最后一个触点</translation>
+    </message>
+    <message>
+        <source>Contact on the right</source>
+        <translation>右侧触点</translation>
+    </message>
+    <message>
+        <source>Parallel contact</source>
+        <translation>并联触点</translation>
+    </message>
+    <message>
+        <source>Coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>Function block in the rung</source>
+        <translation>程序段中的功能块</translation>
+    </message>
+    <message>
+        <source>Rung above</source>
+        <translation>上方程序段</translation>
+    </message>
+    <message>
+        <source>Rung below</source>
+        <translation>下方程序段</translation>
+    </message>
+    <message>
+        <source>Negate a contact, a coil or a pin</source>
+        <translation>取反触点、线圈或引脚</translation>
+    </message>
+    <message>
+        <source>Coil: normal, set, reset</source>
+        <translation>线圈：普通、置位、复位</translation>
+    </message>
+    <message>
+        <source>Comment of the rung</source>
+        <translation>程序段注释</translation>
+    </message>
+    <message>
+        <source>Edit what is selected (or Enter)</source>
+        <translation>编辑所选内容（或 Enter）</translation>
+    </message>
+    <message>
+        <source>Delete what is selected</source>
+        <translation>删除所选内容</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the rung</source>
+        <translation>程序段上的断点</translation>
+    </message>
+    <message>
+        <source>This list</source>
+        <translation>此列表</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>方向键</translation>
+    </message>
+    <message>
+        <source>Select the next part; Up and Down also the next rung</source>
+        <translation>选择下一部分；上下箭头还可选择相邻程序段</translation>
+    </message>
+    <message>
+        <source>Move the rung up; with Down, down</source>
+        <translation>上移程序段；按下箭头则下移</translation>
+    </message>
+    <message>
+        <source>Typed before a name: a negated contact</source>
+        <translation>在名称前输入：取反触点</translation>
+    </message>
+    <message>
+        <source>Keys in Ladder and Function Block Diagrams</source>
+        <translation>梯形图和功能块图中的按键</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Above</source>
+        <translation>在上方插入程序段</translation>
+    </message>
+    <message>
+        <source>Insert a Rung Below</source>
+        <translation>在下方插入程序段</translation>
+    </message>
+    <message>
+        <source>Insert a Contact</source>
+        <translation>插入触点</translation>
+    </message>
+    <message>
+        <source>Insert a Parallel Contact</source>
+        <translation>插入并联触点</translation>
+    </message>
+    <message>
+        <source>Insert a Coil</source>
+        <translation>插入线圈</translation>
+    </message>
+    <message>
+        <source>Insert a Function Block…</source>
+        <translation>插入功能块…</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>注释…</translation>
+    </message>
+    <message>
+        <source>Negate</source>
+        <translation>取反</translation>
+    </message>
+    <message>
+        <source>Set or Reset</source>
+        <translation>置位或复位</translation>
+    </message>
+    <message>
+        <source>Move the Rung Up</source>
+        <translation>上移程序段</translation>
+    </message>
+    <message>
+        <source>Move the Rung Down</source>
+        <translation>下移程序段</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Force TRUE</source>
+        <translation>强制 TRUE</translation>
+    </message>
+    <message>
+        <source>Force FALSE</source>
+        <translation>强制 FALSE</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>解除强制</translation>
+    </message>
+    <message>
+        <source>Toggle Breakpoint</source>
+        <translation>切换断点</translation>
+    </message>
+</context>
+<context>
+    <name>plc::editor::RunArchive</name>
+    <message>
+        <source>The recording of the last run was not kept: %1</source>
+        <translation>上次运行的记录未保留：%1</translation>
     </message>
 </context>
 <context>
@@ -5355,12 +6953,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>列</translation>
     </message>
     <message>
-        <source>Gap across</source>
-        <translation>水平间距</translation>
-        <source>The unit %1 is not in the text any more</source>
-        <translation>水平间距</translation>
-    </message>
-    <message>
         <source>Gap down</source>
         <translation>垂直间距</translation>
     </message>
@@ -5368,18 +6960,16 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <source>Index step</source>
         <translation>下标步长</translation>
     </message>
+    <message>
+        <source>Gap across</source>
+        <translation>水平间距</translation>
+    </message>
 </context>
 <context>
     <name>plc::hmi::DesignCanvas</name>
     <message>
         <source>Move</source>
         <translation>移动</translation>
-    </message>
-    <message>
-        <source>Resize</source>
-        <translation>调整大小</translation>
-        <source>Select the step from which the branch goes out</source>
-        <translation>调整大小</translation>
     </message>
     <message>
         <source>Move point</source>
@@ -5396,6 +6986,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Insert</source>
         <translation>插入</translation>
+    </message>
+    <message>
+        <source>Resize</source>
+        <translation>调整大小</translation>
     </message>
 </context>
 <context>
@@ -5514,12 +7108,6 @@ New panels are drawn in the designer: Project, Panels, New…</source>
         <translation>等高</translation>
     </message>
     <message>
-        <source>Same size</source>
-        <translation>等大小</translation>
-        <source>%1 is a variable: it has no body</source>
-        <translation>等大小</translation>
-    </message>
-    <message>
         <source>Bring to front</source>
         <translation>置于顶层</translation>
     </message>
@@ -5610,6 +7198,10 @@ New panels are drawn in the designer: Project, Panels, New…</source>
     <message>
         <source>Variables</source>
         <translation>变量</translation>
+    </message>
+    <message>
+        <source>Same size</source>
+        <translation>等大小</translation>
     </message>
 </context>
 <context>
@@ -6474,1199 +8066,6 @@ Click selects, Ctrl+click shows or hides.</source>
     <message>
         <source>Saving the recording…</source>
         <translation>正在保存记录…</translation>
-    </message>
-</context>
-<context>
-    <name>Phrases</name>
-    <message>
-        <source>a name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>a label</source>
-        <translation>标号</translation>
-    </message>
-    <message>
-        <source>an operand</source>
-        <translation>操作数</translation>
-    </message>
-    <message>
-        <source>an expression</source>
-        <translation>表达式</translation>
-    </message>
-    <message>
-        <source>a value</source>
-        <translation>值</translation>
-    </message>
-    <message>
-        <source>a type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>an index</source>
-        <translation>下标</translation>
-    </message>
-    <message>
-        <source>an argument</source>
-        <translation>实参</translation>
-    </message>
-    <message>
-        <source>an address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>an action</source>
-        <translation>动作</translation>
-    </message>
-    <message>
-        <source>a CASE label</source>
-        <translation>CASE 标号</translation>
-    </message>
-    <message>
-        <source>a block&apos;s name</source>
-        <translation>块的名称</translation>
-    </message>
-    <message>
-        <source>a processor&apos;s name</source>
-        <translation>处理器的名称</translation>
-    </message>
-    <message>
-        <source>a task&apos;s name</source>
-        <translation>任务的名称</translation>
-    </message>
-    <message>
-        <source>a program instance&apos;s name</source>
-        <translation>程序实例的名称</translation>
-    </message>
-    <message>
-        <source>an input or output</source>
-        <translation>输入或输出</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s name</source>
-        <translation>变量的名称</translation>
-    </message>
-    <message>
-        <source>a variable&apos;s path</source>
-        <translation>变量的路径</translation>
-    </message>
-    <message>
-        <source>a step&apos;s name</source>
-        <translation>步的名称</translation>
-    </message>
-    <message>
-        <source>a type&apos;s name</source>
-        <translation>类型的名称</translation>
-    </message>
-    <message>
-        <source>a member&apos;s name</source>
-        <translation>成员的名称</translation>
-    </message>
-    <message>
-        <source>an access name</source>
-        <translation>访问名称</translation>
-    </message>
-    <message>
-        <source>an enumeration value</source>
-        <translation>枚举值</translation>
-    </message>
-    <message>
-        <source>the end of the line</source>
-        <translation>行尾</translation>
-    </message>
-    <message>
-        <source>the end of the file</source>
-        <translation>文件结尾</translation>
-    </message>
-    <message>
-        <source>{0} or {1}</source>
-        <translation>{0} 或 {1}</translation>
-    </message>
-    <message>
-        <source>FOR and a time</source>
-        <translation>FOR 和时间</translation>
-    </message>
-    <message>
-        <source>:= or instructions</source>
-        <translation>:= 或语句</translation>
-    </message>
-    <message>
-        <source>a subrange</source>
-        <translation>子范围</translation>
-    </message>
-    <message>
-        <source>an enumeration</source>
-        <translation>枚举</translation>
-    </message>
-    <message>
-        <source>in parentheses</source>
-        <translation>在括号中</translation>
-    </message>
-    <message>
-        <source>a chart</source>
-        <translation>顺序功能图</translation>
-    </message>
-    <message>
-        <source>a body</source>
-        <translation>主体</translation>
-    </message>
-    <message>
-        <source>in a CLASS</source>
-        <translation>CLASS 中</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION</source>
-        <translation>FUNCTION 中</translation>
-    </message>
-    <message>
-        <source>in a METHOD</source>
-        <translation>METHOD 中</translation>
-    </message>
-    <message>
-        <source>in a PROGRAM</source>
-        <translation>PROGRAM 中</translation>
-    </message>
-    <message>
-        <source>in a FUNCTION_BLOCK</source>
-        <translation>FUNCTION_BLOCK 中</translation>
-    </message>
-    <message>
-        <source>here</source>
-        <translation>此处</translation>
-    </message>
-    <message>
-        <source>in {0}</source>
-        <translation>{0} 中</translation>
-    </message>
-    <message>
-        <source>in an expression</source>
-        <translation>表达式中</translation>
-    </message>
-    <message>
-        <source>in an initial value</source>
-        <translation>初始值中</translation>
-    </message>
-    <message>
-        <source>in this section</source>
-        <translation>此区段中</translation>
-    </message>
-    <message>
-        <source>an initial value</source>
-        <translation>初始值</translation>
-    </message>
-    <message>
-        <source>RETURN with a value</source>
-        <translation>带值的 RETURN</translation>
-    </message>
-    <message>
-        <source>in a declaration that calls FB_Init</source>
-        <translation>调用 FB_Init 的声明中</translation>
-    </message>
-    <message>
-        <source>{0} (VAR_IN_OUT)</source>
-        <translation>{0} (VAR_IN_OUT)</translation>
-    </message>
-    <message>
-        <source>in {0}, which is not abstract itself</source>
-        <translation>本身不是抽象的 {0} 中</translation>
-    </message>
-    <message>
-        <source>address</source>
-        <translation>地址</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>date</source>
-        <translation>日期</translation>
-    </message>
-    <message>
-        <source>time of day</source>
-        <translation>时刻</translation>
-    </message>
-    <message>
-        <source>date and time</source>
-        <translation>日期和时间</translation>
-    </message>
-    <message>
-        <source>integer</source>
-        <translation>整数</translation>
-    </message>
-    <message>
-        <source>string</source>
-        <translation>字符串</translation>
-    </message>
-    <message>
-        <source>{0} (a constant)</source>
-        <translation>{0}（常量）</translation>
-    </message>
-    <message>
-        <source>{0} (an output)</source>
-        <translation>{0}（输出）</translation>
-    </message>
-    <message>
-        <source>{0} (a local variable of {1})</source>
-        <translation>{0}（{1} 的局部变量）</translation>
-    </message>
-    <message>
-        <source>{0} (an input)</source>
-        <translation>{0}（输入）</translation>
-    </message>
-    <message>
-        <source>{0} (an input; the next scan overwrites it)</source>
-        <translation>{0}（输入；下一个扫描周期会覆盖它）</translation>
-    </message>
-    <message>
-        <source>{0} (a property without SET)</source>
-        <translation>{0}（没有 SET 的属性）</translation>
-    </message>
-    <message>
-        <source>{0} (no instance, or several)</source>
-        <translation>{0}（没有实例，或有多个）</translation>
-    </message>
-    <message>
-        <source>{0} (a type; declare an instance of it)</source>
-        <translation>{0}（类型；请声明其实例）</translation>
-    </message>
-    <message>
-        <source>{0} (a variable, which hides the function of this name)</source>
-        <translation>{0}（变量，隐藏了同名函数）</translation>
-    </message>
-    <message>
-        <source>an output</source>
-        <translation>输出</translation>
-    </message>
-    <message>
-        <source>an input</source>
-        <translation>输入</translation>
-    </message>
-    <message>
-        <source>an IN_OUT parameter</source>
-        <translation>IN_OUT 参数</translation>
-    </message>
-    <message>
-        <source>a power of a computed number</source>
-        <translation>计算值的幂</translation>
-    </message>
-    <message>
-        <source>a call of {0}</source>
-        <translation>对 {0} 的调用</translation>
-    </message>
-    <message>
-        <source>a call without arguments</source>
-        <translation>不带实参的调用</translation>
-    </message>
-    <message>
-        <source>a computed second argument of {0}</source>
-        <translation>{0} 的第二个实参为计算值</translation>
-    </message>
-    <message>
-        <source>{0} outside a loop</source>
-        <translation>循环外的 {0}</translation>
-    </message>
-    <message>
-        <source>this statement</source>
-        <translation>此语句</translation>
-    </message>
-    <message>
-        <source>FOR with this end or step</source>
-        <translation>带此终值或步长的 FOR</translation>
-    </message>
-    <message>
-        <source>an assignment of several variables</source>
-        <translation>对多个变量的赋值</translation>
-    </message>
-    <message>
-        <source>CASE of a computed value</source>
-        <translation>对计算值的 CASE</translation>
-    </message>
-    <message>
-        <source>a text</source>
-        <translation>文本</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>数字</translation>
-    </message>
-    <message>
-        <source>an integer</source>
-        <translation>整数</translation>
-    </message>
-    <message>
-        <source>a number of seconds</source>
-        <translation>秒数</translation>
-    </message>
-    <message>
-        <source>a list</source>
-        <translation>列表</translation>
-    </message>
-    <message>
-        <source>an object</source>
-        <translation>对象</translation>
-    </message>
-    <message>
-        <source>one of {0}</source>
-        <translation>{0} 之一</translation>
-    </message>
-</context>
-<context>
-    <name>Fixes</name>
-    <message>
-        <source>Replace with {0}</source>
-        <translation>替换为 {0}</translation>
-    </message>
-    <message>
-        <source>Insert {0}</source>
-        <translation>插入 {0}</translation>
-    </message>
-    <message>
-        <source>Did you mean {0}?</source>
-        <translation>是否指 {0}？</translation>
-    </message>
-    <message>
-        <source>Convert with {0}</source>
-        <translation>用 {0} 转换</translation>
-    </message>
-    <message>
-        <source>Move {0} to {1}</source>
-        <translation>将 {0} 移到 {1}</translation>
-    </message>
-    <message>
-        <source>Add the property {0}</source>
-        <translation>添加属性 {0}</translation>
-    </message>
-    <message>
-        <source>Add the method {0}</source>
-        <translation>添加方法 {0}</translation>
-    </message>
-    <message>
-        <source>Add the missing branches</source>
-        <translation>添加缺少的分支</translation>
-    </message>
-    <message>
-        <source>Add ELSE</source>
-        <translation>添加 ELSE</translation>
-    </message>
-    <message>
-        <source>Add () to call it</source>
-        <translation>添加 () 以调用</translation>
-    </message>
-    <message>
-        <source>Compare with 0</source>
-        <translation>与 0 比较</translation>
-    </message>
-    <message>
-        <source>Remove the unused declaration</source>
-        <translation>移除未使用的声明</translation>
-    </message>
-    <message>
-        <source>Replace with IF and ELSIF</source>
-        <translation>替换为 IF 和 ELSIF</translation>
-    </message>
-    <message>
-        <source>Change to a WSTRING literal</source>
-        <translation>改为 WSTRING 字面量</translation>
-    </message>
-    <message>
-        <source>Replace with straight quotes</source>
-        <translation>替换为直引号</translation>
-    </message>
-    <message>
-        <source>Make {0} the initial step</source>
-        <translation>将 {0} 设为初始步</translation>
-    </message>
-    <message>
-        <source>Dereference the pointer with ^</source>
-        <translation>用 ^ 解引用指针</translation>
-    </message>
-</context>
-<context>
-    <name>Notes</name>
-    <message>
-        <source>first declared here</source>
-        <translation>首次在此处声明</translation>
-    </message>
-    <message>
-        <source>declared here</source>
-        <translation>在此处声明</translation>
-    </message>
-    <message>
-        <source>the variable</source>
-        <translation>变量</translation>
-    </message>
-    <message>
-        <source>the first program</source>
-        <translation>第一个程序</translation>
-    </message>
-    <message>
-        <source>overridden here</source>
-        <translation>在此处重写</translation>
-    </message>
-    <message>
-        <source>the first one</source>
-        <translation>第一个</translation>
-    </message>
-    <message>
-        <source>by this transition, while it is active</source>
-        <translation>经由此转换，在其激活期间</translation>
-    </message>
-</context>
-<context>
-    <name>Exchange</name>
-    <message>
-        <source>The file is written in {0}</source>
-        <translation>文件的编码为 {0}</translation>
-    </message>
-    <message>
-        <source>The file was not read: {0}</source>
-        <translation>文件未读取：{0}</translation>
-    </message>
-    <message>
-        <source>The element {0} was not read</source>
-        <translation>元素 {0} 未读取</translation>
-    </message>
-    <message>
-        <source>The vendor&apos;s data {0} is kept in exchange.json</source>
-        <translation>厂商数据 {0} 保存在 exchange.json 中</translation>
-    </message>
-    <message>
-        <source>The body in {0} became structured text; the diagram is kept in exchange.json</source>
-        <translation>{0} 中的主体已变为结构化文本；图保存在 exchange.json 中</translation>
-    </message>
-    <message>
-        <source>The body in {0} is stored in a form that only its own editor reads; export it there as PLCopen XML</source>
-        <translation>{0} 中的主体以只有其自身编辑器可读的形式存储；请在那里导出为 PLCopen XML</translation>
-    </message>
-    <message>
-        <source>A jump leads to the step {0}, which does not exist</source>
-        <translation>跳转通向步 {0}，但该步不存在</translation>
-    </message>
-    <message>
-        <source>The element {0} of the chart is not connected and was left out</source>
-        <translation>顺序功能图的元素 {0} 未连接，已略去</translation>
-    </message>
-    <message>
-        <source>The transition from {0} has no condition; it is written as FALSE</source>
-        <translation>从 {0} 出发的转换没有条件；写为 FALSE</translation>
-    </message>
-    <message>
-        <source>The element {0} takes part in a loop without a block that stores a value; its last value is not kept</source>
-        <translation>元素 {0} 处于没有存储值的块的循环中；不保留其上次的值</translation>
-    </message>
-    <message>
-        <source>The element {0} is not connected and was left out</source>
-        <translation>元素 {0} 未连接，已略去</translation>
-    </message>
-    <message>
-        <source>An edge in a function needs the value of the last call, which a function does not store</source>
-        <translation>函数中的边沿需要上次调用的值，而函数不存储该值</translation>
-    </message>
-    <message>
-        <source>The result of {0} is used in several places and is computed in each</source>
-        <translation>{0} 的结果在多处使用，并在每处计算</translation>
-    </message>
-    <message>
-        <source>The type of the result of {0} is not known; it is computed although EN is FALSE</source>
-        <translation>{0} 的结果类型未知；即使 EN 为 FALSE 也会计算</translation>
-    </message>
-    <message>
-        <source>The library {0} is not part of Stepwise; uses of it are reported by the check</source>
-        <translation>库 {0} 不属于 Stepwise；检查会报告其使用处</translation>
-    </message>
-    <message>
-        <source>Code in C is kept as a comment and is not executed</source>
-        <translation>C 代码作为注释保留，不会执行</translation>
-    </message>
-    <message>
-        <source>There are two units named {0}; the second is in {1}</source>
-        <translation>有两个名为 {0} 的 POU；第二个在 {1} 中</translation>
-    </message>
-    <message>
-        <source>The configuration of the devices was not read; assign the inputs and outputs again</source>
-        <translation>设备配置未读取；请重新分配输入和输出</translation>
-    </message>
-    <message>
-        <source>The task {0} is started by the event {1}, which does not exist here; give it an INTERVAL or a SINGLE</source>
-        <translation>任务 {0} 由事件 {1} 启动，但此处没有该事件；请为其指定 INTERVAL 或 SINGLE</translation>
-    </message>
-    <message>
-        <source>{0} counts %MW1 in words, here it is counted in bytes; check that the addresses do not overlap</source>
-        <translation>{0} 按字计算 %MW1，此处按字节计算；请检查地址是否重叠</translation>
-    </message>
-    <message>
-        <source>A comment outside of the elements was left out: {0}</source>
-        <translation>元素之外的注释已略去：{0}</translation>
-    </message>
-    <message>
-        <source>The diagram in {0} was not read: an expression repeats itself without end</source>
-        <translation>{0} 中的图未读取：表达式无限重复</translation>
-    </message>
-    <message>
-        <source>A condition in {0} needs the call of a block, which a condition cannot make</source>
-        <translation>{0} 中的条件需要调用块，而条件不能这样做</translation>
-    </message>
-    <message>
-        <source>The transition {0} is not a single expression and was not read</source>
-        <translation>转换 {0} 不是单个表达式，未读取</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for panels; they were left out</source>
-        <translation>PLCopen XML 不支持画面；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for traces; they were left out</source>
-        <translation>PLCopen XML 不支持跟踪；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; they were left out</source>
-        <translation>PLCopen XML 不支持测试；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for tests; the TEST &apos;{0}&apos; was left out</source>
-        <translation>PLCopen XML 不支持测试；TEST“{0}”已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for namespaces; a NAMESPACE was left out with its units</source>
-        <translation>PLCopen XML 不支持命名空间；一个 NAMESPACE 及其 POU 已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for USING; it was left out</source>
-        <translation>PLCopen XML 不支持 USING；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has no place for the name of the transition {0}; it was left out</source>
-        <translation>PLCopen XML 不支持转换 {0} 的名称；已略去</translation>
-    </message>
-    <message>
-        <source>PLCopen XML has one indicator per action; {0} was left out</source>
-        <translation>PLCopen XML 每个动作只有一个指示变量；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no methods; {0} was left out</source>
-        <translation>版本 0201 没有方法；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no properties; {0} was left out</source>
-        <translation>版本 0201 没有属性；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no interfaces; {0} was left out</source>
-        <translation>版本 0201 没有接口；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no unions; {0} was left out</source>
-        <translation>版本 0201 没有联合；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no inheritance; EXTENDS or IMPLEMENTS of {0} was left out</source>
-        <translation>版本 0201 没有继承；{0} 的 EXTENDS 或 IMPLEMENTS 已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 does not have the type {0}; other tools will not know it</source>
-        <translation>版本 0201 没有类型 {0}；其他工具将无法识别</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the pragma {0} of a step; it was left out</source>
-        <translation>版本 0201 不支持步的编译指示 {0}；已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for {0} of a task; it was left out</source>
-        <translation>版本 0201 不支持任务的 {0}；已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for the connections of the program {0}; they were left out</source>
-        <translation>版本 0201 不支持程序 {0} 的连接；已略去</translation>
-    </message>
-    <message>
-        <source>Version 0201 has no place for libraries; {0} was left out</source>
-        <translation>版本 0201 不支持库；{0} 已略去</translation>
-    </message>
-    <message>
-        <source>The file is no program source and was left out</source>
-        <translation>文件不是程序源，已略去</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ImportDialog</name>
-    <message>
-        <source>Place</source>
-        <translation>位置</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>提示</translation>
-    </message>
-    <message>
-        <source>Report</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>Units: %1
-Bodies: %2
-Not kept: %3</source>
-        <translation>POU：%1
-主体：%2
-未保留：%3</translation>
-    </message>
-    <message>
-        <source>Import a Project</source>
-        <translation>导入项目</translation>
-    </message>
-    <message>
-        <source>PLCopen XML, TwinCAT or CODESYS files, structured text</source>
-        <translation>PLCopen XML、TwinCAT 或 CODESYS 文件、结构化文本</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
-        <source>Folder…</source>
-        <translation>文件夹…</translation>
-    </message>
-    <message>
-        <source>Source files</source>
-        <translation>源文件</translation>
-    </message>
-    <message>
-        <source>Preview</source>
-        <translation>预览</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>导入</translation>
-    </message>
-    <message>
-        <source>From:</source>
-        <translation>来源：</translation>
-    </message>
-    <message>
-        <source>New project in:</source>
-        <translation>新项目位置：</translation>
-    </message>
-    <message>
-        <source>Projects of other tools (%1)</source>
-        <translation>其他工具的项目 (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>This folder is not empty; name a new one</source>
-        <translation>此文件夹不为空；请指定新的文件夹</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::ExportDialog</name>
-    <message>
-        <source>Export the Project</source>
-        <translation>导出项目</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0200, for CODESYS and TwinCAT</source>
-        <translation>PLCopen XML 0200，用于 CODESYS 和 TwinCAT</translation>
-    </message>
-    <message>
-        <source>PLCopen XML 0201, for Beremiz and OpenPLC</source>
-        <translation>PLCopen XML 0201，用于 Beremiz 和 OpenPLC</translation>
-    </message>
-    <message>
-        <source>File…</source>
-        <translation>文件…</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>导出</translation>
-    </message>
-    <message>
-        <source>Format:</source>
-        <translation>格式：</translation>
-    </message>
-    <message>
-        <source>To:</source>
-        <translation>目标：</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::GraphView</name>
-    <message>
-        <source>Show all</source>
-        <translation>全部显示</translation>
-    </message>
-    <message>
-        <source>Export as SVG, PNG or PDF…</source>
-        <translation>导出为 SVG、PNG 或 PDF…</translation>
-    </message>
-    <message>
-        <source>Export the Drawing</source>
-        <translation>导出图形</translation>
-    </message>
-    <message>
-        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
-        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>无法写入 %1</translation>
-    </message>
-    <message>
-        <source>Print…</source>
-        <translation>打印…</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>请先修正文本：这是最后一次正确的图形</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RenameDialog</name>
-    <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message>
-        <source>New name of %1, in the whole project:</source>
-        <translation>%1 在整个项目中的新名称：</translation>
-    </message>
-    <message>
-        <source>Place</source>
-        <translation>位置</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>文本</translation>
-    </message>
-    <message>
-        <source>Places that change</source>
-        <translation>将更改之处</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n place(s) change:</source>
-        <translation>
-            <numerusform>将更改 %n 处：</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>DiskChange</name>
-    <message>
-        <source>Changed outside</source>
-        <translation>在外部被更改</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program, and here too.</source>
-        <translation>%1 已被其他程序更改，此处也有更改。</translation>
-    </message>
-    <message>
-        <source>Compare both side by side, load the file from disk and lose the changes made here, or keep what is here and replace the file with the next save?</source>
-        <translation>并排比较两者，从磁盘加载文件并放弃此处的更改，还是保留此处的内容并在下次保存时替换文件？</translation>
-    </message>
-    <message>
-        <source>Compare…</source>
-        <translation>比较…</translation>
-    </message>
-    <message>
-        <source>Load from Disk</source>
-        <translation>从磁盘加载</translation>
-    </message>
-    <message>
-        <source>Keep Mine</source>
-        <translation>保留我的版本</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::InstanceBar</name>
-    <message>
-        <source>Instance whose values are shown</source>
-        <translation>显示其值的实例</translation>
-    </message>
-    <message>
-        <source>Values of the instance of %1:</source>
-        <translation>%1 实例的值：</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::MergeDialog</name>
-    <message>
-        <source>Compare %1</source>
-        <translation>比较 %1</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>上一处</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>下一处</translation>
-    </message>
-    <message>
-        <source>Take Over</source>
-        <translation>采用</translation>
-    </message>
-    <message>
-        <source>Take Over All</source>
-        <translation>全部采用</translation>
-    </message>
-    <message>
-        <source>Here (this text is kept)</source>
-        <translation>此处（保留此文本）</translation>
-    </message>
-    <message>
-        <source>On disk</source>
-        <translation>磁盘上</translation>
-    </message>
-    <message>
-        <source>Use the Text on the Left</source>
-        <translation>使用左侧文本</translation>
-    </message>
-    <message>
-        <source>No differences</source>
-        <translation>没有差异</translation>
-    </message>
-    <message>
-        <source>Difference %1 of %2</source>
-        <translation>差异 %1 / %2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::PanelFiles</name>
-    <message>
-        <source>Texts</source>
-        <translation>文本</translation>
-    </message>
-    <message>
-        <source>Alarms</source>
-        <translation>报警</translation>
-    </message>
-    <message>
-        <source>Panel %1</source>
-        <translation>画面 %1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::RunsMenu</name>
-    <message>
-        <source>Earlier Runs</source>
-        <translation>以往的运行</translation>
-    </message>
-    <message>
-        <source>%1, ended by a fault, %2</source>
-        <translation>%1，因错误结束，%2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>The last run is being written…</source>
-        <translation>正在写入上次运行…</translation>
-    </message>
-    <message>
-        <source>No run has ended yet</source>
-        <translation>尚无已结束的运行</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TestView</name>
-    <message>
-        <source>Run all tests</source>
-        <translation>运行所有测试</translation>
-    </message>
-    <message>
-        <source>Run the selected tests</source>
-        <translation>运行所选测试</translation>
-    </message>
-    <message>
-        <source>Run the failed tests</source>
-        <translation>运行失败的测试</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>测试</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>测试</translation>
-    </message>
-    <message>
-        <source>%1 passed, %2 failed</source>
-        <translation>%1 通过，%2 失败</translation>
-    </message>
-    <message>
-        <source>not run yet</source>
-        <translation>尚未运行</translation>
-    </message>
-    <message>
-        <source>passed</source>
-        <translation>通过</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>失败</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Show the Recording of the Failure</source>
-        <translation>显示失败的记录</translation>
-    </message>
-</context>
-<context>
-    <name>plc::app::TextPage</name>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>第 %1 行：%2</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::RunArchive</name>
-    <message>
-        <source>The recording of the last run was not kept: %1</source>
-        <translation>上次运行的记录未保留：%1</translation>
-    </message>
-</context>
-<context>
-    <name>plc::editor::LadderView</name>
-    <message>
-        <source>Ladder or function block diagram</source>
-        <translation>梯形图或功能块图</translation>
-    </message>
-    <message>
-        <source>Insert a rung below (Ctrl+T)</source>
-        <translation>在下方插入程序段 (Ctrl+T)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the left (Ctrl+K)</source>
-        <translation>在左侧插入触点 (Ctrl+K)</translation>
-    </message>
-    <message>
-        <source>Insert a contact on the right (Ctrl+D)</source>
-        <translation>在右侧插入触点 (Ctrl+D)</translation>
-    </message>
-    <message>
-        <source>Insert a parallel contact (Ctrl+R)</source>
-        <translation>插入并联触点 (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>Insert a coil (Ctrl+A)</source>
-        <translation>插入线圈 (Ctrl+A)</translation>
-    </message>
-    <message>
-        <source>Insert a function block (Ctrl+B)</source>
-        <translation>插入功能块 (Ctrl+B)</translation>
-    </message>
-    <message>
-        <source>Edit (F2)</source>
-        <translation>编辑 (F2)</translation>
-    </message>
-    <message>
-        <source>Delete (Del)</source>
-        <translation>删除 (Del)</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung (F9)</source>
-        <translation>程序段上的断点 (F9)</translation>
-    </message>
-    <message>
-        <source>Show as a function block diagram</source>
-        <translation>显示为功能块图</translation>
-    </message>
-    <message>
-        <source>Show as a ladder diagram</source>
-        <translation>显示为梯形图</translation>
-    </message>
-    <message>
-        <source>%1 is not in the text any more</source>
-        <translation>%1 已不在文本中</translation>
-    </message>
-    <message>
-        <source>The text has errors: this is the last good drawing</source>
-        <translation>文本有错误：这是最后一次正确的图形</translation>
-    </message>
-    <message>
-        <source>Fix the text first: this is the last good drawing</source>
-        <translation>请先修正文本：这是最后一次正确的图形</translation>
-    </message>
-    <message>
-        <source>Select a rung</source>
-        <translation>请选择程序段</translation>
-    </message>
-    <message>
-        <source>Select a coil</source>
-        <translation>请选择线圈</translation>
-    </message>
-    <message>
-        <source>Select a contact, a coil or a pin with a variable</source>
-        <translation>请选择触点、线圈或带变量的引脚</translation>
-    </message>
-    <message>
-        <source>The rung has no contact yet</source>
-        <translation>程序段尚无触点</translation>
-    </message>
-    <message>
-        <source>Select the rung that gets the block</source>
-        <translation>请选择要添加块的程序段</translation>
-    </message>
-    <message>
-        <source>block</source>
-        <translation>块</translation>
-    </message>
-    <message>
-        <source>Contact on the left; at a coil, the last contact</source>
-        <translation>左侧触点；在线圈处为最后一个触点</translation>
-    </message>
-    <message>
-        <source>Contact on the right</source>
-        <translation>右侧触点</translation>
-    </message>
-    <message>
-        <source>Parallel contact</source>
-        <translation>并联触点</translation>
-    </message>
-    <message>
-        <source>Coil</source>
-        <translation>线圈</translation>
-    </message>
-    <message>
-        <source>Function block in the rung</source>
-        <translation>程序段中的功能块</translation>
-    </message>
-    <message>
-        <source>Rung above</source>
-        <translation>上方程序段</translation>
-    </message>
-    <message>
-        <source>Rung below</source>
-        <translation>下方程序段</translation>
-    </message>
-    <message>
-        <source>Negate a contact, a coil or a pin</source>
-        <translation>取反触点、线圈或引脚</translation>
-    </message>
-    <message>
-        <source>Coil: normal, set, reset</source>
-        <translation>线圈：普通、置位、复位</translation>
-    </message>
-    <message>
-        <source>Comment of the rung</source>
-        <translation>程序段注释</translation>
-    </message>
-    <message>
-        <source>Edit what is selected (or Enter)</source>
-        <translation>编辑所选内容（或 Enter）</translation>
-    </message>
-    <message>
-        <source>Delete what is selected</source>
-        <translation>删除所选内容</translation>
-    </message>
-    <message>
-        <source>Breakpoint on the rung</source>
-        <translation>程序段上的断点</translation>
-    </message>
-    <message>
-        <source>This list</source>
-        <translation>此列表</translation>
-    </message>
-    <message>
-        <source>Arrows</source>
-        <translation>方向键</translation>
-    </message>
-    <message>
-        <source>Select the next part; Up and Down also the next rung</source>
-        <translation>选择下一部分；上下箭头还可选择相邻程序段</translation>
-    </message>
-    <message>
-        <source>Move the rung up; with Down, down</source>
-        <translation>上移程序段；按下箭头则下移</translation>
-    </message>
-    <message>
-        <source>Typed before a name: a negated contact</source>
-        <translation>在名称前输入：取反触点</translation>
-    </message>
-    <message>
-        <source>Keys in Ladder and Function Block Diagrams</source>
-        <translation>梯形图和功能块图中的按键</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Above</source>
-        <translation>在上方插入程序段</translation>
-    </message>
-    <message>
-        <source>Insert a Rung Below</source>
-        <translation>在下方插入程序段</translation>
-    </message>
-    <message>
-        <source>Insert a Contact</source>
-        <translation>插入触点</translation>
-    </message>
-    <message>
-        <source>Insert a Parallel Contact</source>
-        <translation>插入并联触点</translation>
-    </message>
-    <message>
-        <source>Insert a Coil</source>
-        <translation>插入线圈</translation>
-    </message>
-    <message>
-        <source>Insert a Function Block…</source>
-        <translation>插入功能块…</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation>编辑</translation>
-    </message>
-    <message>
-        <source>Comment…</source>
-        <translation>注释…</translation>
-    </message>
-    <message>
-        <source>Negate</source>
-        <translation>取反</translation>
-    </message>
-    <message>
-        <source>Set or Reset</source>
-        <translation>置位或复位</translation>
-    </message>
-    <message>
-        <source>Move the Rung Up</source>
-        <translation>上移程序段</translation>
-    </message>
-    <message>
-        <source>Move the Rung Down</source>
-        <translation>下移程序段</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Force TRUE</source>
-        <translation>强制 TRUE</translation>
-    </message>
-    <message>
-        <source>Force FALSE</source>
-        <translation>强制 FALSE</translation>
-    </message>
-    <message>
-        <source>Release</source>
-        <translation>解除强制</translation>
-    </message>
-    <message>
-        <source>Toggle Breakpoint</source>
-        <translation>切换断点</translation>
     </message>
 </context>
 </TS>
