@@ -19,6 +19,7 @@
 #include "editor/kit/icons.h"
 #include "editor/kit/long_task.h"
 #include "editor/kit/message_text.h"
+#include "editor/kit/mnemonics.h"
 #include "editor/kit/plot_scale.h"
 #include "editor/kit/work_strip.h"
 
@@ -71,6 +72,7 @@ void MainWindow::build() {
     m_stack->addWidget(m_tabs);
     setCentralWidget(m_stack);
     makeDocks();
+    kit::keepMnemonics(*qApp);
     makeActions();
     makeStatusLine();
     connectParts();
@@ -230,6 +232,7 @@ void MainWindow::makeActions() {
         else
             bar->addAction(action(id));
     }
+    kit::giveMnemonics(*menuBar());
     m_palette = new kit::CommandPalette(this, [this] { return allActions(); });
 }
 
