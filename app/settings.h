@@ -22,6 +22,8 @@ public:
     void setFormatOnSave(bool on);
     [[nodiscard]] bool changeOnSave() const; // online change with every save
     void setChangeOnSave(bool on);
+    [[nodiscard]] int ladderLook() const; // editor::LadderLook::bits
+    void setLadderLook(int bits);
     [[nodiscard]] bool sawTour() const;
     void setSawTour();
     [[nodiscard]] bool arrangesByFile() const; // the project tree

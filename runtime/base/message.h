@@ -3,13 +3,13 @@
 // its parameters; a call with others, or a sentence whose {0} {1}… do not match, does not compile.
 // "{1:element|elements}" in a sentence is the one or the other as argument 1 is 1 or not. Values, any thread.
 #pragma once
-#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -54,7 +54,7 @@ struct Names {
 };
 struct Integer {
     static constexpr ParameterKind kKind = ParameterKind::Integer;
-    template <std::integral T> Integer(T number) {
+    template <class T, class = std::enable_if_t<std::is_integral_v<T>>> Integer(T number) {
         if constexpr (std::is_signed_v<T>)
             value = static_cast<int64_t>(number);
         else
@@ -89,9 +89,6 @@ public:
     Message() = default; // says nothing
     Message(const messages::Form& form, std::vector<messages::Argument> arguments)
         : m_form(&form), m_arguments(std::move(arguments)) {}
-    /// A sentence that is in no list yet, shown in English to every reader. Goes away when the last caller has its row.
-    Message(std::string unlisted);
-    Message(const char* unlisted) : Message(std::string(unlisted)) {}
     [[nodiscard]] bool isEmpty() const { return !m_form; }
     [[nodiscard]] const messages::Form* form() const { return m_form; }
     [[nodiscard]] const std::vector<messages::Argument>& arguments() const { return m_arguments; }

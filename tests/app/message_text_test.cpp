@@ -9,6 +9,7 @@
 #include "hmi/player/player_status.h"
 #include "runtime/controller/fault_report.h"
 #include "runtime/diagnostics/diagnostic.h"
+#include "runtime/inside/texts.h"
 #include "tests/app/studio_fixture.h"
 
 #include <QToolButton>
@@ -37,6 +38,8 @@ const Form* const kForms[] = {
 #include "editor/kit/errors.def"
 #define PLC_MESSAGE(Row, ...) &errors::Row,
 #include "hmi/model/errors.def"
+#define PLC_MESSAGE(Row, ...) &inside::texts::Row,
+#include "runtime/inside/texts.def"
 };
 
 /// An argument that is found again in the text: "<0>", or 70 for the number of parameter 0.

@@ -10,6 +10,8 @@
 #include "projects/storage/project_file.h"
 #include "projects/testing/test_run.h"
 
+#include <QCryptographicHash>
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -82,7 +84,9 @@ TEST_P(Example, HasReadmeWithPicturesPanelTraceTestsAndFourLanguages) {
 
     const std::string readme = textOf(folder + "/README.md");
     EXPECT_TRUE(readme.starts_with("# "));
-    EXPECT_NE(readme.find("## What to try"), std::string::npos);
+    for (const std::string section : {"## What to watch", "## What to try", "## What one learns"})
+        EXPECT_NE(readme.find("\n" + section + "\n"), std::string::npos) << section;
+    EXPECT_NE(readme.find("\n3. "), std::string::npos) << "three things to try";
     std::set<std::string> pictures;
     const std::regex picture(R"(!\[[^\]]+\]\(([^)]+)\))");
     for (std::sregex_iterator at(readme.begin(), readme.end(), picture), end; at != end; ++at)
@@ -134,6 +138,30 @@ TEST_P(Example, HasTheTestsThatTheDocumentationNames) {
         const std::string title = (*at)[1], file = (*at)[3];
         EXPECT_NE(textOf(folder + "/" + file).find("TEST '" + title + "'"), std::string::npos) << file << ": " << title;
     }
+}
+
+/// Every file that a picture of a project depends on, by its path.
+std::vector<std::string> picturedFiles(const std::string& folder) {
+    std::vector<std::string> files = {"docs/pictures.txt", "project.json"};
+    for (const std::string part : {"src", "hmi", "traces"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder + "/" + part))
+            if (entry.is_regular_file())
+                files.push_back(std::filesystem::relative(entry.path(), folder).generic_string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// The pictures of the README are of the project as it is: docs/make_pictures.sh writes what they were made from.
+TEST_P(Example, HasPicturesOfWhatItIsNow) {
+    QCryptographicHash sum(QCryptographicHash::Sha256);
+    for (const std::string& file : picturedFiles(folder)) {
+        sum.addData(QByteArray::fromStdString(file + "\n"));
+        sum.addData(QByteArray::fromStdString(textOf(folder + "/" + file)));
+    }
+    std::string recorded;
+    std::istringstream(textOf(folder + "/docs/pictures.sum")) >> recorded;
+    EXPECT_EQ(recorded, sum.result().toHex().toStdString())
+        << "the pictures are older than the project: run docs/make_pictures.sh dev " << GetParam();
 }
 
 /// What an element shows: the values of its expressions, changed or not, whatever they move, fill, light or hide.
